@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include <LinearMath/btTransform.h>
+
+#include <sherd/breakable_asset.h>
+#include <sherd/events.h>
+
+class btCompoundShape;
+class btDiscreteDynamicsWorld;
+class btRigidBody;
+
+namespace sherd {
+
+/// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made and takes itself
+/// out when destroyed; the world must outlive it. Breaks happen inside `stepSimulation`.
+class FractureWorld {
+  public:
+    explicit FractureWorld(btDiscreteDynamicsWorld* world);
+    ~FractureWorld();
+    FractureWorld(const FractureWorld&) = delete;
+    FractureWorld& operator=(const FractureWorld&) = delete;
+
+    /// Adds a body to the world: a btRigidBody with a btCompoundShape, owned by this object. `start` places the origin of
+    /// the asset's own coordinates. Returns nullptr while the world is inside a step (`lastError` says so).
+    btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
+
+    /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The app goes on
+    /// owning it; after a break it is out of the world. Its mass stays what it was.
+    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {});
+
+    /// Takes a body that was made here (or a fragment) out of the world and deletes it.
+    void remove(btRigidBody* body);
+
+    /// What happened since the last call, in order.
+    std::vector<BreakEvent> events();
+
+    BlowCounts counts() const;
+
+    /// The breakable bodies that are in the world now, fragments included.
+    std::vector<btRigidBody*> bodies() const;
+
+    /// The asset of a breakable body (fragments have one of their own), for its surface; nullptr for other bodies.
+    const BreakableAsset* asset(const btRigidBody* body) const;
+
+    /// Maps the coordinates of `asset(body)->surface()` to the world, where the body is now.
+    btTransform assetTransform(const btRigidBody* body) const;
+
+    /// Why the last `add` returned nullptr.
+    const std::string& lastError() const;
+
+  private:
+    class Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sherd

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <cstdint>
+
+#include <sherd/result.h>
+
+namespace sherd {
+
+/// How finely a solid is sampled.
+struct SamplingSettings {
+    double spacing_m = 0;            ///< distance between particles; 0: from the wall thickness and the limits below
+    double layers_across_wall = 1.5;  ///< particles across the thinnest wall, when the spacing is chosen
+    int smallest_count = 400;        ///< particles of a compact body, at least, when the spacing is chosen
+    int largest_count = 2500;        ///< about this many particles at most, when the spacing is chosen
+    int cells_per_spacing = 2;       ///< integration cells per particle spacing and direction, 1 to 4
+    double smallest_fill = 0.25;     ///< a cell filled by less gets no particle of its own
+
+    Status validate() const;
+};
+
+/// Test function of the local weak form (paper, Eq. 5).
+enum class TestFunction {
+    heaviside,  ///< MLPG5, the paper: flux over the faces of sub-domains, which tile the solid; unsymmetric
+    galerkin,   ///< the trial functions themselves: symmetric, and moments balance as well as forces
+};
+
+/// What a particle carries.
+enum class TrialFunction {
+    mls,   ///< moving least squares, paper Eq. 6-10: 3 unknowns a particle
+    gmls,  ///< generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a particle
+};
+
+enum class Basis { linear, quadratic };
+
+/// How the stress problem is discretised.
+struct StressSettings {
+    TestFunction test_function = TestFunction::galerkin;
+    TrialFunction trial_function = TrialFunction::gmls;
+    Basis basis = Basis::linear;
+    double support_radius = 0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
+
+    Status validate() const;
+};
+
+/// How impulses become loads.
+struct ContactSettings {
+    double partner_youngs_modulus_pa = 5e10;  ///< of whatever strikes and is not breakable (stone)
+    double partner_poisson_ratio = 0.25;
+    double shortest_contact_s = 2e-5;
+    double longest_contact_s = 1e-2;
+    double smallest_patch = 0.25;  ///< radius of the load patch, at least this fraction of the wall thickness
+    double largest_patch = 0.5;    ///< radius of the load patch, at most this fraction of the body's radius
+
+    Status validate() const;
+};
+
+/// How damaged material becomes fragments.
+struct FractureSettings {
+    std::uint64_t seed = 1;
+    int fragment_count = 0;       ///< clusters that the damaged part is split into; 0: what the strain energy pays for
+    int largest_fragment_count = 40;
+    double smallest_fragment_m3 = 0;  ///< smaller pieces never break again; 0: 1/200 of the first body
+    double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
+
+    Status validate() const;
+};
+
+struct Settings {
+    SamplingSettings sampling;
+    StressSettings stress;
+    ContactSettings contact;
+    FractureSettings fracture;
+
+    Status validate() const;
+};
+
+}  // namespace sherd

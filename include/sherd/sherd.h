@@ -1,0 +1,11 @@
+#pragma once
+
+#include <sherd/breakable_asset.h>
+#include <sherd/events.h>
+#include <sherd/fracture_world.h>
+#include <sherd/material.h>
+#include <sherd/result.h>
+#include <sherd/settings.h>
+#include <sherd/stress_field.h>
+#include <sherd/triangle_mesh.h>
+#include <sherd/types.h>

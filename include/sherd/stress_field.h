@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <sherd/types.h>
+
+namespace sherd {
+
+/// The stress in a struck body, as one blow left it. Asset frame, Pa. Tension is positive.
+struct StressField {
+    std::vector<Voigt> particles;  ///< #particles, at the particles
+    std::vector<Voigt> surface;    ///< #surface points of the sampling
+    double strain_energy_j = 0;
+    double residual_rel = 0;       ///< |K u - f| / |f| of the linear solve
+    double imbalance_rel = 0;      ///< net force and moment left after inertia relief, over those of the loads
+    std::vector<std::string> warnings;  ///< what limits trust in these figures, with the remedy
+};
+
+/// Largest eigenvalue of a symmetric tensor.
+double largestPrincipal(const Voigt& stress);
+
+}  // namespace sherd

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <string>
+
+#include <sherd/material.h>
+#include <sherd/result.h>
+#include <sherd/settings.h>
+#include <sherd/triangle_mesh.h>
+
+#include "core/mlpg/stress_solver.h"
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and factorisation
+/// are made when first asked for; all else never changes.
+class Body {
+  public:
+    /// A checked surface becomes a body. `parent_spacing_m` > 0 for fragments: never coarser than that.
+    static Result<std::shared_ptr<const Body>> make(TriangleMesh surface, const Material& material, const Settings& settings);
+
+    const TriangleMesh& surface() const { return surface_; }
+    const Material& material() const { return material_; }
+    const Settings& settings() const { return settings_; }
+    const Moments& moments() const { return moments_; }
+    double mass() const { return material_.density_kg_m3 * moments_.volume; }
+    double wallThickness() const { return wall_thickness_; }
+    double boundingRadius() const { return bounding_radius_; }
+    /// Particle spacing: the one given, or chosen from wall thickness and the limits of the settings.
+    double spacing() const { return spacing_; }
+    /// Fragments of fragments stop here, m^3.
+    double smallestFragment() const { return smallest_fragment_m3_; }
+
+    /// Particles and cells; sampled at the first call.
+    Result<std::shared_ptr<const Discretisation>> solid() const;
+    /// The factored stress problem; assembled and factored at the first call.
+    Result<const StressSolver*> stressSolver() const;
+    double sampleMilliseconds() const { return sample_ms_; }
+
+    /// A piece of this body: same material and limits.
+    Result<std::shared_ptr<const Body>> makeFragment(TriangleMesh surface) const;
+
+  private:
+    Body() = default;
+
+    TriangleMesh surface_;
+    Material material_;
+    Settings settings_;
+    Moments moments_;
+    double wall_thickness_ = 0, bounding_radius_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
+
+    mutable std::mutex once_;
+    mutable std::shared_ptr<const Discretisation> solid_;
+    mutable std::unique_ptr<StressSolver> solver_;
+    mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again
+    mutable double sample_ms_ = 0;
+};
+
+}  // namespace sherd

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include <sherd/material.h>
+#include <sherd/result.h>
+#include <sherd/settings.h>
+#include <sherd/stress_field.h>
+
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// What building the solver took and gave.
+struct StressSolverReport {
+    double assemble_ms = 0;
+    double factor_ms = 0;
+    int unknowns = 0;
+    long long factor_entries = 0;
+    std::vector<std::string> warnings;
+};
+
+/// Quasi-static stress in a free body (paper, section 4): K assembled and factored once, then two triangular solves a
+/// blow. Loads are balanced by rigid acceleration (inertia relief) with the same quadrature that builds K.
+class StressSolver {
+  public:
+    static Result<StressSolver> build(std::shared_ptr<const Discretisation> solid, const Material& material,
+                                      const StressSettings& settings);
+
+    StressSolver(StressSolver&&) noexcept;
+    StressSolver& operator=(StressSolver&&) noexcept;
+    ~StressSolver();
+
+    /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances them.
+    Result<StressField> solve(const std::vector<PointForce>& loads) const;
+
+    /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
+    Result<StressField> solveTraction(const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction) const;
+
+    /// Stress that the displacement field u(x) makes when sampled at the particles, without a solve.
+    StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
+                         const std::function<Mat3(const Vec3& x)>& gradient) const;
+
+    const StressSolverReport& report() const;
+
+  private:
+    struct Impl;
+    explicit StressSolver(std::unique_ptr<Impl> impl);
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace sherd

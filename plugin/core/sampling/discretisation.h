@@ -1,0 +1,67 @@
+#pragma once
+
+#include <vector>
+
+#include <sherd/types.h>
+
+namespace sherd {
+
+/// Volume, centroid and second moment of a piece of the solid, of unit density.
+struct Moments {
+    double volume = 0;                  ///< m^3
+    Vec3 centroid = Vec3::Zero();       ///< m
+    Mat3 second = Mat3::Zero();         ///< integral of (x - centroid)(x - centroid)^T, m^5
+};
+
+/// A piece of the solid over which the strain is smoothed: a grid cell cut by the surface, or several merged.
+struct IntegrationCell {
+    Moments moments;
+    int particle = -1;  ///< whose sub-domain it is part of; the sub-domains tile the solid
+};
+
+/// The face that two integration cells share; faces and surface points together close every cell:
+/// the sum of area vectors is zero, the sum of area (x) centroid is volume times identity.
+struct IntegrationFace {
+    int cells[2] = {-1, -1};
+    Vec3 area = Vec3::Zero();      ///< area times the unit normal, from cells[0] to cells[1], m^2
+    Vec3 centroid = Vec3::Zero();  ///< m
+};
+
+/// A quadrature point of the solid's surface inside one integration cell.
+struct SurfacePoint {
+    int cell = -1;
+    Vec3 position = Vec3::Zero();  ///< m
+    Vec3 area = Vec3::Zero();      ///< weight of the outward normal: f -> sum f(position) area is exact for linear f
+};
+
+struct Particle {
+    Vec3 position = Vec3::Zero();  ///< centroid of its sub-domain, m
+    double volume = 0;             ///< of its sub-domain, m^3
+    double spacing = 0;            ///< local distance between particles, m; supports are multiples of it
+};
+
+/// A solid sampled for the stress solve: particles, and cells that tile it exactly. The core's only view of geometry.
+struct Discretisation {
+    double spacing = 0;    ///< m
+    double cell_size = 0;  ///< edge of the integration grid, m
+    std::vector<Particle> particles;
+    std::vector<IntegrationCell> cells;
+    std::vector<IntegrationFace> faces;          ///< between different cells only
+    std::vector<SurfacePoint> surface_points;
+    std::vector<std::vector<int>> neighbours;    ///< per particle: whose sub-domains share a face with its own, sorted
+    std::vector<std::vector<int>> particle_cells;  ///< per particle: its integration cells, sorted
+
+    /// A box that is filled by the solid, for collision shapes: one grid cell.
+    struct Voxel {
+        Eigen::Vector3i index;  ///< on the integration grid
+        int cell = -1;          ///< the integration cell that it belongs to
+        double fill = 0;        ///< part of it that is solid, 0 to 1
+    };
+    Vec3 grid_origin = Vec3::Zero();  ///< corner of voxel (0, 0, 0), m
+    std::vector<Voxel> voxels;        ///< in ascending order of (z, y, x)
+};
+
+/// Of the whole solid, the sum over its cells.
+Moments totalMoments(const Discretisation& solid);
+
+}  // namespace sherd

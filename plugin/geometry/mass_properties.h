@@ -1,0 +1,12 @@
+#pragma once
+
+#include <sherd/triangle_mesh.h>
+
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// Volume, centroid and second moment of the solid that a closed surface bounds (divergence theorem), unit density.
+Moments solidMoments(const TriangleMesh& mesh);
+
+}  // namespace sherd
