@@ -1,25 +1,27 @@
 #pragma once
 
-#include <memory>
-#include <mutex>
-#include <string>
-
 #include <sherd/material.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/triangle_mesh.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
 
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
 
 namespace sherd {
 
-/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and factorisation
-/// are made when first asked for; all else never changes.
+/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and
+/// factorisation are made when first asked for; all else never changes.
 class Body {
   public:
-    /// A checked surface becomes a body. `parent_spacing_m` > 0 for fragments: never coarser than that.
-    static Result<std::shared_ptr<const Body>> make(TriangleMesh surface, const Material& material, const Settings& settings);
+    /// Makes a body of a surface that `checkSurface` accepts. The error says which constant or setting is out
+    /// of range.
+    static Result<std::shared_ptr<const Body>> make(TriangleMesh surface, const Material& material,
+                                                    const Settings& settings);
 
     const TriangleMesh& surface() const { return surface_; }
     const Material& material() const { return material_; }
@@ -39,8 +41,11 @@ class Body {
     Result<const StressSolver*> stressSolver() const;
     double sampleMilliseconds() const { return sample_ms_; }
 
-    /// A piece of this body: same material and limits.
-    Result<std::shared_ptr<const Body>> makeFragment(TriangleMesh surface) const;
+    /// Whether the factored stress problem is there already.
+    bool prepared() const;
+
+    /// A piece of this body: same material, settings and limits.
+    std::shared_ptr<const Body> makeFragment(TriangleMesh surface) const;
 
   private:
     Body() = default;
@@ -51,7 +56,7 @@ class Body {
     Moments moments_;
     double wall_thickness_ = 0, bounding_radius_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
 
-    mutable std::mutex once_;
+    mutable std::recursive_mutex once_;
     mutable std::shared_ptr<const Discretisation> solid_;
     mutable std::unique_ptr<StressSolver> solver_;
     mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <memory>
-#include <vector>
-
 #include <LinearMath/btTransform.h>
-
 #include <sherd/breakable_asset.h>
 #include <sherd/events.h>
+
+#include <memory>
+#include <vector>
 
 class btCompoundShape;
 class btDiscreteDynamicsWorld;
@@ -14,8 +13,8 @@ class btRigidBody;
 
 namespace sherd {
 
-/// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made and takes itself
-/// out when destroyed; the world must outlive it. Breaks happen inside `stepSimulation`.
+/// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made and
+/// takes itself out when destroyed; the world must outlive it. Breaks happen inside `stepSimulation`.
 class FractureWorld {
   public:
     explicit FractureWorld(btDiscreteDynamicsWorld* world);
@@ -23,12 +22,13 @@ class FractureWorld {
     FractureWorld(const FractureWorld&) = delete;
     FractureWorld& operator=(const FractureWorld&) = delete;
 
-    /// Adds a body to the world: a btRigidBody with a btCompoundShape, owned by this object. `start` places the origin of
-    /// the asset's own coordinates. Returns nullptr while the world is inside a step (`lastError` says so).
+    /// Adds a body to the world: a btRigidBody with a btCompoundShape, owned by this object. `start` places
+    /// the origin of the asset's own coordinates. Returns nullptr while the world is inside a step
+    /// (`lastError` says so).
     btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
 
-    /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The app goes on
-    /// owning it; after a break it is out of the world. Its mass stays what it was.
+    /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The
+    /// app goes on owning it; after a break it is out of the world. Its mass stays what it was.
     Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {});
 
     /// Takes a body that was made here (or a fragment) out of the world and deletes it.
@@ -42,7 +42,8 @@ class FractureWorld {
     /// The breakable bodies that are in the world now, fragments included.
     std::vector<btRigidBody*> bodies() const;
 
-    /// The asset of a breakable body (fragments have one of their own), for its surface; nullptr for other bodies.
+    /// The asset of a breakable body (fragments have one of their own), for its surface; nullptr for other
+    /// bodies.
     const BreakableAsset* asset(const btRigidBody* body) const;
 
     /// Maps the coordinates of `asset(body)->surface()` to the world, where the body is now.

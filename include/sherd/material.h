@@ -1,8 +1,8 @@
 #pragma once
 
-#include <string>
-
 #include <sherd/result.h>
+
+#include <string>
 
 namespace sherd {
 
@@ -10,11 +10,13 @@ namespace sherd {
 struct Material {
     std::string name = "material";
     double youngs_modulus_pa = 5e9;
-    double poisson_ratio = 0.2;      ///< 0 <= nu < 0.5
+    double poisson_ratio = 0.2;  ///< 0 <= nu < 0.5
     double density_kg_m3 = 2000;
     double tensile_strength_pa = 3e6;  ///< largest principal stress that the material bears
-    double strength_scatter = 0.1;   ///< standard deviation of the strength over its mean, particle by particle
-    double fracture_energy_j_m2 = 10;  ///< energy to open a unit of crack area; sets how many fragments a blow can pay for
+    double strength_scatter =
+        0.1;  ///< standard deviation of the strength over its mean, particle by particle
+    double fracture_energy_j_m2 =
+        10;  ///< energy to open a unit of crack area; sets how many fragments a blow can pay for
 
     static Material ceramic();  ///< stoneware
     static Material plaster();  ///< hardened gypsum

@@ -23,9 +23,18 @@ class [[nodiscard]] Result {
     explicit operator bool() const { return ok(); }
 
     /// The value; calling this on a failed result is a bug of the caller.
-    T& value() & { assert(ok()); return std::get<T>(state_); }
-    const T& value() const& { assert(ok()); return std::get<T>(state_); }
-    T&& value() && { assert(ok()); return std::get<T>(std::move(state_)); }
+    T& value() & {
+        assert(ok());
+        return std::get<T>(state_);
+    }
+    const T& value() const& {
+        assert(ok());
+        return std::get<T>(state_);
+    }
+    T&& value() && {
+        assert(ok());
+        return std::get<T>(std::move(state_));
+    }
 
     /// The sentence; empty when there is a value.
     std::string error() const { return ok() ? std::string() : std::get<Error>(state_).message; }
@@ -36,6 +45,8 @@ class [[nodiscard]] Result {
 
 /// Success, or the sentence that says why not.
 using Status = Result<std::monostate>;
-inline Status success() { return std::monostate{}; }
+inline Status success() {
+    return std::monostate{};
+}
 
 }  // namespace sherd

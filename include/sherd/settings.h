@@ -1,19 +1,19 @@
 #pragma once
 
-#include <cstdint>
-
 #include <sherd/result.h>
+
+#include <cstdint>
 
 namespace sherd {
 
 /// How finely a solid is sampled.
 struct SamplingSettings {
-    double spacing_m = 0;            ///< distance between particles; 0: from the wall thickness and the limits below
+    double spacing_m = 0;  ///< distance between particles; 0: from the wall thickness and the limits below
     double layers_across_wall = 1.5;  ///< particles across the thinnest wall, when the spacing is chosen
-    int smallest_count = 400;        ///< particles of a compact body, at least, when the spacing is chosen
-    int largest_count = 2500;        ///< about this many particles at most, when the spacing is chosen
-    int cells_per_spacing = 2;       ///< integration cells per particle spacing and direction, 1 to 4
-    double smallest_fill = 0.25;     ///< a cell filled by less gets no particle of its own
+    int smallest_count = 400;         ///< particles of a compact body, at least, when the spacing is chosen
+    int largest_count = 2500;         ///< about this many particles at most, when the spacing is chosen
+    int cells_per_spacing = 2;        ///< integration cells per particle spacing and direction, 1 to 4
+    double smallest_fill = 0.25;      ///< a cell filled by less gets no particle of its own
 
     Status validate() const;
 };
@@ -27,7 +27,8 @@ enum class TestFunction {
 /// What a particle carries.
 enum class TrialFunction {
     mls,   ///< moving least squares, paper Eq. 6-10: 3 unknowns a particle
-    gmls,  ///< generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a particle
+    gmls,  ///< generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a
+           ///< particle
 };
 
 enum class Basis { linear, quadratic };
@@ -37,7 +38,8 @@ struct StressSettings {
     TestFunction test_function = TestFunction::galerkin;
     TrialFunction trial_function = TrialFunction::gmls;
     Basis basis = Basis::linear;
-    double support_radius = 0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
+    double support_radius =
+        0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
 
     Status validate() const;
 };
@@ -57,9 +59,11 @@ struct ContactSettings {
 /// How damaged material becomes fragments.
 struct FractureSettings {
     std::uint64_t seed = 1;
-    int fragment_count = 0;       ///< clusters that the damaged part is split into; 0: what the strain energy pays for
+    int fragment_count =
+        0;  ///< clusters that the damaged part is split into; 0: what the strain energy pays for
+    double energy_into_cracks = 0.1;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
     int largest_fragment_count = 40;
-    double smallest_fragment_m3 = 0;  ///< smaller pieces never break again; 0: 1/200 of the first body
+    double smallest_fragment_m3 = 0;   ///< smaller pieces never break again; 0: 1/200 of the first body
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 
     Status validate() const;

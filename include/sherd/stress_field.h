@@ -1,9 +1,9 @@
 #pragma once
 
+#include <sherd/types.h>
+
 #include <string>
 #include <vector>
-
-#include <sherd/types.h>
 
 namespace sherd {
 
@@ -12,8 +12,10 @@ struct StressField {
     std::vector<Voigt> particles;  ///< #particles, at the particles
     std::vector<Voigt> surface;    ///< #surface points of the sampling
     double strain_energy_j = 0;
-    double residual_rel = 0;       ///< |K u - f| / |f| of the linear solve
-    double imbalance_rel = 0;      ///< net force and moment left after inertia relief, over those of the loads
+    double residual_rel = 0;   ///< |K u - f| / |f| of the linear solve
+    double imbalance_rel = 0;  ///< net force and moment left after inertia relief, over those of the loads
+    double solve_ms = 0;       ///< load vector, triangular solves and residual
+    double recovery_ms = 0;    ///< stress from displacements
     std::vector<std::string> warnings;  ///< what limits trust in these figures, with the remedy
 };
 

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <sherd/result.h>
+#include <sherd/types.h>
+
 #include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
-
-#include <sherd/result.h>
-#include <sherd/types.h>
 
 namespace sherd {
 
@@ -20,11 +20,12 @@ struct TriangleMesh {
     std::vector<SurfaceKind> kinds;             ///< #T, or empty: all original
 };
 
-/// Reads the `v` and `f` records of a Wavefront OBJ (polygons are split into triangles, texture and normal indices are
-/// ignored). The error names the file and the line.
+/// Reads the `v` and `f` records of a Wavefront OBJ (polygons are split into triangles, texture and normal
+/// indices are ignored, vertices at the same position become one). The error names the file and the line.
 Result<TriangleMesh> readObj(const std::string& path);
 
-/// Writes vertices with 17 digits, so that reading it gives the same bits; crack faces are in the group `crack`.
+/// Writes vertices with up to 17 digits, so that reading them gives the same bits; crack faces are in the
+/// group `crack`.
 Status writeObj(const TriangleMesh& mesh, const std::string& path);
 
 }  // namespace sherd

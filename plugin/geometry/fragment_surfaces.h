@@ -7,15 +7,10 @@
 #include <sherd/result.h>
 #include <sherd/triangle_mesh.h>
 
+#include "core/clustering/fragment_labels.h"
 #include "core/sampling/discretisation.h"
 
 namespace sherd {
-
-/// Which fragment every particle belongs to.
-struct FragmentLabels {
-    std::vector<int> of_particle;  ///< #particles, 0 <= label < count
-    int count = 0;
-};
 
 /// The closed surface of one fragment, in the frame of the body it came from.
 struct FragmentSurface {

@@ -6,7 +6,8 @@
 
 namespace sherd {
 
-/// Volume, centroid and second moment of the solid that a closed surface bounds (divergence theorem), unit density.
+/// Volume, centroid and second moment of the solid that a closed surface bounds (divergence theorem), unit
+/// density.
 Moments solidMoments(const TriangleMesh& mesh);
 
 }  // namespace sherd

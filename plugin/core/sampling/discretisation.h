@@ -43,7 +43,7 @@ struct Particle {
 /// A solid sampled for the stress solve: particles, and cells that tile it exactly. The core's only view of geometry.
 struct Discretisation {
     double spacing = 0;    ///< m
-    double cell_size = 0;  ///< edge of the integration grid, m
+    Vec3 cell_size = Vec3::Zero();  ///< edges of a cell of the integration grid, m
     std::vector<Particle> particles;
     std::vector<IntegrationCell> cells;
     std::vector<IntegrationFace> faces;          ///< between different cells only

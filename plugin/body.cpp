@@ -1,0 +1,101 @@
+#include "body.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/sampling/sample_solid.h"
+#include "geometry/mass_properties.h"
+#include "geometry/surface_checks.h"
+#include "stopwatch.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double kSmallestFragment = 1.0 / 200;  // of the first body's volume, when the settings do not say
+constexpr int kFewestInFragment = 64;  // particles; a given spacing is refined in fragments below this
+
+double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
+    double squared = 0;
+    for (const Vec3& v : surface.vertices) squared = std::max(squared, (v - centre).squaredNorm());
+    return std::sqrt(squared);
+}
+
+double chosenSpacing(const SamplingSettings& sampling, double volume, double wall_thickness) {
+    const auto spacing_for = [&](double count) { return std::cbrt(volume / count); };
+    if (sampling.spacing_m > 0) return std::min(sampling.spacing_m, spacing_for(1));
+    return std::clamp(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.largest_count),
+                      spacing_for(sampling.smallest_count));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const Body>> Body::make(TriangleMesh surface, const Material& material,
+                                               const Settings& settings) {
+    if (const Status valid = material.validate(); !valid) return Error{valid.error()};
+    if (const Status valid = settings.validate(); !valid) return Error{valid.error()};
+    std::shared_ptr<Body> body(new Body);
+    body->surface_ = std::move(surface);
+    body->material_ = material;
+    body->settings_ = settings;
+    body->moments_ = solidMoments(body->surface_);
+    const double volume = body->moments_.volume;
+    body->wall_thickness_ = sherd::wallThickness(body->surface_);
+    body->bounding_radius_ = boundingRadiusAbout(body->moments_.centroid, body->surface_);
+    body->spacing_ = chosenSpacing(settings.sampling, volume, body->wall_thickness_);
+    const double given = settings.fracture.smallest_fragment_m3;
+    body->smallest_fragment_m3_ = given > 0 ? given : kSmallestFragment * volume;
+    return std::shared_ptr<const Body>(body);
+}
+
+std::shared_ptr<const Body> Body::makeFragment(TriangleMesh surface) const {
+    std::shared_ptr<Body> piece(new Body);
+    piece->surface_ = std::move(surface);
+    piece->material_ = material_;
+    piece->settings_ = settings_;
+    piece->moments_ = solidMoments(piece->surface_);
+    const double volume = piece->moments_.volume;
+    piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
+    piece->bounding_radius_ = boundingRadiusAbout(piece->moments_.centroid, piece->surface_);
+    SamplingSettings sampling = settings_.sampling;
+    if (volume < kFewestInFragment * std::pow(sampling.spacing_m, 3)) sampling.spacing_m = 0;
+    piece->spacing_ = chosenSpacing(sampling, volume, piece->wall_thickness_);
+    piece->smallest_fragment_m3_ = smallest_fragment_m3_;
+    return piece;
+}
+
+Result<std::shared_ptr<const Discretisation>> Body::solid() const {
+    const std::lock_guard<std::recursive_mutex> lock(once_);
+    if (!solid_ && trouble_.empty()) {
+        const Stopwatch watch;
+        Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
+        if (sampled)
+            solid_ = std::make_shared<const Discretisation>(std::move(sampled).value());
+        else
+            trouble_ = sampled.error();
+        sample_ms_ = watch.milliseconds();
+    }
+    if (!solid_) return Error{trouble_};
+    return solid_;
+}
+
+Result<const StressSolver*> Body::stressSolver() const {
+    const std::lock_guard<std::recursive_mutex> lock(once_);
+    if (const auto sampled = solid(); !sampled) return Error{sampled.error()};
+    if (!solver_ && trouble_.empty()) {
+        Result<StressSolver> built = StressSolver::build(solid_, material_, settings_.stress);
+        if (built)
+            solver_ = std::make_unique<StressSolver>(std::move(built).value());
+        else
+            trouble_ = built.error();
+    }
+    if (!solver_) return Error{trouble_};
+    return static_cast<const StressSolver*>(solver_.get());
+}
+
+bool Body::prepared() const {
+    const std::lock_guard<std::recursive_mutex> lock(once_);
+    return solver_ != nullptr;
+}
+
+}  // namespace sherd

@@ -1,0 +1,155 @@
+#include "core/clustering/clusters.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <queue>
+#include <random>
+
+namespace sherd {
+
+namespace {
+
+constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr int kSpeck = 3;  // parts of fewer particles are no fragments
+
+/// Connected components of the particles with equal `state`, numbered by their first particle.
+struct Parts {
+    std::vector<int> of_particle;
+    std::vector<int> sizes;
+};
+
+Parts connectedParts(const Discretisation& solid, const std::vector<char>& state) {
+    Parts parts;
+    parts.of_particle.assign(state.size(), -1);
+    std::vector<int> stack;
+    for (std::size_t first = 0; first < state.size(); ++first) {
+        if (parts.of_particle[first] >= 0) continue;
+        const int part = static_cast<int>(parts.sizes.size());
+        parts.sizes.push_back(0);
+        parts.of_particle[first] = part;
+        stack.push_back(static_cast<int>(first));
+        while (!stack.empty()) {
+            const int i = stack.back();
+            stack.pop_back();
+            ++parts.sizes[part];
+            for (int j : solid.neighbours[i]) {
+                if (parts.of_particle[j] >= 0 || state[j] != state[i]) continue;
+                parts.of_particle[j] = part;
+                stack.push_back(j);
+            }
+        }
+    }
+    return parts;
+}
+
+/// Flips specks of either state to that of what surrounds them; a body of its own stays as it is.
+std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
+    for (const char speck_state : {char(0), char(1)}) {
+        const Parts parts = connectedParts(solid, state);
+        std::vector<char> touches(parts.sizes.size());
+        for (std::size_t i = 0; i < state.size(); ++i)
+            for (int j : solid.neighbours[i])
+                touches[parts.of_particle[i]] |= parts.of_particle[j] != parts.of_particle[i];
+        for (std::size_t i = 0; i < state.size(); ++i) {
+            const int part = parts.of_particle[i];
+            if (state[i] == speck_state && parts.sizes[part] < kSpeck && touches[part]) state[i] = !state[i];
+        }
+    }
+    return state;
+}
+
+/// Path lengths among the damaged particles, longer where the stress is higher, so that seeds lie denser
+/// there.
+class StressMetric {
+  public:
+    StressMetric(const Discretisation& solid, const Damage& damage, const std::vector<char>& state)
+        : solid_(solid), damage_(damage), state_(state) {}
+
+    /// Lowers `distance` by paths from `source` and claims what gets nearer for `label` (Dijkstra).
+    void claim(int source, int label, std::vector<double>& distance, std::vector<int>& labels) const {
+        using Entry = std::pair<double, int>;
+        std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+        const auto reach = [&](int i, double d) {
+            if (!(d < distance[i])) return;
+            distance[i] = d;
+            labels[i] = label;
+            front.push({d, i});
+        };
+        reach(source, 0);
+        while (!front.empty()) {
+            const auto [d, i] = front.top();
+            front.pop();
+            if (d > distance[i]) continue;
+            for (int j : solid_.neighbours[i])
+                if (state_[j]) reach(j, d + length(i, j));
+        }
+    }
+
+  private:
+    double length(int i, int j) const {
+        const double stress = 0.5 * (damage_.overstress[i] + damage_.overstress[j]);
+        return (solid_.particles[i].position - solid_.particles[j].position).norm() *
+               std::sqrt(std::max(1.0, stress));
+    }
+
+    const Discretisation& solid_;
+    const Damage& damage_;
+    const std::vector<char>& state_;
+};
+
+/// Seeds by farthest point, the first at random; returns the number of clusters made.
+int clusterDamaged(const Discretisation& solid, const Damage& damage, const std::vector<char>& state,
+                   int clusters, int first_label, std::uint64_t seed, std::vector<int>& labels) {
+    std::vector<int> candidates;
+    for (std::size_t i = 0; i < state.size(); ++i)
+        if (state[i]) candidates.push_back(static_cast<int>(i));
+    if (candidates.empty()) return 0;
+    const StressMetric metric(solid, damage, state);
+    std::vector<double> distance(state.size(), kFar);
+    std::mt19937_64 random(seed);
+    int next = candidates[random() % candidates.size()];
+    int made = 0;
+    while (true) {
+        metric.claim(next, first_label + made, distance, labels);
+        ++made;
+        next = *std::max_element(candidates.begin(), candidates.end(),
+                                 [&](int a, int b) { return distance[a] < distance[b]; });
+        // Beyond the wanted number only parts that no seed reaches yet get one.
+        if (distance[next] == 0 || (made >= clusters && distance[next] != kFar)) return made;
+    }
+}
+
+}  // namespace
+
+int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
+    const double area = budget.energy_j / budget.fracture_energy_j_m2;
+    if (!(area > 0)) return 1;
+    const double wall = budget.wall_thickness_m;
+    double edge = 2 * damaged_volume_m3 / area;
+    double count = damaged_volume_m3 / (edge * edge * wall);
+    if (edge < wall) {
+        edge = 3 * damaged_volume_m3 / area;
+        count = damaged_volume_m3 / (edge * edge * edge);
+    }
+    return static_cast<int>(std::clamp(count, 1.0, 1e6));
+}
+
+FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
+                              std::uint64_t seed) {
+    const std::vector<char> state = withoutSpecks(solid, damage.damaged);
+    const Parts parts = connectedParts(solid, state);
+    FragmentLabels labels;
+    labels.of_particle.assign(state.size(), -1);
+    std::vector<int> label_of_part(parts.sizes.size(), -1);
+    for (std::size_t i = 0; i < state.size(); ++i) {
+        if (state[i]) continue;
+        int& label = label_of_part[parts.of_particle[i]];
+        if (label < 0) label = labels.count++;
+        labels.of_particle[i] = label;
+    }
+    labels.count += clusterDamaged(solid, damage, state, clusters, labels.count, seed, labels.of_particle);
+    return labels;
+}
+
+}  // namespace sherd

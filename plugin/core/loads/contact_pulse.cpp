@@ -1,0 +1,53 @@
+#include "core/loads/contact_pulse.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+
+double contactModulus(double youngs_1, double poisson_1, double youngs_2, double poisson_2) {
+    return 1 / ((1 - poisson_1 * poisson_1) / youngs_1 + (1 - poisson_2 * poisson_2) / youngs_2);
+}
+
+double hertzPeakForce(const HertzContact& contact, double mass_kg, double speed_m_s) {
+    // F = (4/3) E* sqrt(R) d^(3/2); at rest all energy is stored: 1/2 m v^2 = (2/5) F d.
+    const double stiffness = 4.0 / 3.0 * contact.contact_modulus_pa * std::sqrt(contact.radius_m);
+    const double indentation = std::pow(1.25 * mass_kg * speed_m_s * speed_m_s / stiffness, 0.4);
+    return stiffness * std::pow(indentation, 1.5);
+}
+
+double hertzPatchRadius(const HertzContact& contact, double force_n) {
+    return std::cbrt(0.75 * force_n * contact.radius_m / contact.contact_modulus_pa);
+}
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+/// F with a F^2 + e (F / F_hertz)^(5/3) = e: a spring and a Hertz contact in series share the energy e.
+double sharedForce(double hertz_force, double a, double e) {
+    double low = 0, high = hertz_force;
+    for (int i = 0; i < 60; ++i) {
+        const double mid = 0.5 * (low + high);
+        const double stored = a * mid * mid + e * std::pow(mid / hertz_force, 5.0 / 3.0);
+        (stored < e ? low : high) = mid;
+    }
+    return 0.5 * (low + high);
+}
+
+}  // namespace
+
+ContactPulse contactPulse(double hertz_force_n, double body_energy_j_n2, double mass_kg, double speed_m_s,
+                          double shortest_s, double longest_s) {
+    ContactPulse pulse;
+    const double energy = 0.5 * mass_kg * speed_m_s * speed_m_s;
+    if (!(energy > 0) || !(hertz_force_n > 0)) return pulse;
+    const double force = sharedForce(hertz_force_n, body_energy_j_n2, energy);
+    // Half a sine that stops the mass and throws it back: 2 m v = (2 / pi) F T.
+    const double momentum = kPi * mass_kg * speed_m_s;
+    pulse.duration_s = std::clamp(momentum / force, shortest_s, longest_s);
+    pulse.peak_force_n = momentum / pulse.duration_s;
+    return pulse;
+}
+
+}  // namespace sherd

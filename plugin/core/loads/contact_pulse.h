@@ -1,0 +1,33 @@
+#pragma once
+
+namespace sherd {
+
+/// Two bodies as Hertz sees them: K. L. Johnson, Contact Mechanics (1985), 4.2 and 11.4.
+struct HertzContact {
+    double radius_m = 0;            ///< relative radius of curvature, 1/R = 1/R1 + 1/R2
+    double contact_modulus_pa = 0;  ///< E*, 1/E* = (1 - nu1^2)/E1 + (1 - nu2^2)/E2
+};
+
+/// Contact modulus E* of two materials, Pa.
+double contactModulus(double youngs_1, double poisson_1, double youngs_2, double poisson_2);
+
+/// Largest force of an elastic blow of `mass` at closing speed `speed` between otherwise rigid bodies, N.
+double hertzPeakForce(const HertzContact& contact, double mass_kg, double speed_m_s);
+
+/// Radius of the contact circle under a force, m.
+double hertzPatchRadius(const HertzContact& contact, double force_n);
+
+/// A force pulse: half a sine wave of height `peak_force_n`.
+struct ContactPulse {
+    double peak_force_n = 0;
+    double duration_s = 0;
+};
+
+/// The pulse of a blow whose energy 1/2 m v^2 is stored by two springs in series: the Hertz contact, and the
+/// struck body itself, which stores `body_energy_j_n2` F^2. Hertz alone takes the body for rigid and so gives
+/// an upper bound. The duration is kept between the two limits at the same momentum, so Bullet's time step
+/// plays no part.
+ContactPulse contactPulse(double hertz_force_n, double body_energy_j_n2, double mass_kg, double speed_m_s,
+                          double shortest_s, double longest_s);
+
+}  // namespace sherd

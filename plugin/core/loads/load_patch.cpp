@@ -1,0 +1,131 @@
+#include "core/loads/load_patch.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sherd {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+using Triangle = std::array<Vec3, 3>;
+
+Triangle corners(const TriangleMesh& surface, std::size_t t) {
+    const auto& v = surface.triangles[t];
+    return {surface.vertices[v[0]], surface.vertices[v[1]], surface.vertices[v[2]]};
+}
+
+Vec3 areaVector(const Triangle& t) {
+    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
+}
+
+bool facesPush(const Triangle& t, const Vec3& push) {
+    return areaVector(t).dot(push) < 0;
+}
+
+/// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
+Vec3 nearestPoint(const Triangle& t, const Vec3& p) {
+    const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
+    const double d1 = ab.dot(ap), d2 = ac.dot(ap);
+    if (d1 <= 0 && d2 <= 0) return t[0];
+    const Vec3 bp = p - t[1];
+    const double d3 = ab.dot(bp), d4 = ac.dot(bp);
+    if (d3 >= 0 && d4 <= d3) return t[1];
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return t[0] + ab * (d1 / (d1 - d3));
+    const Vec3 cp = p - t[2];
+    const double d5 = ab.dot(cp), d6 = ac.dot(cp);
+    if (d6 >= 0 && d5 <= d6) return t[2];
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return t[0] + ac * (d2 / (d2 - d6));
+    const double va = d3 * d6 - d5 * d4;
+    if (va <= 0 && d4 >= d3 && d5 >= d6) return t[1] + (t[2] - t[1]) * ((d4 - d3) / ((d4 - d3) + (d5 - d6)));
+    return t[0] + (ab * vb + ac * vc) / (va + vb + vc);
+}
+
+/// Calls visit(centroid, area) for parts of a triangle no longer than `size`.
+template <class Visit>
+void subdivide(const Triangle& t, double size, int depth, const Visit& visit) {
+    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    if (longest <= size || depth == 0) {
+        visit(Vec3((t[0] + t[1] + t[2]) / 3), areaVector(t).norm());
+        return;
+    }
+    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
+    for (const Triangle& part :
+         {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc}, Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
+        subdivide(part, size, depth - 1, visit);
+}
+
+/// The same, only for parts near a point; far branches of large triangles are dropped early.
+template <class Visit>
+void subdivideNear(const Triangle& t, const Vec3& centre, double radius, double size, int depth,
+                   const Visit& visit) {
+    if ((nearestPoint(t, centre) - centre).squaredNorm() > radius * radius) return;
+    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    if (longest <= size || depth == 0) return subdivide(t, size, 0, visit);
+    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
+    for (const Triangle& part :
+         {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc}, Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
+        subdivideNear(part, centre, radius, size, depth - 1, visit);
+}
+
+}  // namespace
+
+SurfaceSpot nearestSurfacePoint(const TriangleMesh& surface, const Vec3& point, const Vec3& push) {
+    for (const bool facing : {true, false}) {
+        SurfaceSpot best;
+        double nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+            const Triangle triangle = corners(surface, t);
+            if (facing && !facesPush(triangle, push)) continue;
+            const Vec3 candidate = nearestPoint(triangle, point);
+            const double distance = (candidate - point).squaredNorm();
+            if (distance < nearest) {
+                nearest = distance;
+                best = {candidate, static_cast<int>(t)};
+            }
+        }
+        if (best.triangle >= 0) return best;
+    }
+    return {point, -1};
+}
+
+double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& push, double reach,
+                     double depth) {
+    double furthest = spot.dot(push);
+    for (const Vec3& v : surface.vertices)
+        if ((v - spot).squaredNorm() < reach * reach) furthest = std::min(furthest, v.dot(push));
+    double area = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const Triangle triangle = corners(surface, t);
+        const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
+        if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
+        subdivideNear(triangle, spot, reach, std::max(depth, reach / 16), 8, [&](const Vec3& x, double a) {
+            if (x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach) area += a;
+        });
+    }
+    return area / (2 * kPi * depth);
+}
+
+std::vector<PointForce> spreadForce(const TriangleMesh& surface, const SurfaceSpot& spot, const Vec3& push,
+                                    double radius, const Vec3& force) {
+    std::vector<PointForce> points;
+    double area = 0;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const Triangle triangle = corners(surface, t);
+        if (!facesPush(triangle, push)) continue;
+        subdivideNear(triangle, spot.point, radius, radius / 3, 12, [&](const Vec3& x, double a) {
+            if ((x - spot.point).squaredNorm() > radius * radius) return;
+            points.push_back({x, force * a});
+            area += a;
+        });
+    }
+    if (!(area > 0)) return {{spot.point, force}};
+    for (PointForce& p : points) p.force /= area;
+    return points;
+}
+
+}  // namespace sherd

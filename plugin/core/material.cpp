@@ -1,0 +1,22 @@
+#include <sherd/material.h>
+
+#include "core/range_checks.h"
+
+namespace sherd {
+
+Status Material::validate() const {
+    return RangeChecks("Material '" + name + "'")
+        .require(isPositive(youngs_modulus_pa), "youngs_modulus_pa", youngs_modulus_pa, "positive, in Pa")
+        .require(poisson_ratio >= 0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
+                 "at least 0 and below 0.5 (0.5 is incompressible)")
+        .require(isPositive(density_kg_m3), "density_kg_m3", density_kg_m3, "positive, in kg/m^3")
+        .require(isPositive(tensile_strength_pa), "tensile_strength_pa", tensile_strength_pa,
+                 "positive, in Pa")
+        .require(isWithin(strength_scatter, 0, 1), "strength_scatter", strength_scatter,
+                 "between 0 and 1 (standard deviation over mean)")
+        .require(isPositive(fracture_energy_j_m2), "fracture_energy_j_m2", fracture_energy_j_m2,
+                 "positive, in J/m^2")
+        .status();
+}
+
+}  // namespace sherd

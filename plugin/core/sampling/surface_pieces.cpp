@@ -1,0 +1,92 @@
+#include "core/sampling/surface_pieces.h"
+
+#include "core/sampling/polygon_clipping.h"
+
+namespace sherd {
+namespace {
+
+/// Integrals of monomials over a triangle, exact up to degree 3, per unit area.
+struct TriangleMonomials {
+    Vec3 a, b, c, sum;
+    TriangleMonomials(const Vec3& a, const Vec3& b, const Vec3& c) : a(a), b(b), c(c), sum(a + b + c) {}
+
+    double products(int i, int j) const { return a[i] * a[j] + b[i] * b[j] + c[i] * c[j]; }
+    double of(int i) const { return sum[i] / 3; }
+    double of(int i, int j) const { return (sum[i] * sum[j] + products(i, j)) / 12; }
+    double of(int i, int j, int k) const {
+        return (sum[i] * sum[j] * sum[k] + sum[i] * products(j, k) + sum[j] * products(k, i) +
+                sum[k] * products(i, j) + 2 * (a[i] * a[j] * a[k] + b[i] * b[j] * b[k] + c[i] * c[j] * c[k])) /
+               60;
+    }
+};
+
+void addTriangle(const TriangleMonomials& m, const Vec3& area, SurfaceFlux& flux) {
+    const double nx = area.x();
+    const std::array<double, 10> volume = {m.of(0),           m.of(0, 0) / 2,    m.of(0, 1),    m.of(0, 2),    m.of(0, 0, 0) / 3,
+                                           m.of(0, 0, 1) / 2, m.of(0, 0, 2) / 2, m.of(0, 1, 1), m.of(0, 1, 2), m.of(0, 2, 2)};
+    for (int i = 0; i < 10; ++i) flux.volume[i] += nx * volume[i];
+    for (int d = 0; d < 3; ++d) {
+        flux.face[d][0] += area[d];
+        flux.face[d][1] += area[d] * m.of((d + 1) % 3);
+        flux.face[d][2] += area[d] * m.of((d + 2) % 3);
+    }
+    flux.face[0][3] += nx * m.of(1, 1);
+    flux.face[0][4] += nx * m.of(1, 2);
+    flux.face[0][5] += nx * m.of(2, 2);
+}
+
+/// Flux and centroid of a polygon as a fan of triangles; the fans of a closed surface close to rounding even where rounding
+/// has bent a polygon.
+SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& flux) {
+    SurfacePiece piece;
+    double size = 0;
+    const Vec3 a = polygon.points[0] - centre;
+    for (int i = 1; i + 1 < polygon.count; ++i) {
+        const Vec3 b = polygon.points[i] - centre, c = polygon.points[i + 1] - centre;
+        const Vec3 area = (b - a).cross(c - a) / 2;
+        const TriangleMonomials monomials(a, b, c);
+        addTriangle(monomials, area, flux);
+        piece.area += area;
+        piece.centroid += area.norm() * monomials.sum / 3;
+        size += area.norm();
+    }
+    piece.centroid = size > 0 ? Vec3(piece.centroid / size) : a;
+    return piece;
+}
+
+}  // namespace
+
+SurfaceFlux& SurfaceFlux::operator+=(const SurfaceFlux& other) {
+    for (int i = 0; i < 10; ++i) volume[i] += other.volume[i];
+    for (int d = 0; d < 3; ++d)
+        for (int i = 0; i < 6; ++i) face[d][i] += other.face[d][i];
+    return *this;
+}
+
+CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
+    CutSurface cut;
+    cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
+    std::vector<Vec3> points(surface.vertices.size());
+    for (std::size_t v = 0; v < points.size(); ++v) points[v] = grid.toGrid(surface.vertices[v]);
+
+    const auto addPiece = [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+        int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
+        if (index < 0) {
+            index = int(cut.voxels.size());
+            cut.voxels.push_back(grid.indexOf(voxel));
+            cut.flux.emplace_back();
+        }
+        const Vec3 centre = voxel.cast<double>() + Vec3::Constant(0.5);
+        cut.pieces.push_back(measure(polygon, centre, cut.flux[std::size_t(index)]));
+        cut.pieces.back().cut_voxel = index;
+    };
+    for (const auto& [a, b, c] : surface.triangles) {
+        Polygon triangle;
+        for (const int v : {a, b, c}) triangle.add(points[std::size_t(v)]);
+        triangle.close();
+        forEachCellPiece(triangle, addPiece);
+    }
+    return cut;
+}
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <sherd/types.h>
+
+#include <vector>
+
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// An axis-aligned box in the asset's frame, m.
+struct Box {
+    Vec3 centre = Vec3::Zero();
+    Vec3 half_extents = Vec3::Zero();
+};
+
+/// Boxes that fill the wanted voxels, merged greedily along x, y and z; voxels less than half solid are left
+/// out unless nothing else is there. `wanted` has an entry a voxel.
+std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted);
+
+}  // namespace sherd

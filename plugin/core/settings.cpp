@@ -1,0 +1,66 @@
+#include <sherd/settings.h>
+
+#include "core/range_checks.h"
+
+namespace sherd {
+
+Status SamplingSettings::validate() const {
+    return RangeChecks("SamplingSettings")
+        .require(isNotNegative(spacing_m), "spacing_m", spacing_m,
+                 "0 (chosen from the wall thickness) or positive, in m")
+        .require(isWithin(layers_across_wall, 0.5, 20), "layers_across_wall", layers_across_wall,
+                 "between 0.5 and 20")
+        .require(smallest_count >= 1, "smallest_count", smallest_count, "at least 1")
+        .require(largest_count >= smallest_count, "largest_count", largest_count, "at least smallest_count")
+        .require(isWithin(cells_per_spacing, 1, 4), "cells_per_spacing", cells_per_spacing, "between 1 and 4")
+        .require(isWithin(smallest_fill, 0, 0.9), "smallest_fill", smallest_fill, "between 0 and 0.9")
+        .status();
+}
+
+Status StressSettings::validate() const {
+    // Below one spacing a particle sees no neighbour; beyond four the factor fills without a gain in
+    // accuracy.
+    return RangeChecks("StressSettings")
+        .require(support_radius == 0 || isWithin(support_radius, 1.05, 4), "support_radius", support_radius,
+                 "0 (the form's own default) or between 1.05 and 4 particle spacings")
+        .status();
+}
+
+Status ContactSettings::validate() const {
+    return RangeChecks("ContactSettings")
+        .require(isPositive(partner_youngs_modulus_pa), "partner_youngs_modulus_pa",
+                 partner_youngs_modulus_pa, "positive, in Pa")
+        .require(isWithin(partner_poisson_ratio, 0, 0.5), "partner_poisson_ratio", partner_poisson_ratio,
+                 "between 0 and 0.5")
+        .require(isPositive(shortest_contact_s), "shortest_contact_s", shortest_contact_s, "positive, in s")
+        .require(std::isfinite(longest_contact_s) && longest_contact_s >= shortest_contact_s,
+                 "longest_contact_s", longest_contact_s, "at least shortest_contact_s, in s")
+        .require(isPositive(smallest_patch), "smallest_patch", smallest_patch,
+                 "positive (fraction of the wall thickness)")
+        .require(largest_patch > 0 && largest_patch <= 1, "largest_patch", largest_patch,
+                 "above 0 and at most 1 (fraction of the body's radius)")
+        .status();
+}
+
+Status FractureSettings::validate() const {
+    return RangeChecks("FractureSettings")
+        .require(fragment_count >= 0, "fragment_count", fragment_count,
+                 "0 (what the strain energy pays for) or the number of clusters")
+        .require(largest_fragment_count >= 2, "largest_fragment_count", largest_fragment_count, "at least 2")
+        .require(fragment_count <= largest_fragment_count, "fragment_count", fragment_count,
+                 "at most largest_fragment_count")
+        .require(isNotNegative(smallest_fragment_m3), "smallest_fragment_m3", smallest_fragment_m3,
+                 "0 (1/200 of the first body) or positive, in m^3")
+        .require(isNotNegative(rest_after_break_s), "rest_after_break_s", rest_after_break_s,
+                 "0 or positive, in s")
+        .status();
+}
+
+Status Settings::validate() const {
+    for (const Status& part :
+         {sampling.validate(), stress.validate(), contact.validate(), fracture.validate()})
+        if (!part) return part;
+    return success();
+}
+
+}  // namespace sherd

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "core/clustering/clusters.h"
+#include "geometry/fragment_surfaces.h"
+#include "pipeline.h"
+
+namespace sherd {
+
+/// Number of clusters for the damaged part: the settings' own, or what the strain energy pays for, within the
+/// limit.
+int wantedClusters(const Body& body, const Damage& damage, const Discretisation& solid,
+                   double strain_energy_j);
+
+/// Gives every cut surface its body and the boxes that stand for it in collisions.
+std::vector<Fragment> makeFragments(const Body& body, const Discretisation& solid,
+                                    const FragmentLabels& labels, const FragmentSurfaces& surfaces);
+
+/// Compares volume and mass of all fragments with the body's.
+void addConservationErrors(const Body& body, BlowOutcome& out);
+
+}  // namespace sherd

@@ -1,0 +1,99 @@
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_tree.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <vector>
+
+#include "geometry/surface_checks.h"
+
+namespace sherd {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Triangles = std::vector<Kernel::Triangle_3>;
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
+using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+
+constexpr int ray_count = 2000;
+constexpr double percentile =
+    0.1;  // a thin wall that is a tenth of the surface counts, a sharp edge does not
+
+Kernel::Point_3 toPoint(const Vec3& v) {
+    return {v.x(), v.y(), v.z()};
+}
+Vec3 toVec3(const Kernel::Point_3& p) {
+    return {p.x(), p.y(), p.z()};
+}
+
+struct Ray {
+    std::size_t triangle;
+    Vec3 origin, direction;
+};
+
+/// Equal shares of the area, each with a point in its triangle; large triangles get several, low-discrepancy
+/// points.
+std::vector<Ray> inwardRays(const TriangleMesh& mesh) {
+    const auto areaVector = [&](std::size_t t) -> Vec3 {
+        const auto& [a, b, c] = mesh.triangles[t];
+        return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]) / 2;
+    };
+    double total = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) total += areaVector(t).norm();
+    std::vector<Ray> rays;
+    double passed = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const Vec3 area = areaVector(t);
+        passed += area.norm();
+        while (rays.size() < ray_count && passed > (rays.size() + 0.5) / ray_count * total) {
+            // The R2 sequence, folded into the triangle; shrunk so that no ray starts on an edge.
+            const double index = static_cast<double>(rays.size() + 1);
+            double u = std::fmod(0.7548776662466927 * index, 1), v = std::fmod(0.5698402909980532 * index, 1);
+            if (u + v > 1) u = 1 - u, v = 1 - v;
+            u = 0.02 + 0.94 * u, v = 0.02 + 0.94 * v;
+            const auto& [a, b, c] = mesh.triangles[t];
+            const Vec3 origin = (1 - u - v) * mesh.vertices[a] + u * mesh.vertices[b] + v * mesh.vertices[c];
+            rays.push_back({t, origin, -area.normalized()});
+        }
+    }
+    return rays;
+}
+
+double thicknessByRays(const TriangleMesh& mesh) {
+    Triangles triangles;
+    triangles.reserve(mesh.triangles.size());
+    for (const auto& [a, b, c] : mesh.triangles)
+        triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]),
+                               toPoint(mesh.vertices[c]));
+    const Tree tree(triangles.cbegin(), triangles.cend());
+    std::vector<double> distances;
+    for (const Ray& ray : inwardRays(mesh)) {
+        const auto own = triangles.cbegin() + static_cast<std::ptrdiff_t>(ray.triangle);
+        const Kernel::Ray_3 query(toPoint(ray.origin), toPoint(ray.origin + ray.direction));
+        const auto hit =
+            tree.first_intersection(query, [&](const Triangles::const_iterator& id) { return id == own; });
+        if (!hit) continue;
+        if (const auto* point = boost::get<Kernel::Point_3>(&hit->first))
+            distances.push_back((toVec3(*point) - ray.origin).norm());
+    }
+    if (distances.empty()) return 0;
+    const auto thin =
+        distances.begin() + static_cast<std::ptrdiff_t>(percentile * static_cast<double>(distances.size()));
+    std::nth_element(distances.begin(), thin, distances.end());
+    return *thin;
+}
+
+}  // namespace
+
+double wallThickness(const TriangleMesh& mesh) {
+    try {
+        return thicknessByRays(mesh);
+    } catch (const std::exception&) {
+        return 0;
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,132 @@
+#include "pipeline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "core/clustering/clusters.h"
+#include "core/damage/damage.h"
+#include "core/loads/contact_loads.h"
+#include "core/loads/contact_pulse.h"
+#include "fragments.h"
+#include "geometry/fragment_surfaces.h"
+#include "stopwatch.h"
+
+namespace sherd {
+
+namespace {
+
+/// A stage that could not be done; the body stays whole.
+struct StageFailed {
+    std::string message;
+};
+
+template <class T>
+T require(Result<T> result) {
+    if (!result) throw StageFailed{result.error()};
+    return std::move(result).value();
+}
+
+template <class Stage>
+auto timed(double& milliseconds, const Stage& stage) {
+    const Stopwatch watch;
+    auto result = stage();
+    milliseconds = watch.milliseconds();
+    return result;
+}
+
+void addSentence(std::string& message, const std::string& sentence) {
+    if (!sentence.empty()) message += (message.empty() ? "" : " ") + sentence;
+}
+
+const StressSolver& preparedSolver(const Body& body, StageTimes& ms) {
+    const bool known = body.prepared();
+    const StressSolver& solver = *require(body.stressSolver());
+    if (!known) {
+        ms.sample = body.sampleMilliseconds();
+        ms.assemble = solver.report().assemble_ms;
+        ms.factor = solver.report().factor_ms;
+    }
+    return solver;
+}
+
+/// The pipeline on one screen: blow -> loads -> stress -> damage -> clusters -> surfaces -> fragments (paper,
+/// Figure 1).
+void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutcome& out) {
+    const Settings& settings = body.settings();
+    const Material& material = body.material();
+    const StruckBody struck{body.surface(), material, body.wallThickness(), body.boundingRadius()};
+
+    const StressSolver& solver = preparedSolver(body, out.ms);
+    const Discretisation& solid = *require(body.solid());
+
+    const ContactLoads loads = contactLoads(struck, blow, settings.contact);
+    const StressField unit_stress = require(solver.solve(loads.unit));
+    const ContactPulse pulse =
+        contactPulse(loads.hertz_force_n, unit_stress.strain_energy_j, loads.mass_kg, loads.speed_m_s,
+                     settings.contact.shortest_contact_s, settings.contact.longest_contact_s);
+    const double energy = unit_stress.strain_energy_j * pulse.peak_force_n * pulse.peak_force_n;
+    out.peak_force_n = pulse.peak_force_n;
+    out.contact_time_s = pulse.duration_s;
+    out.residual_rel = unit_stress.residual_rel;
+    out.ms.solve = unit_stress.solve_ms;
+    out.ms.stress = unit_stress.recovery_ms;
+
+    const Damage damage = timed(out.ms.damage, [&] {
+        const auto strengths = particleStrengths(material, solid.particles.size(), settings.fracture.seed);
+        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strengths);
+    });
+    out.largest_stress_pa = damage.largest_stress_pa;
+    out.damaged_particles = damage.count;
+    if (damage.count == 0) return;
+
+    const FragmentLabels labels = timed(out.ms.cluster, [&] {
+        const int wanted = wantedClusters(body, damage, solid, energy);
+        return fragmentLabels(solid, damage, wanted, seed);
+    });
+    if (labels.count < 2) return;
+
+    const FragmentSurfaces surfaces =
+        require(timed(out.ms.surface, [&] { return cutFragments(body.surface(), solid, labels, seed); }));
+    for (const std::string& note : surfaces.notes) addSentence(out.message, note);
+    if (surfaces.pieces.size() < 2) return;
+
+    out.fragments = makeFragments(body, solid, labels, surfaces);
+    out.outcome = BreakEvent::Outcome::broke;
+}
+
+}  // namespace
+
+bool canBreak(const Body& body, const Blow& blow) {
+    // The body can store no more than the blow brings. A particle at its strength stores at least
+    // s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume: the least energy density of any stress whose largest
+    // principal value is s.
+    const Material& m = body.material();
+    const double s = m.tensile_strength_pa * weakestStrengthFraction(m);
+    const double nu = m.poisson_ratio;
+    const double density = s * s / (2 * m.youngs_modulus_pa) * (1 - 2 * nu * nu / (1 - nu));
+    const double share =
+        std::min(std::pow(body.spacing(), 3), body.moments().volume) * body.settings().sampling.smallest_fill;
+    return blowEnergy(blow) > density * share;
+}
+
+BlowOutcome strike(const Body& body, const Blow& blow, std::uint64_t seed) {
+    BlowOutcome out;
+    for (const ContactImpulse& c : blow.contacts) out.impulse_n_s += std::max(0.0, c.impulse.dot(c.normal));
+    try {
+        runStages(body, blow, seed, out);
+    } catch (const StageFailed& failure) {
+        out.message = failure.message;
+        out.outcome = BreakEvent::Outcome::failed;
+    } catch (const std::exception& failure) {
+        // Out of memory, or a library's own check: nothing may leave through Bullet's step.
+        out.message =
+            std::string("The blow could not be worked out (") + failure.what() + "); the body stays whole.";
+        out.outcome = BreakEvent::Outcome::failed;
+    }
+    if (out.outcome != BreakEvent::Outcome::broke) out.fragments.clear();
+    if (!out.fragments.empty()) addConservationErrors(body, out);
+    return out;
+}
+
+}  // namespace sherd
