@@ -15,7 +15,8 @@ namespace sherd {
 /// The closed surface of one fragment, in the frame of the body it came from.
 struct FragmentSurface {
     TriangleMesh mesh;
-    int label = -1;  ///< several connected pieces may come from one label
+    std::vector<int> parents;  ///< #T, the triangle of the cut surface that each is a part of; -1 for new crack faces
+    int label = -1;            ///< several connected pieces may come from one label
 };
 
 struct FragmentSurfaces {

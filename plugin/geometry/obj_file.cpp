@@ -73,7 +73,7 @@ class ObjParser {
                             " is not a number; a vertex is 'v x y z'.");
             if (!std::isfinite(*value))
                 return fail("the " + std::string(1, "xyz"[axis]) + " coordinate " + quoted(word) +
-                            " is not finite; correct this vertex.");
+                            " is not a finite number; correct this vertex.");
             position[axis] = *value;
         }
         mesh_.vertices.push_back(position);

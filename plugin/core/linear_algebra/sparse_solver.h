@@ -44,6 +44,9 @@ class SparseSolver {
 Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size);
 
 /// LU factorisation of a general matrix (UMFPACK). Lines are rows. Solves take up to two steps of iterative refinement.
-Result<std::unique_ptr<SparseSolver>> factorLu(SparseMatrix rows);
+Result<std::unique_ptr<SparseSolver>> factorLu(std::shared_ptr<const SparseMatrix> rows);
+
+/// A x of a matrix whose lines are rows.
+Eigen::VectorXd product(const SparseMatrix& rows, const Eigen::VectorXd& x);
 
 }  // namespace sherd

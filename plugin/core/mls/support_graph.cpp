@@ -57,12 +57,17 @@ std::vector<int> SupportGraph::widerCandidates(int owner, double factor) const {
     });
 }
 
-std::vector<int> SupportGraph::ball(int owner, double radius) const {
-    std::vector<int> seen(solid_->particles.size(), -1);
-    return connectedFrom(*solid_, owner, seen, 0, [&](int other) {
-        const Vec3 offset = solid_->particles[other].position - solid_->particles[owner].position;
-        return offset.norm() < radius + extents_[other];
-    });
+std::vector<std::vector<int>> SupportGraph::balls(double radius) const {
+    const std::vector<Particle>& particles = solid_->particles;
+    std::vector<int> seen(particles.size(), -1);
+    std::vector<std::vector<int>> result;
+    result.reserve(particles.size());
+    for (int owner = 0; owner < static_cast<int>(particles.size()); ++owner)
+        result.push_back(connectedFrom(*solid_, owner, seen, owner, [&](int other) {
+            const double distance = (particles[other].position - particles[owner].position).norm();
+            return distance < radius * particles[owner].spacing + extents_[other];
+        }));
+    return result;
 }
 
 Components connectedComponents(const Discretisation& solid) {

@@ -19,8 +19,8 @@ class SupportGraph {
     /// The same with all supports `factor` times as wide.
     std::vector<int> widerCandidates(int owner, double factor) const;
 
-    /// Particles whose sub-domain may come nearer than `radius` (m) to the particle `owner`; sorted, contains `owner`.
-    std::vector<int> ball(int owner, double radius) const;
+    /// Per particle: those whose sub-domain may come nearer to it than `radius` of its spacings; sorted, itself included.
+    std::vector<std::vector<int>> balls(double radius) const;
 
     double supportRadius(int particle) const { return support_radius_ * solid_->particles[particle].spacing; }
 

@@ -1,15 +1,15 @@
 #pragma once
 
+#include <sherd/types.h>
+
 #include <array>
 #include <cmath>
 #include <utility>
 
-#include <sherd/types.h>
-
 namespace sherd {
 
-/// A small planar polygon. A triangle cut by the six planes of a cell has nine corners at most; the room above that is for
-/// polygons that rounding has made slightly concave.
+/// A small planar polygon. A triangle cut by the six planes of a cell has nine corners at most; the room
+/// above that is for polygons that rounding has made slightly concave.
 struct Polygon {
     std::array<Vec3, 24> points;
     int count = 0;
@@ -27,12 +27,13 @@ struct Polygon {
     }
 };
 
-/// Cuts a polygon at x[axis] = plane (Sutherland-Hodgman). A point on the plane belongs to `above`. A cut point depends only
-/// on the two ends of its edge, not on their order: triangles that share an edge get the same bits.
+/// Cuts a polygon at x[axis] = plane (Sutherland-Hodgman). A point on the plane belongs to `above`. A cut
+/// point depends only on the two ends of its edge, not on their order: triangles that share an edge get the
+/// same bits.
 void cutPolygon(const Polygon& polygon, int axis, double plane, Polygon& below, Polygon& above);
 
-/// Calls visit(cell, piece) for the part of the polygon inside each cell of the unit grid, planes taken in ascending order.
-/// Pieces without area are left out.
+/// Calls visit(cell, piece) for the part of the polygon inside each cell of the unit grid, planes taken in
+/// ascending order. Pieces without area are left out.
 template <class Visit>
 void forEachCellPiece(const Polygon& polygon, Visit&& visit, int axis = 0,
                       Eigen::Vector3i cell = Eigen::Vector3i::Zero()) {

@@ -7,9 +7,9 @@
 namespace sherd {
 namespace {
 
-constexpr double largest_grid = 30e6;      // voxels, filled or not: 4 bytes each
-constexpr double largest_solid = 3e6;      // filled voxels: some 500 bytes each with their faces
-constexpr double largest_stretch = 0.15;   // of a particle cell, to fit the bounding box
+constexpr double largest_grid = 30e6;     // voxels, filled or not: 4 bytes each
+constexpr double largest_solid = 3e6;     // filled voxels: some 500 bytes each with their faces
+constexpr double largest_stretch = 0.15;  // of a particle cell, to fit the bounding box
 
 std::string describe(double value) {
     std::ostringstream text;
@@ -37,14 +37,16 @@ std::pair<double, double> fitCells(double extent, double spacing) {
 Error tooLarge(double voxels, double limit, double spacing, const char* what) {
     const double enough = spacing * std::cbrt(voxels / limit) * 1.05;
     return {"The particle spacing of " + describe(spacing) + " m needs " + describe(voxels) + " " + what +
-            ", more than the limit of " + describe(limit) + "; use a spacing of at least " + describe(enough) + " m."};
+            ", more than the limit of " + describe(limit) + "; use a spacing of at least " +
+            describe(enough) + " m."};
 }
 
 }  // namespace
 
 long long SamplingGrid::particleCellOf(const Eigen::Vector3i& voxel) const {
     // The empty layer on top has no particle cells of its own.
-    const Eigen::Vector3i cell = (voxel / cells_per_spacing).cwiseMin(particle_cells - Eigen::Vector3i::Ones());
+    const Eigen::Vector3i cell =
+        (voxel / cells_per_spacing).cwiseMin(particle_cells - Eigen::Vector3i::Ones());
     return (1LL * cell.z() * particle_cells.y() + cell.y()) * particle_cells.x() + cell.x();
 }
 
@@ -66,9 +68,11 @@ Result<SamplingGrid> makeGrid(const TriangleMesh& surface, double spacing_m, int
         grid.origin[d] = lower[d] - (count * edge - (upper[d] - lower[d])) / 2;
         voxels *= count * cells_per_spacing + 1;
     }
-    if (!(voxels <= largest_grid)) return tooLarge(voxels, largest_grid, spacing_m, "grid cells over its bounding box");
+    if (!(voxels <= largest_grid))
+        return tooLarge(voxels, largest_grid, spacing_m, "grid cells over its bounding box");
     const double filled = enclosedVolume(surface, (lower + upper) / 2) / grid.voxelVolume();
-    if (filled > largest_solid) return tooLarge(filled, largest_solid, spacing_m, "grid cells inside the solid");
+    if (filled > largest_solid)
+        return tooLarge(filled, largest_solid, spacing_m, "grid cells inside the solid");
     for (int d = 0; d < 3; ++d) {
         grid.particle_cells[d] = int(cells[d]);
         grid.count[d] = grid.particle_cells[d] * cells_per_spacing + 1;

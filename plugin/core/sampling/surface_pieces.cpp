@@ -15,15 +15,17 @@ struct TriangleMonomials {
     double of(int i, int j) const { return (sum[i] * sum[j] + products(i, j)) / 12; }
     double of(int i, int j, int k) const {
         return (sum[i] * sum[j] * sum[k] + sum[i] * products(j, k) + sum[j] * products(k, i) +
-                sum[k] * products(i, j) + 2 * (a[i] * a[j] * a[k] + b[i] * b[j] * b[k] + c[i] * c[j] * c[k])) /
+                sum[k] * products(i, j) +
+                2 * (a[i] * a[j] * a[k] + b[i] * b[j] * b[k] + c[i] * c[j] * c[k])) /
                60;
     }
 };
 
 void addTriangle(const TriangleMonomials& m, const Vec3& area, SurfaceFlux& flux) {
     const double nx = area.x();
-    const std::array<double, 10> volume = {m.of(0),           m.of(0, 0) / 2,    m.of(0, 1),    m.of(0, 2),    m.of(0, 0, 0) / 3,
-                                           m.of(0, 0, 1) / 2, m.of(0, 0, 2) / 2, m.of(0, 1, 1), m.of(0, 1, 2), m.of(0, 2, 2)};
+    const std::array<double, 10> volume = {
+        m.of(0),           m.of(0, 0) / 2,    m.of(0, 1),    m.of(0, 2),    m.of(0, 0, 0) / 3,
+        m.of(0, 0, 1) / 2, m.of(0, 0, 2) / 2, m.of(0, 1, 1), m.of(0, 1, 2), m.of(0, 2, 2)};
     for (int i = 0; i < 10; ++i) flux.volume[i] += nx * volume[i];
     for (int d = 0; d < 3; ++d) {
         flux.face[d][0] += area[d];
@@ -35,8 +37,8 @@ void addTriangle(const TriangleMonomials& m, const Vec3& area, SurfaceFlux& flux
     flux.face[0][5] += nx * m.of(2, 2);
 }
 
-/// Flux and centroid of a polygon as a fan of triangles; the fans of a closed surface close to rounding even where rounding
-/// has bent a polygon.
+/// Flux and centroid of a polygon as a fan of triangles; the fans of a closed surface close to rounding even
+/// where rounding has bent a polygon.
 SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& flux) {
     SurfacePiece piece;
     double size = 0;
@@ -68,6 +70,8 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
     cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
     std::vector<Vec3> points(surface.vertices.size());
     for (std::size_t v = 0; v < points.size(); ++v) points[v] = grid.toGrid(surface.vertices[v]);
+
+    cut.pieces.reserve(2 * surface.triangles.size());
 
     const auto addPiece = [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
         int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];

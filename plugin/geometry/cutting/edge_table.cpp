@@ -1,4 +1,4 @@
-#include "geometry/edge_table.h"
+#include "geometry/cutting/edge_table.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,4 +1,4 @@
-#include "geometry/exact_orientation.h"
+#include "geometry/cutting/exact_orientation.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 

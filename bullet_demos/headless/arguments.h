@@ -1,0 +1,25 @@
+#pragma once
+
+#include <sherd/result.h>
+
+#include <string>
+
+#include "progress.h"
+#include "scenes/scene.h"
+
+namespace demo {
+
+/// What the command line asks for.
+struct Arguments {
+    Scene scene;  ///< with the changes of --set and --seed
+    std::string assets = "assets";
+    std::string out = "out";  ///< the scene's files go into a folder of its name below this one
+    Progress::Style progress = Progress::Style::few_lines;
+    bool show_list = false;
+    std::string help;  ///< the text to show and leave, if asked for
+};
+
+/// Reads the command line; the error is a sentence with the choices there are.
+sherd::Result<Arguments> parseArguments(int argc, const char* const* argv);
+
+}  // namespace demo

@@ -1,0 +1,45 @@
+#include "camera_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace demo {
+namespace {
+
+constexpr double margin = 1.12;  ///< of the picture, so that nothing touches its frame
+
+/// Two slanted planes that hold all points between them: |x - x_eye| <= slope (z - z_eye), z along the view.
+struct Wedge {
+    double x_eye = 0, z_eye = 0;
+
+    Wedge(const std::vector<Vec3>& points, const Vec3& across, const Vec3& along, double slope) {
+        double right = -std::numeric_limits<double>::infinity(), left = right;
+        for (const Vec3& p : points) {
+            const double x = across.dot(p), z = along.dot(p);
+            right = std::max(right, x - slope * z);
+            left = std::max(left, -x - slope * z);
+        }
+        x_eye = (right - left) / 2;
+        z_eye = -(right + left) / (2 * slope);
+    }
+};
+
+}  // namespace
+
+Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& points, double aspect) {
+    const Vec3 along = camera.towards.normalized();
+    const Vec3 right = along.cross(Vec3::UnitZ()).normalized();
+    const Vec3 up = right.cross(along);
+    const double slope = std::tan(camera.width_deg / 2 * 3.14159265358979323846 / 180) / margin;
+    const Wedge horizontal(points, right, along, slope), vertical(points, up, along, slope / aspect);
+    Viewpoint view;
+    view.position =
+        horizontal.x_eye * right + vertical.x_eye * up + std::min(horizontal.z_eye, vertical.z_eye) * along;
+    view.look_at = view.position + along;
+    view.up = up;
+    view.width_deg = camera.width_deg;
+    return view;
+}
+
+}  // namespace demo

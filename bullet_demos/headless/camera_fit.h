@@ -1,0 +1,23 @@
+#pragma once
+
+#include <sherd/types.h>
+
+#include <vector>
+
+#include "scenes/scene.h"
+
+namespace demo {
+
+/// A placed camera, as POV-Ray takes it.
+struct Viewpoint {
+    Vec3 position = Vec3::Zero();
+    Vec3 look_at = Vec3::Zero();
+    Vec3 up = Vec3::UnitZ();
+    double width_deg = 30;
+};
+
+/// The nearest place, looking along the camera's direction, from which all points are in the picture with a
+/// margin. `aspect` is width over height.
+Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& points, double aspect);
+
+}  // namespace demo

@@ -1,0 +1,65 @@
+#include <exception>
+#include <iostream>
+
+#include "arguments.h"
+#include "output_files.h"
+#include "report.h"
+#include "scene_run.h"
+#include "scenes/scenes.h"
+#include "summary.h"
+
+namespace {
+
+constexpr int further_blows = 3;  ///< of which the middle time counts
+
+/// Scene in, files out.
+sherd::Status runDemo(const demo::Arguments& arguments) {
+    const demo::Scene& scene = arguments.scene;
+    const auto assets = demo::makeAssets(scene, arguments.assets);
+    if (!assets) return sherd::Error{assets.error()};
+
+    demo::Progress progress(arguments.progress);
+    const demo::SceneRun run = demo::runScene(scene, assets.value(), progress);
+    demo::FurtherBlows further;
+    for (int i = 0; i < further_blows; ++i) {
+        if (const auto blow = demo::strikeAgain(scene, assets.value())) further.push_back(*blow);
+    }
+
+    const auto report = demo::makeReport(scene, assets.value(), run, further);
+    const std::string folder = arguments.out + "/" + scene.name;
+    const sherd::Status written = demo::writeOutputs(scene, run, report, folder);
+    if (!written) return written;
+    std::cout << demo::summarise(run, report) << "written to " << folder << std::endl;
+    return sherd::success();
+}
+
+int demoMain(int argc, const char* const* argv) {
+    const auto arguments = demo::parseArguments(argc, argv);
+    if (!arguments) {
+        std::cerr << arguments.error() << "\n";
+        return 2;
+    }
+    if (!arguments.value().help.empty()) {
+        std::cout << arguments.value().help;
+        return 0;
+    }
+    if (arguments.value().show_list) {
+        for (const demo::Scene& scene : demo::allScenes())
+            std::cout << scene.name << ": " << scene.summary << "\n";
+        return 0;
+    }
+    const sherd::Status done = runDemo(arguments.value());
+    if (!done) std::cerr << done.error() << "\n";
+    return done ? 0 : 1;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return demoMain(argc, argv);
+    } catch (const std::exception& failure) {
+        std::cerr << "The demo stopped: " << failure.what() << "\n";
+        return 1;
+    }
+}

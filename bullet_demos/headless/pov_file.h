@@ -1,0 +1,18 @@
+#pragma once
+
+#include <sherd/result.h>
+
+#include <string>
+#include <vector>
+
+#include "scene_world.h"
+#include "scenes/scene.h"
+
+namespace demo {
+
+/// Writes a scene file for POV-Ray 3.7 from the surfaces of the bodies as they stand. Lights, floor and
+/// finishes come from look.inc beside this file. The camera takes in every breakable body; balls are in the
+/// picture where they happen to be.
+sherd::Status writePov(const std::vector<BodyState>& states, const Camera& camera, const std::string& path);
+
+}  // namespace demo

@@ -1,0 +1,120 @@
+#include "report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "stage_times.h"
+
+namespace demo {
+namespace {
+
+using nlohmann::ordered_json;
+using sherd::BreakEvent;
+using Outcome = BreakEvent::Outcome;
+
+const char* word(Outcome outcome) {
+    switch (outcome) {
+        case Outcome::broke:
+            return "broke";
+        case Outcome::held:
+            return "held";
+        case Outcome::failed:
+            break;
+    }
+    return "failed";
+}
+
+/// Of all breakable bodies together.
+struct Totals {
+    int bodies = 0;
+    std::size_t triangles = 0;
+    double mass_kg = 0, volume_m3 = 0;
+};
+
+Totals totals(const std::vector<BodyState>& states) {
+    Totals sum;
+    for (const BodyState& state : states) {
+        if (!state.asset) continue;
+        ++sum.bodies;
+        sum.triangles += state.asset->surface().triangles.size();
+        sum.mass_kg += state.asset->mass();
+        sum.volume_m3 += state.asset->volume();
+    }
+    return sum;
+}
+
+/// Largest of one figure over all blows.
+double worst(const SceneRun& run, double BreakEvent::*figure) {
+    double most = 0;
+    for (const TimedEvent& timed : run.events) most = std::max(most, timed.event.*figure);
+    return most;
+}
+
+double difference(double is, double was) {
+    return was > 0 ? std::abs(is - was) / was : 0;
+}
+
+ordered_json milliseconds(const SceneRun& run, const FurtherBlows& further_blows) {
+    ordered_json ms;
+    for (const StageTotal& stage : stageTotals(run)) ms[stage.name] = stage.total_ms;
+    ms["step_total_worst"] =
+        run.step_ms.empty() ? 0 : *std::max_element(run.step_ms.begin(), run.step_ms.end());
+    ms["step_total_median"] = median(run.step_ms);
+    std::vector<double> further;
+    for (const BreakEvent& blow : further_blows) further.push_back(stressMilliseconds(blow));
+    ms["first_blow_ms"] = run.events.empty() ? 0 : stressMilliseconds(run.events.front().event);
+    ms["further_blow_ms"] = median(further);
+    return ms;
+}
+
+ordered_json describe(const TimedEvent& timed) {
+    const BreakEvent& event = timed.event;
+    const auto list = [](const Vec3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
+    ordered_json entry;
+    entry["time_s"] = timed.time_s;
+    entry["outcome"] = word(event.outcome);
+    entry["fragments"] = event.fragments.size();
+    entry["position_m"] = list(event.position);
+    entry["normal"] = list(event.normal);
+    entry["impulse_n_s"] = event.impulse_n_s;
+    entry["peak_force_n"] = event.peak_force_n;
+    entry["contact_time_s"] = event.contact_time_s;
+    entry["largest_stress_pa"] = event.largest_stress_pa;
+    entry["message"] = event.message;
+    return entry;
+}
+
+}  // namespace
+
+ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets,
+                        const SceneRun& run, const FurtherBlows& further_blows) {
+    const Totals before = totals(run.before), after = totals(run.after);
+    ordered_json report;
+    report["scene"] = scene.name;
+    report["seed"] = scene.bodies.empty() ? 0 : scene.bodies.front().settings.fracture.seed;
+    int particles = 0;
+    for (const sherd::BreakableAsset& asset : assets) particles += asset.particleCount();
+    report["particles"] = particles;
+    report["triangles_before"] = before.triangles;
+    report["triangles_after"] = after.triangles;
+    report["bodies_before"] = before.bodies;
+    report["bodies_after"] = after.bodies;
+    report["blows_seen"] = run.counts.seen;
+    report["blows_skipped"] = run.counts.skipped;
+    report["blows_solved"] = run.counts.solved;
+    report["first_break_s"] = run.first_break_s;
+    report["largest_stress_pa"] = worst(run, &BreakEvent::largest_stress_pa);
+    // Over each swap, and from the start to the end: pieces that got lost later would show in the second.
+    report["mass_error_rel"] =
+        std::max(worst(run, &BreakEvent::mass_error_rel), difference(after.mass_kg, before.mass_kg));
+    report["volume_error_rel"] =
+        std::max(worst(run, &BreakEvent::volume_error_rel), difference(after.volume_m3, before.volume_m3));
+    report["momentum_error_rel"] = worst(run, &BreakEvent::momentum_error_rel);
+    report["residual_rel"] = worst(run, &BreakEvent::residual_rel);
+    report["events"] = ordered_json::array();
+    for (const TimedEvent& timed : run.events) report["events"].push_back(describe(timed));
+    report["ms"] = milliseconds(run, further_blows);
+    return report;
+}
+
+}  // namespace demo

@@ -1,0 +1,75 @@
+#include "scene_run.h"
+
+#include <chrono>
+#include <cmath>
+#include <string>
+
+namespace demo {
+namespace {
+
+using Outcome = sherd::BreakEvent::Outcome;
+
+constexpr double impact_picture_s =
+    0.03;  ///< after the first break: long enough for the pieces to come apart
+
+int stepCount(const Scene& scene) {
+    return static_cast<int>(std::lround(scene.duration_s / scene.time_step_s));
+}
+
+double timedStep(SceneWorld& world) {
+    const auto start = std::chrono::steady_clock::now();
+    world.step();
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::string describe(const SceneRun& run, SceneWorld& world) {
+    const sherd::BlowCounts counts = world.fracture().counts();
+    return std::to_string(world.fracture().bodies().size()) +
+           " bodies; blows: " + std::to_string(counts.seen) + " seen, " + std::to_string(counts.skipped) +
+           " skipped, " + std::to_string(counts.solved) + " solved" +
+           (run.first_break_s < 0 ? ""
+                                  : "; broke at " + std::to_string(run.first_break_s).substr(0, 5) + " s");
+}
+
+/// Takes over what happened in the last step, which ended at `time_s`.
+void collectEvents(SceneRun& run, SceneWorld& world, double time_s) {
+    for (sherd::BreakEvent& event : world.fracture().events()) {
+        if (event.outcome == Outcome::broke && run.first_break_s < 0) run.first_break_s = time_s;
+        run.events.push_back({time_s, std::move(event)});
+    }
+}
+
+}  // namespace
+
+SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets, Progress& progress) {
+    SceneWorld world(scene, assets);
+    SceneRun run;
+    const std::vector<BodyState> start = world.states();
+    const int steps = stepCount(scene);
+    for (int step = 1; step <= steps; ++step) {
+        const double time_s = step * scene.time_step_s;
+        if (run.first_break_s < 0) run.before = world.states();
+        run.step_ms.push_back(timedStep(world));
+        collectEvents(run, world, time_s);
+        if (run.first_break_s >= 0 && run.impact.empty() && time_s >= run.first_break_s + impact_picture_s) {
+            run.impact = world.states();
+        }
+        progress.show(static_cast<double>(step) / steps, describe(run, world));
+    }
+    if (run.first_break_s < 0) run.before = start;
+    run.after = world.states();
+    run.counts = world.fracture().counts();
+    return run;
+}
+
+std::optional<sherd::BreakEvent> strikeAgain(const Scene& scene,
+                                             const std::vector<sherd::BreakableAsset>& assets) {
+    SceneWorld world(scene, assets);
+    for (int step = 0; step < stepCount(scene); ++step) {
+        world.step();
+        for (sherd::BreakEvent& event : world.fracture().events()) return std::move(event);
+    }
+    return std::nullopt;
+}
+
+}  // namespace demo

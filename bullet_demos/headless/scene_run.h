@@ -1,0 +1,39 @@
+#pragma once
+
+#include <sherd/sherd.h>
+
+#include <optional>
+#include <vector>
+
+#include "progress.h"
+#include "scene_world.h"
+#include "scenes/scene.h"
+
+namespace demo {
+
+/// A blow and when it fell. The body pointers of the event are not to be followed after the run.
+struct TimedEvent {
+    double time_s = 0;
+    sherd::BreakEvent event;
+};
+
+/// What a run leaves.
+struct SceneRun {
+    std::vector<BodyState> before;  ///< the last moment before the first break; the start, if nothing broke
+    std::vector<BodyState> impact;  ///< a moment after the first break; empty if nothing broke
+    std::vector<BodyState> after;   ///< the end
+    std::vector<TimedEvent> events;
+    sherd::BlowCounts counts;
+    std::vector<double> step_ms;  ///< wall-clock time of every step
+    double first_break_s = -1;    ///< simulated time; -1: nothing broke
+};
+
+/// Runs a scene from start to end.
+SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets, Progress& progress);
+
+/// The first solved blow of the scene, struck once more on the same assets: what a blow costs on a body that
+/// is factored already. Nothing if no blow was solved within the scene's duration.
+std::optional<sherd::BreakEvent> strikeAgain(const Scene& scene,
+                                             const std::vector<sherd::BreakableAsset>& assets);
+
+}  // namespace demo

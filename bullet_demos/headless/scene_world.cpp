@@ -1,0 +1,136 @@
+#include "scene_world.h"
+
+#include <algorithm>
+#include <limits>
+#include <string>
+
+#include "scenes/box_mesh.h"
+
+namespace demo {
+namespace {
+
+constexpr double pi = 3.14159265358979323846;
+
+btVector3 toBullet(const Vec3& v) {
+    return btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
+}
+
+Eigen::Isometry3d toEigen(const btTransform& transform) {
+    const btQuaternion q = transform.getRotation();
+    const btVector3 origin = transform.getOrigin();
+    Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+    placed.linear() = Eigen::Quaterniond(q.w(), q.x(), q.y(), q.z()).normalized().toRotationMatrix();
+    placed.translation() = Vec3(origin.x(), origin.y(), origin.z());
+    return placed;
+}
+
+Eigen::Matrix3d rotation(const Vec3& turn_deg) {
+    const Vec3 angle = turn_deg * pi / 180;
+    return (Eigen::AngleAxisd(angle.z(), Vec3::UnitZ()) * Eigen::AngleAxisd(angle.y(), Vec3::UnitY()) *
+            Eigen::AngleAxisd(angle.x(), Vec3::UnitX()))
+        .toRotationMatrix();
+}
+
+/// Turned as the scene says, with the lowest vertex at the height that it asks for.
+btTransform startOf(const BreakableBody& body, const sherd::BreakableAsset& asset) {
+    const Eigen::Matrix3d turn = rotation(body.turn_deg);
+    double lowest = std::numeric_limits<double>::infinity();
+    for (const Vec3& vertex : asset.surface().vertices) lowest = std::min(lowest, (turn * vertex).z());
+    const Eigen::Quaterniond q(turn);
+    return btTransform(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
+                       toBullet(body.position - Vec3(0, 0, lowest)));
+}
+
+void setTouch(btRigidBody& body, const Touch& touch) {
+    body.setFriction(btScalar(touch.friction));
+    body.setRestitution(btScalar(touch.restitution));
+}
+
+sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const std::string& folder) {
+    if (const auto* box = std::get_if<Box>(&body.shape)) {
+        return sherd::BreakableAsset::fromMesh(boxMesh(*box), body.material, body.settings);
+    }
+    return sherd::BreakableAsset::fromObj(folder + "/" + std::get<ObjFile>(body.shape).path, body.material,
+                                          body.settings);
+}
+
+}  // namespace
+
+sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(const Scene& scene, const std::string& folder) {
+    std::vector<sherd::BreakableAsset> assets;
+    for (const BreakableBody& body : scene.bodies) {
+        auto asset = makeAsset(body, folder);
+        if (!asset) return sherd::Error{asset.error()};
+        assets.push_back(std::move(asset).value());
+    }
+    return assets;
+}
+
+SceneWorld::SceneWorld(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets) : scene_(scene) {
+    world_.setGravity(toBullet(scene.gravity));
+    fracture_ = std::make_unique<sherd::FractureWorld>(&world_);
+    addFloor();
+    for (std::size_t i = 0; i < assets.size(); ++i) addBody(scene_.bodies[i], assets[i]);
+    for (const Ball& ball : scene_.balls) addBall(ball);
+}
+
+SceneWorld::~SceneWorld() {
+    fracture_.reset();
+    for (const auto& body : plain_bodies_) world_.removeRigidBody(body.get());
+}
+
+void SceneWorld::step() {
+    const auto dt = btScalar(scene_.time_step_s);
+    world_.stepSimulation(dt, 1, dt);
+}
+
+std::vector<BodyState> SceneWorld::states() const {
+    std::vector<BodyState> states;
+    for (const btRigidBody* body : fracture_->bodies()) {
+        // Fragments inherit the user pointer of the body that they come from.
+        const auto* source = static_cast<const BreakableBody*>(body->getUserPointer());
+        states.push_back(
+            {*fracture_->asset(body), 0, source->look, toEigen(fracture_->assetTransform(body))});
+    }
+    for (std::size_t i = 0; i < balls_.size(); ++i) {
+        states.push_back(
+            {std::nullopt, scene_.balls[i].diameter_m, {}, toEigen(balls_[i]->getWorldTransform())});
+    }
+    return states;
+}
+
+void SceneWorld::addFloor() {
+    constexpr double half_width_m = 20, half_depth_m = 0.5;
+    auto slab = std::make_unique<btBoxShape>(toBullet(Vec3(half_width_m, half_width_m, half_depth_m)));
+    addPlain(std::move(slab), 0, Vec3(0, 0, -half_depth_m), scene_.floor);
+}
+
+void SceneWorld::addBody(BreakableBody& body, const sherd::BreakableAsset& asset) {
+    btRigidBody* added = fracture_->add(asset, startOf(body, asset));
+    added->setLinearVelocity(toBullet(body.velocity));
+    added->setUserPointer(&body);
+    setTouch(*added, body.touch);
+}
+
+void SceneWorld::addBall(const Ball& ball) {
+    const double radius = ball.diameter_m / 2;
+    const double mass_kg = ball.density_kg_m3 * 4 / 3 * pi * radius * radius * radius;
+    auto sphere = std::make_unique<btSphereShape>(btScalar(radius));
+    balls_.push_back(addPlain(std::move(sphere), mass_kg, ball.position, ball.touch));
+    balls_.back()->setLinearVelocity(toBullet(ball.velocity));
+}
+
+btRigidBody* SceneWorld::addPlain(std::unique_ptr<btCollisionShape> shape, double mass_kg,
+                                  const Vec3& position, const Touch& touch) {
+    btVector3 inertia(0, 0, 0);
+    if (mass_kg > 0) shape->calculateLocalInertia(btScalar(mass_kg), inertia);
+    btRigidBody::btRigidBodyConstructionInfo info(btScalar(mass_kg), nullptr, shape.get(), inertia);
+    info.m_startWorldTransform.setOrigin(toBullet(position));
+    plain_bodies_.push_back(std::make_unique<btRigidBody>(info));
+    shapes_.push_back(std::move(shape));
+    setTouch(*plain_bodies_.back(), touch);
+    world_.addRigidBody(plain_bodies_.back().get());
+    return plain_bodies_.back().get();
+}
+
+}  // namespace demo

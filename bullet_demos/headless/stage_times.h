@@ -1,0 +1,26 @@
+#pragma once
+
+#include <vector>
+
+#include "scene_run.h"
+
+namespace demo {
+
+/// What one stage of the pipeline took over a run.
+struct StageTotal {
+    const char* name = "";
+    int count = 0;  ///< blows that needed the stage
+    double total_ms = 0;
+    double worst_ms = 0;  ///< of a single blow
+};
+
+/// All stages in the order of the pipeline.
+std::vector<StageTotal> stageTotals(const SceneRun& run);
+
+/// Assembling, factoring and solving of one blow.
+double stressMilliseconds(const sherd::BreakEvent& blow);
+
+/// The middle value; 0 of nothing.
+double median(std::vector<double> values);
+
+}  // namespace demo

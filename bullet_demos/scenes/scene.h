@@ -1,0 +1,86 @@
+#pragma once
+
+#include <sherd/sherd.h>
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace demo {
+
+using sherd::Vec3;
+
+/// A surface from a Wavefront OBJ, by its path below the assets folder.
+struct ObjFile {
+    std::string path;
+};
+
+/// The surface of a box, centred on the origin, in triangles with legs of about `edge_m`.
+struct Box {
+    Vec3 size_m = Vec3::Ones();
+    double edge_m = 0.1;
+};
+
+using Shape = std::variant<ObjFile, Box>;
+
+/// How a body touches others. Bullet multiplies the figures of the two: here friction 0.64, restitution 0.09.
+struct Touch {
+    double friction = 0.8;
+    double restitution = 0.3;
+};
+
+/// Colours are linear RGB from 0 to 1. `gloss` is the share of light that the glaze mirrors, 0 to 1.
+struct Look {
+    Vec3 outside = Vec3(0.8, 0.8, 0.8);
+    Vec3 crack = Vec3(0.9, 0.9, 0.9);
+    double gloss = 0;
+};
+
+/// A body that can break. World frame: z up, floor at z = 0, SI units.
+struct BreakableBody {
+    Shape shape;
+    sherd::Material material;
+    sherd::Settings settings;
+    Touch touch;
+    Look look;
+    Vec3 turn_deg = Vec3::Zero();  ///< about the world's x, then y, then z axis
+    Vec3 position =
+        Vec3::Zero();  ///< x and y of the shape's origin; z: height of its lowest point over the floor, m
+    Vec3 velocity = Vec3::Zero();  ///< m/s
+};
+
+/// A steel ball that strikes.
+struct Ball {
+    double diameter_m = 0.2;
+    double density_kg_m3 = 7850;
+    Touch touch;
+    Vec3 position = Vec3::Zero();  ///< of its centre, m
+    Vec3 velocity = Vec3::Zero();  ///< m/s
+};
+
+/// From where the pictures are taken; how far away follows from what there is to see.
+struct Camera {
+    Vec3 towards = Vec3(0, 1, -0.4);  ///< viewing direction
+    double width_deg = 30;            ///< horizontal opening
+};
+
+/// Everything a run needs, as data.
+struct Scene {
+    std::string name;
+    std::string summary;  ///< one sentence for --list
+    std::vector<BreakableBody> bodies;
+    std::vector<Ball> balls;
+    Touch floor;
+    Camera camera;
+    Vec3 gravity = Vec3(0, 0, -9.81);  ///< m/s^2
+    double duration_s = 2;
+    double time_step_s = 1.0 / 240;
+};
+
+/// A cup dropped on a stone floor.
+Scene coffeeCup();
+
+/// A plaster wall struck by a steel ball.
+Scene plasterWall();
+
+}  // namespace demo

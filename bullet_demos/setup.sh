@@ -1,0 +1,65 @@
+# shellcheck shell=bash
+# Shared by bullet_demos/run, tests/run and .ci/run: what is missing on a Debian is installed, then the tree is built.
+
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+build=${SHERD_BUILD:-$root/build}
+
+# shellcheck disable=SC2034  # used by the scripts that source this file
+build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcgal-dev libsuitesparse-dev libmetis-dev
+  libopenblas-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
+# shellcheck disable=SC2034
+picture_packages=(povray)
+# shellcheck disable=SC2034
+test_packages=(libgtest-dev libbenchmark-dev clang)
+
+say() { printf '%s\n' "$*" >&2; }
+die() {
+  say "$*"
+  exit 1
+}
+
+# Prints those of the named packages that are not installed.
+missing_packages() {
+  local package
+  for package in "$@"; do
+    [ "$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null)" = installed ] || printf '%s\n' "$package"
+  done
+}
+
+# Installs those of the named packages that are not there. Does nothing, and takes no time, if all are.
+install_packages() {
+  if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
+    say "No apt-get here; on another system than Debian install what these packages hold by hand: $*"
+    return
+  fi
+  local missing as_root=()
+  mapfile -t missing < <(missing_packages "$@")
+  [ "${#missing[@]}" -gt 0 ] || return 0
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null ||
+      die "These packages are missing, and installing them takes root or sudo: ${missing[*]}"
+    as_root=(sudo)
+  fi
+  say "installing ${missing[*]}"
+  "${as_root[@]}" apt-get update -qq ||
+    die "apt-get update failed (see above); is there a network connection?"
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >&2 ||
+    die "apt-get could not install: ${missing[*]} (see above)"
+}
+
+# configure [CMAKE ARGUMENT ...]: only if that was not done yet with the same arguments; ninja notices all other changes.
+configure() {
+  local stamp=$build/configured_with
+  if [ -f "$build/build.ninja" ] && [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$*" ]; then return; fi
+  mkdir -p "$build"
+  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
+    die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
+  printf '%s' "$*" >"$stamp"
+}
+
+# build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal.
+build_targets() {
+  local quiet=(--quiet)
+  [ -t 2 ] && quiet=()
+  ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
+}

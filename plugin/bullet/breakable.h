@@ -1,0 +1,51 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <sherd/breakable_asset.h>
+
+#include <cstdint>
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "rigid_body_factory.h"
+
+namespace sherd {
+
+/// A body that can break, and how its frame lies in the asset's.
+struct Breakable {
+    explicit Breakable(const BreakableAsset& its_asset) : asset(its_asset) {}
+
+    btRigidBody* body =
+        nullptr;  ///< may be dead if the app owns it and `in_world` is false: compare, never follow
+    BreakableAsset asset;
+    btTransform body_from_asset = btTransform::getIdentity();
+    OwnedBody owned;                 ///< empty when the app owns the body
+    std::uint64_t serial = 0;        ///< place in the order in which bodies of this world became breakable
+    double unbreakable_until_s = 0;  ///< simulated time
+    bool in_world = true;            ///< as of the last look
+
+    bool ownedHere() const { return owned.body != nullptr; }
+    /// The map from the asset's frame to the world, for a body that stands at `world_transform`.
+    btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
+};
+
+/// The breakable bodies of one world, in the order in which they became so.
+class BreakableRegistry {
+  public:
+    Breakable& add(std::unique_ptr<Breakable> breakable);
+    Breakable* find(const btCollisionObject* object) const;
+    /// Takes an entry out; nullptr for other bodies.
+    std::unique_ptr<Breakable> take(const btCollisionObject* object);
+    /// Compares with what is in the world. Bodies that the app took out are forgotten if they are the app's
+    /// (they may be dead), and kept aside if they are ours.
+    void follow(const btAlignedObjectArray<btCollisionObject*>& in_world);
+
+    const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
+
+  private:
+    std::vector<std::unique_ptr<Breakable>> all_;
+    std::unordered_map<const btCollisionObject*, Breakable*> by_object_;  // for look-up only; never walked
+};
+
+}  // namespace sherd

@@ -1,0 +1,97 @@
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <numeric>
+
+#include "island_state.h"
+#include "multi_body_state.h"
+
+namespace sherd {
+
+namespace {
+
+/// Which objects of the world belong together; entries are places in the world's array of objects.
+class Groups {
+  public:
+    explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+    int find(int i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void unite(int a, int b) { parent_[find(a)] = find(b); }
+
+  private:
+    std::vector<int> parent_;
+};
+
+/// Fixed things carry no push from one body to another.
+bool conducts(const btCollisionObject& object) {
+    return object.getWorldArrayIndex() >= 0 && !object.isStaticOrKinematicObject();
+}
+
+bool joins(const btPersistentManifold& manifold, btDispatcher& dispatcher) {
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const bool in_world = a->getWorldArrayIndex() >= 0 && b->getWorldArrayIndex() >= 0;
+    return in_world && manifold.getNumContacts() > 0 && dispatcher.needsResponse(a, b);
+}
+
+/// Calls visit(object, object) for whatever pushes or holds two objects.
+template <class Visit>
+void forEachJoint(btDiscreteDynamicsWorld& world, const Visit& visit) {
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (joins(manifold, dispatcher)) visit(*manifold.getBody0(), *manifold.getBody1());
+    }
+    for (int i = 0; i < world.getNumConstraints(); ++i) {
+        const btTypedConstraint& constraint = *world.getConstraint(i);
+        visit(constraint.getRigidBodyA(), constraint.getRigidBodyB());
+    }
+    forEachMultiBodyJoint(world, visit);
+}
+
+}  // namespace
+
+Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& seeds) {
+    const auto& objects = world.getCollisionObjectArray();
+    Groups groups(objects.size());
+    forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {
+        if (conducts(a) && conducts(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
+    });
+    std::vector<char> wanted(objects.size(), 0);
+    for (const btCollisionObject* seed : seeds) wanted[groups.find(seed->getWorldArrayIndex())] = 1;
+    const auto inside = [&](const btCollisionObject& object) {
+        return conducts(object) && wanted[groups.find(object.getWorldArrayIndex())];
+    };
+
+    Island island;
+    for (int i = 0; i < objects.size(); ++i)
+        if (inside(*objects[i]) && objects[i]->getInternalType() != btCollisionObject::CO_SOFT_BODY)
+            island.bodies.push_back(objects[i]);
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+        if (joins(*manifold, dispatcher) && (inside(*manifold->getBody0()) || inside(*manifold->getBody1())))
+            island.manifolds.push_back(manifold);
+    }
+    for (int i = 0; i < world.getNumConstraints(); ++i) {
+        btTypedConstraint* constraint = world.getConstraint(i);
+        if (inside(constraint->getRigidBodyA()) || inside(constraint->getRigidBodyB()))
+            island.constraints.push_back(constraint);
+    }
+    addMultiBodies(world, inside, island);
+    return island;
+}
+
+void solveIsland(btDiscreteDynamicsWorld& world, btConstraintSolver& solver, Island& island,
+                 const btContactSolverInfo& info, btIDebugDraw* drawer) {
+    if (island.bodies.empty() || solveMultiBodyIsland(world, solver, island, info, drawer)) return;
+    solver.solveGroup(island.bodies.data(), static_cast<int>(island.bodies.size()), island.manifolds.data(),
+                      static_cast<int>(island.manifolds.size()), island.constraints.data(),
+                      static_cast<int>(island.constraints.size()), info, drawer, world.getDispatcher());
+}
+
+}  // namespace sherd

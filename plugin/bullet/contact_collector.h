@@ -1,0 +1,67 @@
+#pragma once
+
+#include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+
+#include <unordered_map>
+#include <vector>
+
+#include "breakable.h"
+#include "core/loads/blow.h"
+#include "island_state.h"
+
+class btDiscreteDynamicsWorld;
+
+namespace sherd {
+
+/// A breakable body and what a solved step did to it.
+struct StruckBreakable {
+    Breakable* breakable = nullptr;
+    Blow blow;                     ///< asset frame
+    Vec3 position = Vec3::Zero();  ///< of the hardest contact, world frame, m
+    Vec3 normal = Vec3::Zero();    ///< direction in which the body was pushed there, world frame
+    double impulse_n_s = 0;        ///< normal impulse there
+};
+
+/// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
+/// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
+/// that inside the solver. So a body at rest shows none.
+class ContactCollector final : public btCollisionWorld::ContactResultCallback {
+  public:
+    ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,
+                     bool two_friction_directions);
+
+    /// One solved contact point, as Bullet's own contact queries report theirs; the return value has no
+    /// meaning.
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a, int part_a,
+                             int index_a, const btCollisionObjectWrapper* wrapper_b, int part_b,
+                             int index_b) override;
+
+    /// The struck bodies, in the order in which they became breakable.
+    std::vector<StruckBreakable> takeStruck();
+
+  private:
+    struct Side {
+        const btCollisionObject* object;
+        btVector3 point;    // world frame
+        btVector3 push;     // unit, the direction in which the contact pushes this side
+        btVector3 impulse;  // on this side
+        int child;
+    };
+    StruckBreakable& entryOf(Breakable& breakable);
+    void addSide(const Side& own, const Side& other, btScalar normal_impulse);
+    ContactImpulse contactOn(const Breakable& breakable, const Side& own, const Side& other) const;
+    bool listens(const Breakable& breakable) const;
+
+    const BreakableRegistry& breakables_;
+    const StepSnapshot& before_;
+    double time_s_;
+    bool two_friction_directions_;
+    std::vector<StruckBreakable> struck_;
+    std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only
+};
+
+/// Feeds a collector with the contacts that the step just solved. Left out: pairs asleep, pairs without
+/// response and points that the solver leaves out, which all keep impulses of earlier steps.
+void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collector);
+
+}  // namespace sherd

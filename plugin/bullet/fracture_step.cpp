@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <exception>
+
+#include "body_swap.h"
+#include "conversions.h"
+#include "fracture_world_impl.h"
+#include "stopwatch.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr std::uint64_t kGoldenRatio = 0x9E3779B97F4A7C15ull;
+
+/// SplitMix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
+std::uint64_t mixed(std::uint64_t x) {
+    x += kGoldenRatio;
+    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
+    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
+    return x ^ (x >> 31);
+}
+
+/// `strike` reports its failures in the outcome; this is for what no one foresees, such as memory running
+/// out.
+BlowOutcome strikeWithoutThrowing(const Body& solid, const Blow& blow, std::uint64_t seed) {
+    BlowOutcome outcome;
+    try {
+        outcome = strike(solid, blow, seed);
+    } catch (const std::exception& trouble) {
+        outcome = BlowOutcome{};
+        outcome.outcome = BreakEvent::Outcome::failed;
+        outcome.message =
+            std::string("the blow could not be worked out (") + trouble.what() + "); the body stays whole";
+    }
+    if (outcome.outcome == BreakEvent::Outcome::broke && outcome.fragments.empty())
+        outcome.outcome = BreakEvent::Outcome::held;
+    return outcome;
+}
+
+BreakEvent eventOf(const StruckBreakable& struck, const BlowOutcome& outcome) {
+    BreakEvent event;
+    event.outcome = outcome.outcome;
+    event.broken = struck.breakable->body;
+    event.position = struck.position;
+    event.normal = struck.normal;
+    event.impulse_n_s = outcome.impulse_n_s;
+    event.peak_force_n = outcome.peak_force_n;
+    event.contact_time_s = outcome.contact_time_s;
+    event.largest_stress_pa = outcome.largest_stress_pa;
+    event.mass_error_rel = outcome.mass_error_rel;
+    event.volume_error_rel = outcome.volume_error_rel;
+    event.residual_rel = outcome.residual_rel;
+    event.ms = outcome.ms;
+    event.message = outcome.message;
+    return event;
+}
+
+std::vector<btCollisionObject*> without(std::vector<btCollisionObject*> objects,
+                                        const btCollisionObject* left_out) {
+    objects.erase(std::remove(objects.begin(), objects.end(), left_out), objects.end());
+    return objects;
+}
+
+}  // namespace
+
+void FractureWorld::Impl::beforeSolve() {
+    to_delete_.clear();
+    breakables_.follow(world_.getCollisionObjectArray());
+    const auto& all = breakables_.all();
+    watching_ =
+        std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
+    if (!watching_) return;
+    before_.take(world_);
+    write_back_.begin(world_);
+}
+
+void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) {
+    time_s_ += info.m_timeStep;
+    if (watching_) {
+        const bool two_directions = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
+        ContactCollector collector(breakables_, before_, time_s_, two_directions);
+        feedSolvedContacts(world_, collector);
+        std::vector<Break> breaks = judge(collector.takeStruck());
+        if (!breaks.empty()) takeStepAgain(breaks, info, drawer);
+        write_back_.end(world_);
+        watching_ = false;
+    }
+    markStepDone();
+    for (btRigidBody* body : std::exchange(to_remove_, {})) takeAway(body);
+}
+
+std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::judge(
+    const std::vector<StruckBreakable>& struck) {
+    std::vector<Break> breaks;
+    for (const StruckBreakable& body : struck) {
+        const Body& solid = *body.breakable->asset.body();
+        ++counts_.seen;
+        if (!canBreak(solid, body.blow)) {
+            ++counts_.skipped;
+            continue;
+        }
+        ++counts_.solved;
+        BlowOutcome outcome = strikeWithoutThrowing(solid, body.blow, seedOf(*body.breakable));
+        events_.push_back(eventOf(body, outcome));
+        if (outcome.outcome == BreakEvent::Outcome::broke)
+            breaks.push_back({body.breakable->body, std::move(outcome), events_.size() - 1});
+    }
+    return breaks;
+}
+
+void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btContactSolverInfo& info,
+                                        btIDebugDraw* drawer) {
+    const Stopwatch watch;
+    std::vector<btCollisionObject*> members;
+    for (const Break& broken : breaks) members.push_back(broken.body);
+    const Island whole = connectedIsland(world_, members);
+    before_.restore(whole);
+    members = whole.bodies;
+
+    std::vector<btCollisionObject*> newcomers;
+    for (Break& broken : breaks) {
+        const std::vector<btCollisionObject*> fragments = swap(broken, info.m_timeStep);
+        if (!fragments.empty()) members = without(std::move(members), broken.body);
+        newcomers.insert(newcomers.end(), fragments.begin(), fragments.end());
+    }
+    findContactsOf(world_, newcomers);
+    members.insert(members.end(), newcomers.begin(), newcomers.end());
+
+    // Fragments may touch what the whole body did not, and so draw other islands in.
+    Island pieces = connectedIsland(world_, members);
+    before_.restore(pieces);
+    for (btCollisionObject* body : pieces.bodies) body->activate();
+    solveIsland(world_, decorator_.inner(), pieces, info, drawer);
+    for (const Break& broken : breaks)
+        events_[broken.event].ms.resolve_step = watch.milliseconds() / breaks.size();
+}
+
+std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
+    BreakEvent& event = events_[broken.event];
+    const Breakable& parent = *breakables_.find(broken.body);
+    std::vector<std::unique_ptr<Breakable>> pieces;
+    try {
+        const Stopwatch watch;
+        pieces = makeFragmentBodies(parent, broken.outcome.fragments);
+        event.ms.bodies += watch.milliseconds();
+    } catch (const std::exception& trouble) {
+        event.outcome = BreakEvent::Outcome::failed;
+        event.message = std::string("the fragments' bodies could not be made (") + trouble.what() +
+                        "); the body stays whole";
+        return {};
+    }
+    event.momentum_error_rel = momentumError(*broken.body, pieces);
+    const btBroadphaseProxy& proxy = *broken.body->getBroadphaseHandle();
+    const int group = proxy.m_collisionFilterGroup, mask = proxy.m_collisionFilterMask;
+    event.removed_constraints = takeOutOfWorld(world_, *broken.body);
+    addToWorld(world_, pieces, group, mask, time_step_s);
+
+    const double unbreakable_until_s = time_s_ + parent.asset.body()->settings().fracture.rest_after_break_s;
+    std::vector<btCollisionObject*> objects;
+    for (auto& piece : pieces) {
+        piece->unbreakable_until_s = unbreakable_until_s;
+        event.fragments.push_back(piece->body);
+        objects.push_back(piece->body);
+        enlist(std::move(piece));
+    }
+    broken_.push_back(breakables_.take(broken.body));
+    return objects;
+}
+
+std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {
+    return mixed(breakable.asset.body()->settings().fracture.seed + kGoldenRatio * breakable.serial);
+}
+
+}  // namespace sherd

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <sherd/fracture_world.h>
+
+#include <string>
+#include <vector>
+
+#include "breakable.h"
+#include "contact_collector.h"
+#include "impulse_write_back.h"
+#include "island_state.h"
+#include "pipeline.h"
+#include "solver_decorator.h"
+
+namespace sherd {
+
+/// What a FractureWorld keeps, and what it does in a step: collect, judge, swap, solve again.
+class FractureWorld::Impl final : public StepListener {
+  public:
+    explicit Impl(btDiscreteDynamicsWorld& world);
+    ~Impl() override;
+
+    // Between steps.
+    btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
+    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings);
+    void remove(btRigidBody* body);
+    std::vector<BreakEvent> takeEvents();
+    std::vector<btRigidBody*> bodies();
+    const BreakableRegistry& breakables() const { return breakables_; }
+    const BlowCounts& counts() const { return counts_; }
+    const std::string& lastError() const { return last_error_; }
+
+    // Inside a step.
+    void beforeSolve() override;
+    void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+
+  private:
+    /// A body that is to be swapped for its fragments.
+    struct Break {
+        btRigidBody* body = nullptr;
+        BlowOutcome outcome;
+        std::size_t event = 0;  // in events_
+    };
+
+    std::vector<Break> judge(const std::vector<StruckBreakable>& struck);
+    void takeStepAgain(std::vector<Break>& breaks, const btContactSolverInfo& info, btIDebugDraw* drawer);
+    std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
+    std::uint64_t seedOf(const Breakable& breakable) const;
+    Breakable& enlist(std::unique_ptr<Breakable> breakable);
+    Status refusal(const btRigidBody* body) const;
+    bool insideStep() const;
+    void markStepDone();
+    void takeAway(btRigidBody* body);
+
+    btDiscreteDynamicsWorld& world_;
+    BreakableRegistry breakables_;
+    StepSnapshot before_;
+    ImpulseWriteBack write_back_;
+    bool watching_ = false;  // this step: something breakable is awake
+    double time_s_ = 0;      // simulated since the hook was set
+    std::uint64_t next_serial_ = 0;
+    std::vector<BreakEvent> events_;
+    BlowCounts counts_;
+    std::string last_error_;
+    std::vector<btRigidBody*> to_remove_;  // asked for inside a step
+    // Bodies out of the world stay alive while an event that names them waits, and then until the next solve:
+    // contacts of the step under way may still point to them.
+    std::vector<std::unique_ptr<Breakable>> broken_;
+    std::vector<std::unique_ptr<Breakable>> to_delete_;
+    SolverDecorator decorator_;
+};
+
+}  // namespace sherd

@@ -1,0 +1,106 @@
+#include "fragment_motion.h"
+
+#include <algorithm>
+
+#include "conversions.h"
+
+namespace sherd {
+
+namespace {
+
+double massOf(const btRigidBody& body) {
+    return 1 / static_cast<double>(body.getInvMass());
+}
+
+Vec3 centreOf(const btRigidBody& body) {
+    return fromBullet(body.getWorldTransform().getOrigin());
+}
+
+/// Inertia about the centre of mass, world axes; axes that the app locked with an infinite inertia count as
+/// nothing.
+Mat3 inertiaOf(const btRigidBody& body) {
+    const Vec3 inverse = fromBullet(body.getInvInertiaDiagLocal());
+    const Vec3 diagonal = (inverse.array() > 0).select(inverse.cwiseInverse(), 0);
+    const Mat3 axes = fromBullet(body.getWorldTransform().getBasis());
+    return axes * diagonal.asDiagonal() * axes.transpose();
+}
+
+/// All pieces held together.
+struct Assembly {
+    double mass = 0;
+    Vec3 centre = Vec3::Zero();
+    Mat3 inertia = Mat3::Zero();  // about the centre
+};
+
+Assembly assemble(const std::vector<btRigidBody*>& pieces) {
+    Assembly all;
+    for (const btRigidBody* piece : pieces) {
+        all.mass += massOf(*piece);
+        all.centre += massOf(*piece) * centreOf(*piece);
+    }
+    all.centre /= all.mass;
+    for (const btRigidBody* piece : pieces) {
+        const Vec3 arm = centreOf(*piece) - all.centre;
+        all.inertia += inertiaOf(*piece) +
+                       massOf(*piece) * (arm.squaredNorm() * Mat3::Identity() - arm * arm.transpose());
+    }
+    return all;
+}
+
+/// Bullet scales applied forces by the factors of a body; what it scaled once must not be scaled again.
+Vec3 unscaled(const Vec3& v, const Vec3& factor) {
+    return (factor.array() != 0).select(v.cwiseQuotient(factor), 0);
+}
+
+}  // namespace
+
+void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
+    const Assembly all = assemble(pieces);
+    const Vec3 momentum = massOf(whole) * fromBullet(whole.getLinearVelocity());
+    const Vec3 spin = fromBullet(whole.getAngularVelocity());
+    const Vec3 velocity = momentum / all.mass;
+    const Vec3 own_angular = inertiaOf(whole) * spin - (all.centre - centreOf(whole)).cross(momentum);
+    const bool turns_freely = fromBullet(whole.getInvInertiaDiagLocal()).minCoeff() > 0;
+    const Vec3 common_spin = turns_freely ? Vec3(all.inertia.ldlt().solve(own_angular)) : spin;
+    for (btRigidBody* piece : pieces) {
+        piece->setLinearVelocity(toBullet(Vec3(velocity + common_spin.cross(centreOf(*piece) - all.centre))));
+        piece->setAngularVelocity(toBullet(common_spin));
+        piece->setInterpolationLinearVelocity(piece->getLinearVelocity());
+        piece->setInterpolationAngularVelocity(piece->getAngularVelocity());
+    }
+}
+
+void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
+    const Vec3 force = fromBullet(whole.getTotalForce()), torque = fromBullet(whole.getTotalTorque());
+    // A body that slept when the step began was given no gravity. Its fragments are awake and get theirs.
+    const bool given_gravity = force.norm() > 0 || torque.norm() > 0;
+    const Vec3 acceleration = given_gravity
+                                  ? unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()))
+                                  : fromBullet(whole.getGravity());
+    const Vec3 turning =
+        fromBullet(whole.getInvInertiaTensorWorld()) * unscaled(torque, fromBullet(whole.getAngularFactor()));
+    for (btRigidBody* piece : pieces) {
+        const Vec3 arm = centreOf(*piece) - centreOf(whole);
+        piece->applyCentralForce(toBullet(Vec3(massOf(*piece) * (acceleration + turning.cross(arm)))));
+        piece->applyTorque(toBullet(Vec3(inertiaOf(*piece) * turning)));
+    }
+}
+
+double momentumDifference(const btRigidBody& whole, const std::vector<const btRigidBody*>& pieces) {
+    Vec3 linear = massOf(whole) * fromBullet(whole.getLinearVelocity());
+    Vec3 angular = inertiaOf(whole) * fromBullet(whole.getAngularVelocity());
+    double linear_scale = linear.norm(), angular_scale = angular.norm();
+    for (const btRigidBody* piece : pieces) {
+        const Vec3 momentum = massOf(*piece) * fromBullet(piece->getLinearVelocity());
+        const Vec3 orbital = (centreOf(*piece) - centreOf(whole)).cross(momentum);
+        const Vec3 own = inertiaOf(*piece) * fromBullet(piece->getAngularVelocity());
+        linear -= momentum;
+        angular -= orbital + own;
+        linear_scale += momentum.norm();
+        angular_scale += orbital.norm() + own.norm();
+    }
+    const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : 0; };
+    return std::max(relative(linear.norm(), linear_scale), relative(angular.norm(), angular_scale));
+}
+
+}  // namespace sherd

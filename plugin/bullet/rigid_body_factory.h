@@ -1,0 +1,40 @@
+#pragma once
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <memory>
+#include <vector>
+
+#include "body.h"
+#include "core/sampling/voxel_boxes.h"
+
+namespace sherd {
+
+/// A collision shape with its children. Members die in reverse order: the compound before what it refers to.
+struct OwnedShape {
+    std::vector<std::unique_ptr<btCollisionShape>> children;
+    std::unique_ptr<btCollisionShape> shape;
+};
+
+/// A rigid body with its shape.
+struct OwnedBody {
+    OwnedShape shape;
+    std::unique_ptr<btRigidBody> body;
+};
+
+/// The principal axes of a solid at its centre of mass: the frame that Bullet's diagonal inertia asks for.
+struct PrincipalFrame {
+    btTransform body_from_asset = btTransform::getIdentity();
+    Vec3 inertia = Vec3::Zero();  ///< of unit density about the axes, m^5
+};
+PrincipalFrame principalFrame(const Moments& moments);
+
+/// A compound of boxes (asset frame) in the body's frame; the hull of the surface when there are none.
+OwnedShape makeShape(const TriangleMesh& surface, const std::vector<Box>& boxes,
+                     const btTransform& body_from_asset);
+
+/// A rigid body of the solid's mass times `mass_scale`, at the world's origin, in no world yet.
+OwnedBody makeRigidBody(const Body& solid, const std::vector<Box>& boxes, double mass_scale = 1);
+
+}  // namespace sherd

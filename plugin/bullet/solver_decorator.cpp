@@ -1,0 +1,61 @@
+#include "solver_decorator.h"
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include "world_internals.h"
+
+namespace sherd {
+
+SolverDecorator::SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& listener)
+    : world_(world),
+      listener_(listener),
+      inner_(world.getConstraintSolver()),
+      world_owned_inner_(WorldInternals::ownsSolver(world)) {
+    WorldInternals::ownsSolver(world_) =
+        false;  // or setConstraintSolver would free the solver that we forward to
+    world_.setConstraintSolver(this);
+}
+
+SolverDecorator::~SolverDecorator() {
+    if (world_.getConstraintSolver() == this) {
+        world_.setConstraintSolver(inner_);
+        WorldInternals::ownsSolver(world_) = world_owned_inner_;
+    } else if (world_owned_inner_) {
+        // The app has put in another solver since; the one that the world had made is ours to free, the
+        // world's way.
+        inner_->~btConstraintSolver();
+        btAlignedFree(inner_);
+    }
+}
+
+void SolverDecorator::prepareSolve(int body_count, int manifold_count) {
+    listener_.beforeSolve();
+    inner_->prepareSolve(body_count, manifold_count);
+}
+
+btScalar SolverDecorator::solveGroup(btCollisionObject** bodies, int body_count,
+                                     btPersistentManifold** manifolds, int manifold_count,
+                                     btTypedConstraint** constraints, int constraint_count,
+                                     const btContactSolverInfo& info, btIDebugDraw* drawer,
+                                     btDispatcher* dispatcher) {
+    return inner_->solveGroup(bodies, body_count, manifolds, manifold_count, constraints, constraint_count,
+                              info, drawer, dispatcher);
+}
+
+void SolverDecorator::allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) {
+    inner_->allSolved(info, drawer);
+    listener_.afterSolve(info, drawer);
+}
+
+void SolverDecorator::reset() {
+    inner_->reset();
+}
+
+btConstraintSolverType SolverDecorator::getSolverType() const {
+    // A world that reads "multi-body" here casts the pointer to btMultiBodyConstraintSolver, which this is
+    // not. Such a world keeps a pointer of its own to its solver and goes on using that one.
+    const btConstraintSolverType type = inner_->getSolverType();
+    return type == BT_MULTIBODY_SOLVER ? BT_SEQUENTIAL_IMPULSE_SOLVER : type;
+}
+
+}  // namespace sherd

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <BulletDynamics/ConstraintSolver/btConstraintSolver.h>
+
+class btDiscreteDynamicsWorld;
+struct btContactSolverInfo;
+
+namespace sherd {
+
+/// Told before the contacts of a step are solved and after, when impulses are valid and positions not yet
+/// integrated.
+class StepListener {
+  public:
+    virtual ~StepListener() = default;
+    virtual void beforeSolve() = 0;
+    virtual void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) = 0;
+};
+
+/// Stands around a world's constraint solver and forwards to it; keeps no state of a solve, so islands may be
+/// solved in parallel. Puts itself into the world when made and gives the world its own solver back when
+/// destroyed.
+class SolverDecorator final : public btConstraintSolver {
+  public:
+    SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& listener);
+    ~SolverDecorator() override;
+    SolverDecorator(const SolverDecorator&) = delete;
+    SolverDecorator& operator=(const SolverDecorator&) = delete;
+
+    btConstraintSolver& inner() const { return *inner_; }
+
+    void prepareSolve(int body_count, int manifold_count) override;
+    btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,
+                        int manifold_count, btTypedConstraint** constraints, int constraint_count,
+                        const btContactSolverInfo& info, btIDebugDraw* drawer,
+                        btDispatcher* dispatcher) override;
+    void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+    void reset() override;
+    btConstraintSolverType getSolverType() const override;
+
+  private:
+    btDiscreteDynamicsWorld& world_;
+    StepListener& listener_;
+    btConstraintSolver* inner_;
+    bool world_owned_inner_;
+};
+
+}  // namespace sherd

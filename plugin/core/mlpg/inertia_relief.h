@@ -1,0 +1,30 @@
+#pragma once
+
+#include "core/mlpg/cell_gradients.h"
+#include "core/mlpg/rigid_motions.h"
+
+namespace sherd {
+
+/// Balances the loads of a free body by rigid acceleration, b(x) = -rho (a + alpha x r), each connected component by
+/// itself. The body forces are integrated with the quadrature that builds K, cell by cell with its second moment, so
+/// that net force and moment vanish to rounding.
+class InertiaRelief {
+  public:
+    /// Galerkin: f_a = sum over sub-domains P of phi_a(x_P) int_P b + sum_c g_ca . int_c b (x - x_P)^T.
+    static InertiaRelief galerkin(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space,
+                                  const CellGradients& cells, const RigidMotions& motions);
+
+    /// Heaviside: the rows of sub-domain P get int_P b.
+    static InertiaRelief heaviside(const Discretisation& solid, const RigidMotions& motions);
+
+    /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances them.
+    void balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+                 const RigidMotions& motions) const;
+
+  private:
+    using Mat6 = Eigen::Matrix<double, 6, 6>;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> forces_;  // #unknowns x 6: of unit density times each rigid motion
+    std::vector<Mat6> masses_;                         // per component: their resultants
+};
+
+}  // namespace sherd

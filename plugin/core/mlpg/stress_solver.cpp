@@ -1,0 +1,224 @@
+#include "core/mlpg/stress_solver.h"
+
+#include <cmath>
+#include <exception>
+#include <new>
+
+#include "core/mlpg/point_loads.h"
+#include "core/mlpg/stopwatch.h"
+#include "core/mlpg/weak_form.h"
+#include "core/stress/stress_recovery.h"
+
+namespace sherd {
+namespace {
+
+Status checkInput(const Discretisation* solid, const Material& material, const StressSettings& settings) {
+    if (!solid || solid->particles.empty() || solid->cells.empty())
+        return Error{"The stress solver was given a solid without particles; sample it first."};
+    if (!(material.youngs_modulus_pa > 0) || !std::isfinite(material.youngs_modulus_pa))
+        return Error{"Young's modulus must be positive and finite."};
+    if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
+        return Error{"Poisson's ratio must be above -1 and below 0.5; for rubber-like material use 0.49."};
+    if (!(settings.support_radius >= 0 && settings.support_radius < 10))
+        return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
+    if (settings.test_function == TestFunction::heaviside && settings.trial_function == TrialFunction::gmls)
+        return Error{
+            "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: use "
+            "heaviside with mls, or gmls with galerkin test functions."};
+    return success();
+}
+
+double supportRadius(const StressSettings& settings) {
+    if (settings.support_radius > 0) return settings.support_radius;
+    if (settings.basis == Basis::quadratic) return 2.8;
+    return settings.trial_function == TrialFunction::gmls ? 1.4 : 2.2;
+}
+
+std::vector<std::string> trustWarnings(const StressProblem& problem, const Material& material) {
+    std::vector<std::string> warnings;
+    const auto count = [&](Evaluation state) {
+        return std::to_string(problem.cells.evaluations[static_cast<size_t>(state)]);
+    };
+    if (count(Evaluation::widened) != "0")
+        warnings.push_back("At " + count(Evaluation::widened) +
+                           " integration points the supports were widened to reach enough particles; if there are many, "
+                           "use a larger support radius.");
+    if (count(Evaluation::reduced) != "0")
+        warnings.push_back("At " + count(Evaluation::reduced) +
+                           " integration points the quadratic basis was replaced by the linear one for lack of "
+                           "particles; use a finer spacing or the linear basis.");
+    if (count(Evaluation::deficient) != "0")
+        warnings.push_back("At " + count(Evaluation::deficient) +
+                           " integration points the particles lie in one plane or line, so that bending there is lost; "
+                           "use gmls trial functions or a finer spacing.");
+    if (material.poisson_ratio > 0.45)
+        warnings.push_back(
+            "Poisson's ratio is near 0.5, where thin walls come out too stiff; use three particles across a wall.");
+    return warnings;
+}
+
+}  // namespace
+
+StressProblem::StressProblem(const Discretisation& sampled, const Material& material, const StressSettings& settings)
+    : solid(sampled), elasticity(material), space{settings.trial_function, settings.basis},
+      supports(sampled, supportRadius(settings)), motions(sampled, space),
+      cells(smoothedGradients(sampled, supports, space)) {}
+
+struct StressSolver::Impl {
+    std::shared_ptr<const Discretisation> solid;
+    StressProblem problem;
+    StressRecovery recovery;
+    std::unique_ptr<WeakForm> form;
+    StressSolverReport report;
+
+    Impl(std::shared_ptr<const Discretisation> sampled, const Material& material, const StressSettings& settings)
+        : solid(std::move(sampled)), problem(*solid, material, settings), recovery(*solid, problem.supports) {}
+
+    LoadVector noLoads() const {
+        LoadVector loads;
+        loads.forces.setZero(problem.unknowns());
+        loads.resultants.setZero(6, problem.motions.components.count);
+        return loads;
+    }
+
+    /// Sum of |F| and of |F| |x| over the size of the body: what net force and moment are measured against.
+    static double magnitude(const std::vector<PointForce>& loads) {
+        double sum = 0;
+        for (const PointForce& load : loads) sum += load.force.norm();
+        return sum;
+    }
+
+    void recoverStress(const Eigen::VectorXd& unknowns, StressField& field) const {
+        std::vector<Mat3> cells = displacementGradients(problem.cells, unknowns);
+        for (Mat3& cell : cells) cell = problem.elasticity.stress(cell);
+        recovery.recover(cells, field.particles, field.surface);
+    }
+
+    Result<StressField> solve(LoadVector loads, double load_magnitude, std::vector<std::string> warnings) const;
+};
+
+namespace {
+
+bool isFinite(const std::vector<Voigt>& stresses) {
+    for (const Voigt& stress : stresses)
+        if (!stress.allFinite()) return false;
+    return true;
+}
+
+}  // namespace
+
+Result<StressField> StressSolver::Impl::solve(LoadVector loads, double load_magnitude,
+                                              std::vector<std::string> warnings) const {
+    form->addInertia(loads);
+    const Result<Displacement> solved = form->solve(loads.forces);
+    if (!solved) return Error{solved.error()};
+    const Displacement& displacement = solved.value();
+
+    StressField field;
+    recoverStress(displacement.unknowns, field);
+    field.strain_energy_j = 0.5 * displacement.unknowns.dot(loads.forces);
+    field.residual_rel = displacement.residual_rel;
+    if (load_magnitude > 0)
+        field.imbalance_rel = problem.motions.resultants(loads.forces).cwiseAbs().maxCoeff() / load_magnitude;
+    field.warnings = std::move(warnings);
+    if (!std::isfinite(field.strain_energy_j) || !isFinite(field.particles) || !isFinite(field.surface))
+        return Error{"The stress came out not finite; the loads or the sampling of the solid are beyond what can be solved."};
+    return field;
+}
+
+Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> solid, const Material& material,
+                                         const StressSettings& settings) {
+    if (Status status = checkInput(solid.get(), material, settings); !status) return Error{status.error()};
+    try {
+        Stopwatch watch;
+        auto impl = std::make_unique<Impl>(std::move(solid), material, settings);
+        StressSolverReport& report = impl->report;
+        report.warnings = trustWarnings(impl->problem, material);
+        const bool galerkin = settings.test_function == TestFunction::galerkin;
+        Result<std::unique_ptr<WeakForm>> form =
+            galerkin ? makeGalerkinForm(impl->problem, report.factor_ms, report.warnings)
+                     : makeHeavisideForm(impl->problem, report.factor_ms, report.warnings);
+        if (!form) return Error{form.error()};
+        impl->form = std::move(form).value();
+        report.assemble_ms = watch.lap() - report.factor_ms;
+        report.unknowns = static_cast<int>(impl->problem.unknowns());
+        report.factor_entries = impl->form->solver().factorEntries();
+        return StressSolver(std::move(impl));
+    } catch (const std::bad_alloc&) {
+        return Error{"There is not enough memory for the stress problem of this solid; use a larger particle spacing."};
+    } catch (const std::exception& trouble) {
+        return Error{std::string("The stress problem could not be set up: ") + trouble.what()};
+    }
+}
+
+Result<StressField> StressSolver::solve(const std::vector<PointForce>& point_forces) const {
+    const StressProblem& problem = impl_->problem;
+    try {
+        LoadVector loads = impl_->noLoads();
+        LoadPlacement placement(problem.solid, problem.supports, problem.space);
+        ShapeFunctions shapes;
+        for (const PointForce& load : point_forces) {
+            if (!load.force.allFinite() || !load.position.allFinite())
+                return Error{"A load on the body is not finite; check the contact that it came from."};
+            const int owner = placement.ownerAt(load.position);
+            if (owner < 0)
+                return Error{"A load acts more than two particle spacings outside the body; give it in the asset's frame."};
+            placement.evaluate(load.position, owner, shapes);
+            impl_->form->addLoad(shapes, owner, load, loads);
+        }
+        return impl_->solve(std::move(loads), Impl::magnitude(point_forces), impl_->report.warnings);
+    } catch (const std::exception& trouble) {
+        return Error{std::string("The stress could not be solved: ") + trouble.what()};
+    }
+}
+
+Result<StressField> StressSolver::solveTraction(
+    const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction) const {
+    const StressProblem& problem = impl_->problem;
+    try {
+        LoadVector loads = impl_->noLoads();
+        LoadPlacement placement(problem.solid, problem.supports, problem.space);
+        ShapeFunctions shapes;
+        double magnitude = 0;
+        for (const SurfacePoint& point : problem.solid.surface_points) {
+            const double area = point.area.norm();
+            if (area == 0) continue;
+            const PointForce load{point.position, area * traction(point.position, point.area / area)};
+            if (!load.force.allFinite()) return Error{"The traction is not finite somewhere on the surface."};
+            const int owner = problem.solid.cells[point.cell].particle;
+            placement.evaluate(point.position, owner, shapes);
+            impl_->form->addLoad(shapes, owner, load, loads);
+            magnitude += load.force.norm();
+        }
+        return impl_->solve(std::move(loads), magnitude, impl_->report.warnings);
+    } catch (const std::exception& trouble) {
+        return Error{std::string("The stress could not be solved: ") + trouble.what()};
+    }
+}
+
+StressField StressSolver::stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
+                                   const std::function<Mat3(const Vec3& x)>& gradient) const {
+    const StressProblem& problem = impl_->problem;
+    Eigen::VectorXd unknowns(problem.unknowns());
+    const int block = problem.space.unknownsPerParticle();
+    for (size_t i = 0; i < problem.solid.particles.size(); ++i) {
+        const Particle& particle = problem.solid.particles[i];
+        const long row = static_cast<long>(i) * block;
+        unknowns.segment<3>(row) = displacement(particle.position);
+        if (block == 3) continue;
+        const Mat3 scaled = particle.spacing * gradient(particle.position);
+        for (int j = 0; j < 3; ++j) unknowns.segment<3>(row + 3 + 3 * j) = scaled.col(j);
+    }
+    StressField field;
+    impl_->recoverStress(unknowns, field);
+    return field;
+}
+
+const StressSolverReport& StressSolver::report() const { return impl_->report; }
+
+StressSolver::StressSolver(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+StressSolver::StressSolver(StressSolver&&) noexcept = default;
+StressSolver& StressSolver::operator=(StressSolver&&) noexcept = default;
+StressSolver::~StressSolver() = default;
+
+}  // namespace sherd

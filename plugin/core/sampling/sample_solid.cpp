@@ -1,0 +1,98 @@
+#include "core/sampling/sample_solid.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+
+#include "core/sampling/cut_cells.h"
+#include "core/sampling/sampling_grid.h"
+#include "core/sampling/solid_voxels.h"
+#include "core/sampling/sub_domains.h"
+#include "core/sampling/surface_pieces.h"
+#include "core/sampling/surface_points.h"
+
+namespace sherd {
+namespace {
+
+Status checkInput(const TriangleMesh& surface, double spacing_m, const SamplingSettings& settings) {
+    if (!(spacing_m > 0) || !std::isfinite(spacing_m))
+        return Error{"The particle spacing must be a positive length in metres."};
+    if (settings.cells_per_spacing < 1 || settings.cells_per_spacing > 4)
+        return Error{"The number of integration cells per particle spacing must be from 1 to 4."};
+    if (!(settings.smallest_fill >= 0 && settings.smallest_fill < 1))
+        return Error{"The smallest fill of a cell with a particle must be at least 0 and less than 1."};
+    if (surface.triangles.empty())
+        return Error{"The surface has no triangles, so there is no solid to sample."};
+    const int count = int(surface.vertices.size());
+    for (const auto& triangle : surface.triangles)
+        for (const int v : triangle) {
+            if (v < 0 || v >= count)
+                return Error{"A triangle of the surface names a vertex that does not exist."};
+            if (!surface.vertices[std::size_t(v)].allFinite())
+                return Error{"Vertex " + std::to_string(v) + " of the surface is not a finite point."};
+        }
+    return success();
+}
+
+void listVoxels(const SamplingGrid& grid, const SolidVoxels& solid, const CutCells& cells,
+                Discretisation& result) {
+    result.voxels.reserve(solid.index.size());
+    for (std::size_t v = 0; v < solid.index.size(); ++v) {
+        const double fill = std::min(1.0, solid.moments[v].volume);
+        if (cells.of_voxel[v] >= 0 && fill > 1e-12)
+            result.voxels.push_back({grid.voxelAt(solid.index[v]), cells.of_voxel[v], fill});
+    }
+}
+
+void listCells(CutCells cells, const SubDomains& domains, Discretisation& result) {
+    result.particle_cells.resize(std::size_t(domains.count));
+    result.cells.resize(cells.moments.size());
+    for (std::size_t c = 0; c < cells.moments.size(); ++c) {
+        result.cells[c] = {cells.moments[c], domains.of_cell[c]};
+        result.particle_cells[std::size_t(domains.of_cell[c])].push_back(int(c));
+    }
+    result.faces = std::move(cells.faces);
+}
+
+Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
+                              const SamplingSettings& settings) {
+    const Status checked = checkInput(surface, spacing_m, settings);
+    if (!checked) return Error{checked.error()};
+    const Result<SamplingGrid> made = makeGrid(surface, spacing_m, settings.cells_per_spacing);
+    if (!made) return Error{made.error()};
+    const SamplingGrid& grid = made.value();
+
+    const CutSurface cut = cutSurface(surface, grid);
+    const Result<SolidVoxels> filled = fillVoxels(grid, cut);
+    if (!filled) return Error{filled.error()};
+    const SolidVoxels& solid = filled.value();
+    CutCells cells = mergeCells(grid, solid);
+    if (cells.moments.empty())
+        return Error{"The surface encloses no volume, so there is no solid to sample."};
+    const SubDomains domains = findSubDomains(grid, cells, settings.smallest_fill);
+
+    Discretisation result;
+    result.spacing = spacing_m;
+    result.cell_size = grid.cell_size;
+    result.grid_origin = grid.origin;
+    result.surface_points = surfacePoints(grid, cut, solid, cells);
+    result.particles = placeParticles(grid, cells, domains);
+    result.neighbours = neighboursThroughSolid(cells, domains);
+    listVoxels(grid, solid, cells, result);
+    listCells(std::move(cells), domains, result);
+    return result;
+}
+
+}  // namespace
+
+Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
+                                   const SamplingSettings& settings) {
+    try {
+        return sample(surface, spacing_m, settings);
+    } catch (const std::exception& trouble) {  // memory, in practice
+        return Error{std::string("The solid could not be sampled (") + trouble.what() +
+                     "); use a larger particle spacing."};
+    }
+}
+
+}  // namespace sherd

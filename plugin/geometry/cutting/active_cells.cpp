@@ -1,0 +1,60 @@
+#include "geometry/cutting/active_cells.h"
+
+#include <array>
+
+namespace sherd {
+
+namespace {
+
+enum : char { outside = 0, unreached = 1, near_surface = 2 };
+
+// Wider than jitter and smoothing can move a crack out of its cell, and wide enough that all cells around the node
+// nearest to a surface point are marked.
+constexpr double margin = 0.8;
+
+void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, std::vector<char>& state) {
+    for (const auto& t : surface.triangles) {
+        const Vec3 &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
+        const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - lattice.origin) / lattice.spacing - Vec3::Constant(margin);
+        const Vec3 high = (a.cwiseMax(b).cwiseMax(c) - lattice.origin) / lattice.spacing + Vec3::Constant(margin);
+        const Eigen::Vector3i first = low.array().floor().cast<int>().max(0);
+        const Eigen::Vector3i last = high.array().floor().cast<int>().min(lattice.size.array() - 2);
+        for (int k = first.z(); k <= last.z(); ++k)
+            for (int j = first.y(); j <= last.y(); ++j)
+                for (int i = first.x(); i <= last.x(); ++i) state[lattice.index(i, j, k)] = near_surface;
+    }
+}
+
+// The outermost layer of cells is outside by construction, so a flood from one corner reaches all of the outside.
+void floodOutside(const LabelLattice& lattice, std::vector<char>& state) {
+    std::vector<std::array<int, 3>> front = {{0, 0, 0}};
+    state[0] = outside;
+    while (!front.empty()) {
+        const auto cell = front.back();
+        front.pop_back();
+        for (int side = 0; side < 6; ++side) {
+            auto next = cell;
+            next[side / 2] += side % 2 ? 1 : -1;
+            if (next[side / 2] < 0 || next[side / 2] > lattice.size[side / 2] - 2) continue;
+            char& reached = state[lattice.index(next[0], next[1], next[2])];
+            if (reached != unreached) continue;
+            reached = outside;
+            front.push_back(next);
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<char> findActiveCells(const TriangleMesh& surface, const LabelLattice& lattice) {
+    std::vector<char> state(lattice.nodes.size(), outside);
+    for (int k = 0; k + 1 < lattice.size.z(); ++k)
+        for (int j = 0; j + 1 < lattice.size.y(); ++j)
+            for (int i = 0; i + 1 < lattice.size.x(); ++i) state[lattice.index(i, j, k)] = unreached;
+    markNearSurface(surface, lattice, state);
+    floodOutside(lattice, state);
+    for (char& s : state) s = s != outside;
+    return state;
+}
+
+}  // namespace sherd

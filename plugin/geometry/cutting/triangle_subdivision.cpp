@@ -1,0 +1,99 @@
+#include "geometry/cutting/triangle_subdivision.h"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_face_base_with_info_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+namespace sherd {
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
+using FaceBase =
+    CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
+using Triangulation =
+    CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
+
+// Drops the coordinate along which the normal is longest; keeps the orientation.
+Kernel::Point_2 project(const Vec3& x, const Vec3& normal) {
+    int axis = 0;
+    normal.cwiseAbs().maxCoeff(&axis);
+    const double u = x[(axis + 1) % 3], v = x[(axis + 2) % 3];
+    return normal[axis] > 0 ? Kernel::Point_2(u, v) : Kernel::Point_2(v, u);
+}
+
+}  // namespace
+
+struct TriangleSubdivision::Impl {
+    Triangulation cdt;
+    std::vector<std::pair<int, Triangulation::Vertex_handle>> vertices;  // few: searched linearly
+
+    Triangulation::Vertex_handle vertex(const std::vector<Vec3>& points, const Vec3& normal, int point) {
+        for (const auto& [id, handle] : vertices)
+            if (id == point) return handle;
+        const auto handle = cdt.insert(project(points[point], normal));
+        handle->info() = point;
+        vertices.emplace_back(point, handle);
+        return handle;
+    }
+
+    // A constraint through a third vertex would be split there: not the edge that the neighbour has.
+    bool constrain(Triangulation::Vertex_handle a, Triangulation::Vertex_handle b) {
+        if (a == b) return false;
+        cdt.insert_constraint(a, b);
+        return cdt.is_edge(a, b);
+    }
+
+    // Between the hull and the loop there may be slivers, since points on an edge are rounded off it.
+    void markOutside() {
+        for (auto f : cdt.all_face_handles()) f->info() = true;
+        std::vector<Triangulation::Face_handle> front = {cdt.infinite_face()};
+        front.back()->info() = false;
+        while (!front.empty()) {
+            const auto face = front.back();
+            front.pop_back();
+            for (int i = 0; i < 3; ++i) {
+                const auto next = face->neighbor(i);
+                if (!next->info() || face->is_constrained(i)) continue;
+                next->info() = false;
+                front.push_back(next);
+            }
+        }
+    }
+};
+
+TriangleSubdivision::TriangleSubdivision() : impl_(new Impl) {}
+TriangleSubdivision::~TriangleSubdivision() { delete impl_; }
+
+bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
+                                const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out) {
+    Triangulation& cdt = impl_->cdt;
+    cdt.clear();
+    impl_->vertices.clear();
+    try {
+        for (std::size_t i = 0; i < loop.size(); ++i) {
+            const auto a = impl_->vertex(points, normal, loop[i]);
+            if (!impl_->constrain(a, impl_->vertex(points, normal, loop[(i + 1) % loop.size()]))) return false;
+        }
+        for (const auto& [a, b] : segments)
+            if (!impl_->constrain(impl_->vertex(points, normal, a), impl_->vertex(points, normal, b))) return false;
+    } catch (const std::exception&) {  // CGAL throws when constraints cross
+        return false;
+    }
+    // Two points that fall together share a vertex.
+    if (cdt.number_of_vertices() != impl_->vertices.size()) return false;
+    impl_->markOutside();
+    const std::size_t before = out.size();
+    for (auto f : cdt.finite_face_handles())
+        if (f->info()) out.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
+    // Euler: a polygon with n points on its loop and m inside has n + 2 m - 2 triangles.
+    const std::size_t inner = impl_->vertices.size() - loop.size();
+    if (out.size() - before == loop.size() + 2 * inner - 2) return true;
+    out.resize(before);
+    return false;
+}
+
+}  // namespace sherd

@@ -1,0 +1,136 @@
+#include "geometry/solid_union.h"
+
+#if defined(__GNUC__) && !defined(__clang__)
+// g++ 12 takes the empty callback of CGAL's self-intersection test, which is never called here, for an unset
+// value.
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/convex_hull_3.h>
+
+#include <algorithm>
+#include <exception>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "geometry/merge_vertices.h"
+#include "geometry/surface_checks.h"
+#include "geometry/surface_topology.h"
+
+namespace sherd {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Solid = CGAL::Surface_mesh<Kernel::Point_3>;
+using Parts = std::vector<std::vector<Vec3>>;
+
+constexpr double weld_tolerance = 1e-6;  // of the whole; a float keeps 6e-8
+
+/// Coordinates along one axis that are nearly equal become equal.
+void weldAxis(Parts& parts, int axis, double tolerance) {
+    std::vector<double*> values;
+    for (auto& part : parts)
+        for (Vec3& point : part) values.push_back(&point[axis]);
+    std::sort(values.begin(), values.end(), [](const double* a, const double* b) { return *a < *b; });
+    double level = *values.front();
+    for (double* value : values)
+        if (*value - level <= tolerance)
+            *value = level;
+        else
+            level = *value;
+}
+
+Status weld(Parts& parts) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        if (parts[p].empty()) return Error{"Convex part " + std::to_string(p) + " has no points; remove it."};
+        for (const Vec3& point : parts[p]) {
+            if (!point.allFinite())
+                return Error{"Convex part " + std::to_string(p) + " has a point at " + describePlace(point) +
+                             ", which is not finite; correct it."};
+            box.extend(point);
+        }
+    }
+    for (int axis = 0; axis < 3; ++axis) weldAxis(parts, axis, weld_tolerance * box.diagonal().norm());
+    return success();
+}
+
+std::optional<Solid> convexHull(const std::vector<Vec3>& points) {
+    std::vector<Kernel::Point_3> exact;
+    for (const Vec3& point : points) exact.emplace_back(point.x(), point.y(), point.z());
+    Solid hull;
+    CGAL::convex_hull_3(exact.begin(), exact.end(), hull);
+    if (hull.number_of_faces() < 4 || !CGAL::is_closed(hull)) return std::nullopt;
+    return hull;
+}
+
+/// Adds `part` to `whole` if the union is a manifold, and says whether it was.
+bool unite(Solid& whole, const Solid& part) {
+    Solid a = whole, b = part, both;  // corefinement splits the triangles of its operands
+    if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) return false;
+    whole = std::move(both);
+    return true;
+}
+
+TriangleMesh toTriangleMesh(const Solid& solid) {
+    TriangleMesh mesh;
+    std::vector<int> number(solid.number_of_vertices() + solid.number_of_removed_vertices(), -1);
+    for (const auto vertex : solid.vertices()) {
+        number[vertex] = static_cast<int>(mesh.vertices.size());
+        const auto& p = solid.point(vertex);
+        mesh.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+    }
+    for (const auto face : solid.faces()) {
+        std::array<int, 3> triangle{};
+        int k = 0;
+        for (const auto vertex : solid.vertices_around_face(solid.halfedge(face)))
+            triangle[k++] = number[vertex];
+        mesh.triangles.push_back(triangle);
+    }
+    return mergeEqualVertices(mesh);
+}
+
+Result<TriangleMesh> uniteAll(Parts parts) {
+    if (parts.empty()) return Error{"There are no convex parts to unite; give at least one."};
+    if (Status welded = weld(parts); !welded) return Error{welded.error()};
+    std::vector<std::pair<std::size_t, Solid>> waiting;
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        std::optional<Solid> hull = convexHull(parts[p]);
+        if (!hull)
+            return Error{"Convex part " + std::to_string(p) + " is flat; give it a thickness, or remove it."};
+        waiting.emplace_back(p, std::move(*hull));
+    }
+    Solid whole;
+    // Two parts may touch in an edge only until a third fills the corner, so what fails waits for the next
+    // round.
+    for (bool progress = true; progress && !waiting.empty();) {
+        std::vector<std::pair<std::size_t, Solid>> failed;
+        for (auto& [number, part] : waiting)
+            if (!unite(whole, part)) failed.emplace_back(number, std::move(part));
+        progress = failed.size() < waiting.size();
+        waiting = std::move(failed);
+    }
+    if (!waiting.empty())
+        return Error{"Convex part " + std::to_string(waiting.front().first) +
+                     " touches the others in an edge or a point only, so the union is no solid; let parts "
+                     "overlap, meet in faces, or stay apart."};
+    TriangleMesh mesh = toTriangleMesh(whole);
+    if (Status checked = checkSurface(mesh); !checked)
+        return Error{"The union of the convex parts is no solid: " + checked.error()};
+    return mesh;
+}
+
+}  // namespace
+
+Result<TriangleMesh> uniteConvexParts(const std::vector<std::vector<Vec3>>& hull_points_of_parts) {
+    try {
+        return uniteAll(hull_points_of_parts);
+    } catch (const std::exception& fault) {
+        return Error{std::string("The convex parts could not be united: ") + fault.what() + "."};
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,249 @@
+// The break as part of the collision: momentum, the step taken again, and what fragments take over.
+
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto kBroke = BreakEvent::Outcome::broke;
+
+struct Momentum {
+    Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // about the world's origin
+    double scale = 0;                                    // sum of the magnitudes of the linear ones
+};
+
+Vec3 vec(const btVector3& v) { return Vec3(v.x(), v.y(), v.z()); }
+
+Momentum momentumOf(const std::vector<btRigidBody*>& bodies) {
+    Momentum sum;
+    for (const btRigidBody* body : bodies) {
+        const double mass = 1.0 / body->getInvMass();
+        const Vec3 p = mass * vec(body->getLinearVelocity());
+        const btMatrix3x3 inertia = body->getInvInertiaTensorWorld().inverse();
+        sum.linear += p;
+        sum.angular += vec(body->getCenterOfMassPosition()).cross(p) + vec(inertia * body->getAngularVelocity());
+        sum.scale += p.norm();
+    }
+    return sum;
+}
+
+TEST(Break, PlateIsSwappedForItsFragmentsInsideTheStep) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    ASSERT_NE(body, nullptr) << fracture.lastError();
+    scene.addBall(2, 0.1, btVector3(0.05, 0.02, 0.2), btVector3(0, 0, -8));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_EQ(event.broken, body);
+    EXPECT_GE(event.fragments.size(), 2u);
+    EXPECT_FALSE(inWorld(scene, body));
+    EXPECT_EQ(fracture.bodies(), event.fragments);
+    for (const btRigidBody* fragment : event.fragments) EXPECT_TRUE(inWorld(scene, fragment));
+    EXPECT_NEAR(event.position.x(), 0.05, 0.01);
+    EXPECT_NEAR(event.position.y(), 0.02, 0.01);
+    EXPECT_NEAR(event.position.z(), 0.03, 0.01);
+    EXPECT_LT(event.normal.z(), -0.99);
+    EXPECT_GE(fracture.counts().solved, 1);
+}
+
+TEST(Break, FragmentsCarryTheMomentumOfTheWhole) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), btTransform(btQuaternion(btVector3(1, 2, 3), 0.4f), btVector3(1, 2, 3)));
+    body->setLinearVelocity(btVector3(1, -2, 0.5));
+    body->setAngularVelocity(btVector3(3, 1, -2));
+    scene.addBall(2, 0.1, btVector3(1, 2, 3.2f), btVector3(1, -2, -8));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_LT(event.momentum_error_rel, 1e-5);
+}
+
+TEST(Break, BallAndPlateTogetherKeepTheirMomentum) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    body->setDamping(0, 0);
+    body->setAngularVelocity(btVector3(0.5, -1, 2));
+    btRigidBody* ball = scene.addBall(2, 0.1, btVector3(0.1, 0, 0.3), btVector3(0, 0, -8));
+    const Momentum before = momentumOf({body, ball});
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    std::vector<btRigidBody*> after = event.fragments;
+    after.push_back(ball);
+    const Momentum now = momentumOf(after);
+    EXPECT_LT((now.linear - before.linear).norm(), 1e-5 * before.scale);
+    // Bullet integrates the free turning of the plate to first order until the ball arrives, and lets friction act at
+    // two points a little apart; the break itself adds nothing to that.
+    EXPECT_LT((now.angular - before.angular).norm(), 5e-3 * before.scale);
+}
+
+TEST(Break, BallGoesOnThroughTheBrokenPane) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+    btRigidBody* ball = scene.addBall(20, 0.1, btVector3(0, 0, 0.3), btVector3(0, 0, -20));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_LT(ball->getLinearVelocity().z(), -12) << "the solve with the whole plate was kept";
+    scene.step(48);
+    EXPECT_LT(ball->getLinearVelocity().z(), -12);
+    EXPECT_LT(ball->getWorldTransform().getOrigin().z(), -0.2);
+}
+
+TEST(Break, PiecesStandWhereTheMaterialWas) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const btTransform start(btQuaternion(btVector3(0.3f, 1, 0.2f), 0.7f), btVector3(0.4f, 0.5f, 0.6f));
+    btRigidBody* body = fracture.add(plate(crumbly()), start);
+    const Vec3 up = vec(start.getBasis().getColumn(2));
+    const btVector3 above = start * btVector3(0, 0, 0.2f);
+    scene.addBall(2, 0.1, above, btVector3(btScalar(-8 * up.x()), btScalar(-8 * up.y()), btScalar(-8 * up.z())));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    // One step's motion apart: the plate's corners are corners of pieces.
+    const btVector3 corner = start * btVector3(0.3f, 0.3f, 0.03f);
+    btScalar nearest = 1;
+    for (const btRigidBody* fragment : event.fragments) {
+        const btTransform place = fracture.assetTransform(fragment);
+        for (const Vec3& v : fracture.asset(fragment)->surface().vertices) {
+            const btVector3 x = place * btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
+            nearest = std::min(nearest, x.distance(corner));
+        }
+    }
+    EXPECT_LT(nearest, 0.05);
+    (void)body;
+}
+
+TEST(Break, FragmentsInheritWhatTheAppSet) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -10));
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    int tag = 0;
+    body->setFriction(0.91f);
+    body->setRollingFriction(0.12f);
+    body->setRestitution(0.33f);
+    body->setDamping(0.05f, 0.07f);
+    body->setGravity(btVector3(0, 0, -3));
+    body->setUserPointer(&tag);
+    body->setUserIndex(17);
+    body->setActivationState(DISABLE_DEACTIVATION);
+    scene.world->removeRigidBody(body);
+    scene.world->addRigidBody(body, 64, 64 | 1);
+    body->setGravity(btVector3(0, 0, -3));
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    for (const btRigidBody* piece : event.fragments) {
+        EXPECT_EQ(piece->getFriction(), 0.91f);
+        EXPECT_EQ(piece->getRollingFriction(), 0.12f);
+        EXPECT_EQ(piece->getRestitution(), 0.33f);
+        EXPECT_EQ(piece->getLinearDamping(), 0.05f);
+        EXPECT_EQ(piece->getAngularDamping(), 0.07f);
+        EXPECT_EQ(piece->getUserPointer(), &tag);
+        EXPECT_EQ(piece->getUserIndex(), 17);
+        EXPECT_EQ(piece->getActivationState(), DISABLE_DEACTIVATION);
+        EXPECT_EQ(piece->getGravity().z(), -3);
+        EXPECT_EQ(piece->getBroadphaseHandle()->m_collisionFilterGroup, 64);
+        EXPECT_EQ(piece->getBroadphaseHandle()->m_collisionFilterMask, 65);
+    }
+}
+
+TEST(Break, FragmentsFallLikeTheRestFromTheSubstepOfTheBreakOn) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -10));
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    body->setDamping(0, 0);
+    btRigidBody* witness = scene.addBall(1, 0.1, btVector3(3, 0, 0));  // falls freely beside
+    btRigidBody* ball = scene.addBall(1, 0.1, btVector3(0, 0, 0.1331f), btVector3(0, 0, -4));
+    const btScalar dt = btScalar(1) / 240;
+    scene.world->stepSimulation(10 * dt, 10, dt);  // one call: gravity is applied once, before the first of ten substeps
+    const auto events = fracture.events();
+    ASSERT_FALSE(events.empty());
+    ASSERT_EQ(events[0].outcome, kBroke) << events[0].message;
+    std::vector<btRigidBody*> all = events[0].fragments;
+    all.push_back(ball);
+    double mass = 0;
+    for (const btRigidBody* b : all) mass += 1.0 / b->getInvMass();
+    const double expected = witness->getLinearVelocity().z() * mass + 1 * -4.0;
+    EXPECT_NEAR(momentumOf(all).linear.z(), expected, 1e-3 * std::abs(expected));
+    EXPECT_NEAR(witness->getLinearVelocity().z(), -10 * 10 * dt, 1e-5);
+}
+
+TEST(Break, TwoBodiesMayBreakInOneStep) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* a = fracture.add(plate(crumbly()), at(0, 0, 0));
+    btRigidBody* b = fracture.add(plate(crumbly()), at(0.1f, 0.1f, 0.2f));
+    a->setLinearVelocity(btVector3(0, 0, 3));
+    b->setLinearVelocity(btVector3(0, 0, -5));
+    int broken = 0;
+    for (int i = 0; i < 60 && broken == 0; ++i) {
+        scene.step();
+        for (const BreakEvent& event : fracture.events()) broken += event.outcome == kBroke;
+    }
+    EXPECT_EQ(broken, 2);
+    EXPECT_FALSE(inWorld(scene, a));
+    EXPECT_FALSE(inWorld(scene, b));
+}
+
+TEST(Break, FragmentsBreakAgainAfterTheirRestAndNotBefore) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Settings settings = coarse(0.06);
+    settings.fracture.fragment_count = 2;
+    settings.fracture.rest_after_break_s = 0.1;
+    settings.fracture.smallest_fragment_m3 = 1e-9;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(), settings);
+    ASSERT_TRUE(asset.ok());
+    ASSERT_NE(fracture.add(asset.value(), at(0, 0, 0)), nullptr);
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    const BreakEvent first = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(first.outcome, kBroke) << first.message;
+    btRigidBody* piece = first.fragments.front();
+    const auto shoot = [&] {
+        const btVector3 centre = piece->getCenterOfMassPosition();
+        scene.addBall(20, 0.05, centre - btVector3(0, 0, 0.3f), piece->getLinearVelocity() + btVector3(0, 0, 60));
+    };
+    shoot();
+    scene.step(12);  // 50 ms
+    for (const BreakEvent& event : fracture.events()) EXPECT_NE(event.broken, piece);
+    scene.step(24);
+    bool again = false;
+    for (int shot = 0; shot < 5 && !again; ++shot) {
+        shoot();
+        for (int i = 0; i < 12; ++i) {
+            scene.step();
+            for (const BreakEvent& event : fracture.events())
+                again = again || (event.broken == piece && event.outcome == kBroke);
+            if (again) break;
+        }
+    }
+    EXPECT_TRUE(again);
+}
+
+TEST(Break, PiecesBelowTheSmallestSizeAreNeverSolved) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Settings settings = coarse(0.06);
+    settings.fracture.rest_after_break_s = 0;
+    settings.fracture.smallest_fragment_m3 = 0.6 * 0.6 * 0.06 * 0.99;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(), settings);
+    ASSERT_TRUE(asset.ok());
+    ASSERT_NE(fracture.add(asset.value(), at(0, 0, 0)), nullptr);
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+    const long long solved = fracture.counts().solved;
+    for (btRigidBody* piece : fracture.bodies()) {
+        EXPECT_NE(fracture.asset(piece), nullptr);
+        scene.addBall(20, 0.05, piece->getCenterOfMassPosition() - btVector3(0, 0, 0.3f), btVector3(0, 0, 60));
+    }
+    scene.step(24);
+    EXPECT_EQ(fracture.counts().solved, solved);
+}
+
+}  // namespace

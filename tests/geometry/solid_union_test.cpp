@@ -1,0 +1,120 @@
+#include "geometry/solid_union.h"
+
+#include <gtest/gtest.h>
+
+#include "geometry/mass_properties.h"
+#include "geometry/surface_checks.h"
+#include "geometry/surface_topology.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+std::vector<Vec3> box(const Vec3& low, const Vec3& high) {
+    return shapes::box(low, high).vertices;
+}
+
+int shellCount(const TriangleMesh& mesh) {
+    const auto edges = closedManifoldEdges(mesh);
+    if (!edges) return -1;
+    int count = 0;
+    for (const int shell : shellOfTriangle(mesh, edges.value())) count = std::max(count, shell + 1);
+    return count;
+}
+
+void expectUnion(const std::vector<std::vector<Vec3>>& parts, double volume, int shells,
+                 double tolerance = 1e-12) {
+    const Result<TriangleMesh> mesh = uniteConvexParts(parts);
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_EQ(checkSurface(mesh.value()).error(), "");
+    EXPECT_NEAR(solidMoments(mesh.value()).volume, volume, tolerance * volume);
+    EXPECT_EQ(shellCount(mesh.value()), shells);
+}
+
+TEST(SolidUnion, OnePartIsItsHull) {
+    auto corners = box(Vec3(0, 0, 0), Vec3(1, 2, 3));
+    corners.emplace_back(0.5, 0.5, 0.5);  // inside
+    expectUnion({corners}, 6, 1);
+}
+
+TEST(SolidUnion, BoxesThatTouchInAFaceMerge) {
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 0, 0), Vec3(2, 1, 1))}, 2, 1);
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 0.2, 0.3), Vec3(2, 0.7, 2))}, 1 + 0.5 * 1.7,
+                1);
+}
+
+TEST(SolidUnion, SinglePrecisionBoxesMerge) {
+    // Centre and half extents as an engine keeps them: the faces miss each other by a rounding.
+    const float centre = 0.3f, half = 0.1f;
+    const double right = double(centre) + double(half), left = double(0.1f) + double(half + 0.1f - 0.1f);
+    ASSERT_NE(float(left) + 0.2f, float(right) + 0.2f * 1.0000002f);
+    expectUnion({box(Vec3(left + 3e-8, 0, 0), Vec3(right, 1, 1)), box(Vec3(0, 0, 0), Vec3(left, 1, 1))},
+                right, 1, 1e-6);
+    expectUnion({box(Vec3(left - 3e-8, 0, 0), Vec3(right, 1, 1)), box(Vec3(0, 0, 0), Vec3(left, 1, 1))},
+                right, 1, 1e-6);
+}
+
+TEST(SolidUnion, OverlapsCountOnce) {
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(0.5, 0.5, 0.5), Vec3(1.5, 1.5, 1.5))}, 2 - 0.125,
+                1);
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(0.25, 0.25, 0.25), Vec3(0.5, 0.5, 0.5))}, 1, 1);
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(0, 0, 0), Vec3(1, 1, 1))}, 1, 1);
+}
+
+TEST(SolidUnion, ThreeBoxesMakeAnL) {
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 0, 0), Vec3(2, 1, 1)),
+                 box(Vec3(0, 1, 0), Vec3(1, 2, 1))},
+                3, 1);
+}
+
+TEST(SolidUnion, DisjointPartsStayShells) {
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(2, 0, 0), Vec3(3, 1, 1)),
+                 box(Vec3(0, 5, 0), Vec3(1, 6, 1))},
+                3, 3);
+}
+
+TEST(SolidUnion, ASphereStuckInABox) {
+    const TriangleMesh sphere = shapes::moved(shapes::icosphere(0.4, 2), shapes::tilt(), Vec3(0.5, 0.5, 1));
+    const Result<TriangleMesh> mesh = uniteConvexParts({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), sphere.vertices});
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_EQ(checkSurface(mesh.value()).error(), "");
+    // The icosphere is symmetric about its centre, so half of it stands out.
+    EXPECT_NEAR(solidMoments(mesh.value()).volume, 1 + solidMoments(sphere).volume / 2, 1e-6);
+}
+
+TEST(SolidUnion, TurnedBoxesMergeWhereTheyTouch) {
+    // Faces that touch at an angle to the axes are not welded; here they overlap by a little instead.
+    const TriangleMesh left = shapes::moved(shapes::box(Vec3(0, 0, 0), Vec3(1.01, 1, 1)), shapes::tilt());
+    const TriangleMesh right = shapes::moved(shapes::box(Vec3(1, 0, 0), Vec3(2, 1, 1)), shapes::tilt());
+    expectUnion({left.vertices, right.vertices}, 2, 1, 1e-5);
+}
+
+TEST(SolidUnion, ACornerThatALaterPartFillsIsNoTrouble) {
+    expectUnion({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 1, 0), Vec3(2, 2, 1)),
+                 box(Vec3(1, 0, 0), Vec3(2, 1, 1))},
+                3, 1);
+}
+
+TEST(SolidUnion, ContactInAnEdgeOrAPointHasASentence) {
+    const std::string edge =
+        uniteConvexParts({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 1, 0), Vec3(2, 2, 1))}).error();
+    EXPECT_EQ(edge,
+              "Convex part 1 touches the others in an edge or a point only, so the union is no solid; let "
+              "parts overlap, "
+              "meet in faces, or stay apart.");
+    const std::string point =
+        uniteConvexParts({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), box(Vec3(1, 1, 1), Vec3(2, 2, 2))}).error();
+    EXPECT_NE(point.find("point"), std::string::npos) << point;
+}
+
+TEST(SolidUnion, PartsThatAreNoSolidHaveASentence) {
+    EXPECT_EQ(uniteConvexParts({}).error(), "There are no convex parts to unite; give at least one.");
+    EXPECT_EQ(uniteConvexParts({box(Vec3(0, 0, 0), Vec3(1, 1, 0))}).error(),
+              "Convex part 0 is flat; give it a thickness, or remove it.");
+    EXPECT_EQ(uniteConvexParts({box(Vec3(0, 0, 0), Vec3(1, 1, 1)), {Vec3(0, 0, 0), Vec3(1, 1, 1)}}).error(),
+              "Convex part 1 is flat; give it a thickness, or remove it.");
+    EXPECT_EQ(uniteConvexParts({{}}).error(), "Convex part 0 has no points; remove it.");
+}
+
+}  // namespace
