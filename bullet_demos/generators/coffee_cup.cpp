@@ -42,8 +42,8 @@ Result<TriangleMesh> makeCoffeeCup(const CupMeasures& cup) {
     solid.inner_point = {0, 0, cup.wall / 2};
     solid.bounding_radius = 1.5 * std::max(cup.height, cup.handle_reach + cup.handle_thickness);
     MeshFineness fineness;
-    fineness.triangle_radius = 0.0024;
-    fineness.surface_distance = 0.00014;
+    fineness.triangle_radius = 0.0030;
+    fineness.surface_distance = 0.000085;
     return meshImplicitSolid(solid, fineness);
 }
 

@@ -30,7 +30,8 @@ TriangleMesh delaunayMesh(const ImplicitSolid& solid, const MeshFineness& finene
     const CGAL::Implicit_surface_3<Kernel, decltype(value)> surface(value, ball, 1e-7);
     const CGAL::Surface_mesh_default_criteria_3<Triangulation> criteria(30, fineness.triangle_radius,
                                                                         fineness.surface_distance);
-    CGAL::get_default_random() = CGAL::Random(1);  // the first points are random; without this, no two files are equal
+    CGAL::get_default_random() =
+        CGAL::Random(1);  // the first points are random; without this, no two files are equal
     Triangulation triangulation;
     Complex complex(triangulation);
     CGAL::make_surface_mesh(complex, surface, criteria, CGAL::Manifold_tag());

@@ -11,6 +11,7 @@ namespace sherd {
 struct StressField {
     std::vector<Voigt> particles;  ///< #particles, at the particles
     std::vector<Voigt> surface;    ///< #surface points of the sampling
+    std::vector<Voigt> points;     ///< at the points that were asked for, in their order
     double strain_energy_j = 0;
     double residual_rel = 0;   ///< |K u - f| / |f| of the linear solve
     double imbalance_rel = 0;  ///< net force and moment left after inertia relief, over those of the loads

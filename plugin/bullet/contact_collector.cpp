@@ -15,10 +15,13 @@ namespace sherd {
 
 namespace {
 
+constexpr double kRestingSteps = 2;  // of free fall: slower contacts are those of a body at rest
+
 /// Before and after the solve, at one point.
 struct PointMotion {
     btVector3 before = btVector3(0, 0, 0), after = btVector3(0, 0, 0);
-    btScalar inverse_mass = 0;  // n . K n
+    btScalar inverse_mass = 0;       // n . K n
+    btScalar free_acceleration = 0;  // along the normal, by gravity and what the app applies
 };
 
 PointMotion motionAt(const btCollisionObject& object, const StepSnapshot& snapshot, const btVector3& point,
@@ -29,8 +32,9 @@ PointMotion motionAt(const btCollisionObject& object, const StepSnapshot& snapsh
         const btVector3 origin = state ? state->transform.getOrigin() : body->getCenterOfMassPosition();
         motion.after = body->getLinearVelocity() + body->getAngularVelocity().cross(point - origin);
         motion.before = state ? state->velocityAt(point) : motion.after;
-        if (!body->isStaticOrKinematicObject())
-            motion.inverse_mass = body->computeImpulseDenominator(point, normal);
+        if (body->isStaticOrKinematicObject()) return motion;
+        motion.inverse_mass = body->computeImpulseDenominator(point, normal);
+        motion.free_acceleration = std::abs(body->getTotalForce().dot(normal)) * body->getInvMass();
     } else if (linkMotion(object, point, motion.before, motion.inverse_mass)) {
         motion.after = motion.before;  // Bullet adds what the solve gave to multi-bodies only later
     }
@@ -66,11 +70,12 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
 }  // namespace
 
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
-                                   double time_s, bool two_friction_directions)
+                                   double time_s, const btContactSolverInfo& info)
     : breakables_(breakables),
       before_(before),
       time_s_(time_s),
-      two_friction_directions_(two_friction_directions) {}
+      time_step_s_(info.m_timeStep),
+      two_friction_directions_((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0) {}
 
 btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a,
                                            int, int index_a, const btCollisionObjectWrapper* wrapper_b, int,
@@ -123,7 +128,9 @@ ContactImpulse ContactCollector::contactOn(const Breakable& breakable, const Sid
     contact.point = fromBullet(asset_from_world * own.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
-    contact.approach_m_s = (partner.before - self.before).dot(own.push);
+    const double approach = (partner.before - self.before).dot(own.push);
+    const double fall = time_step_s_ * (self.free_acceleration + partner.free_acceleration);
+    contact.approach_m_s = approach > kRestingSteps * fall ? approach : std::min(approach, 0.0);
     contact.closing_after_m_s = (partner.after - self.after).dot(own.push);
     contact.effective_mass_kg = 1 / (self.inverse_mass + partner.inverse_mass);
     contact.partner_radius_m = strikingRadius(*other.object->getCollisionShape(), other.child);

@@ -10,6 +10,7 @@
 #include "island_state.h"
 
 class btDiscreteDynamicsWorld;
+struct btContactSolverInfo;
 
 namespace sherd {
 
@@ -24,11 +25,13 @@ struct StruckBreakable {
 
 /// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
-/// that inside the solver. So a body at rest shows none.
+/// that inside the solver. So a body at rest shows none, with one exception: now and then Bullet drops a
+/// resting contact for a step, and the body comes back with what it fell meanwhile. Closing speeds up to two
+/// steps of free fall count as none.
 class ContactCollector final : public btCollisionWorld::ContactResultCallback {
   public:
     ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,
-                     bool two_friction_directions);
+                     const btContactSolverInfo& info);
 
     /// One solved contact point, as Bullet's own contact queries report theirs; the return value has no
     /// meaning.
@@ -55,6 +58,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     const BreakableRegistry& breakables_;
     const StepSnapshot& before_;
     double time_s_;
+    double time_step_s_;
     bool two_friction_directions_;
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only

@@ -77,8 +77,7 @@ void FractureWorld::Impl::beforeSolve() {
 void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) {
     time_s_ += info.m_timeStep;
     if (watching_) {
-        const bool two_directions = (info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0;
-        ContactCollector collector(breakables_, before_, time_s_, two_directions);
+        ContactCollector collector(breakables_, before_, time_s_, info);
         feedSolvedContacts(world_, collector);
         std::vector<Break> breaks = judge(collector.takeStruck());
         if (!breaks.empty()) takeStepAgain(breaks, info, drawer);

@@ -14,8 +14,8 @@ namespace sherd {
 namespace {
 
 constexpr double kDiagonalEnough =
-    1e-6;                             // off-diagonal part of the inertia, relative, below which axes are kept
-constexpr double kMarginShare = 0.1;  // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
+    1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
+constexpr double kMarginShare = 0.02;  // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
 Mat3 nearestToIdentity(const Mat3& axes) {
@@ -47,11 +47,12 @@ OwnedShape hullShape(const TriangleMesh& surface, const btTransform& body_from_a
     all.recalcLocalAabb();
     auto hull = std::make_unique<btConvexHullShape>();
     for (const Vec3& point : supportPoints(all)) hull->addPoint(toBullet(point), false);
-    hull->recalcLocalAabb();
     btVector3 low, high;
     all.getAabb(btTransform::getIdentity(), low, high);
     const btVector3 half = (high - low) / 2;
-    hull->setMargin(static_cast<btScalar>(kMarginShare) * half[half.minAxis()]);
+    hull->setMargin(static_cast<btScalar>(kMarginShare) *
+                    half[half.minAxis()]);  // before the box that contains it
+    hull->recalcLocalAabb();
     OwnedShape owned;
     owned.shape = std::move(hull);
     return owned;

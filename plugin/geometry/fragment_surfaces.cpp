@@ -11,7 +11,7 @@ namespace sherd {
 namespace {
 
 constexpr double largest_lattice = 2e6;  // nodes
-constexpr int smoothing_steps = 3;
+constexpr int smoothing_steps = 6;
 constexpr int nudges = 8;    // of single crack triangles, before the whole lattice is drawn anew
 constexpr int lattices = 6;
 
@@ -53,7 +53,7 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
         const LatticeSettings settings = {spacing * coarser, 0.15, seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
         const LabelLattice lattice = buildLabelLattice(surface, solid, labels, settings);
-        CrackComplex crack = buildCrackComplex(lattice, getenv("SM")?atoi(getenv("SM")):smoothing_steps);
+        CrackComplex crack = buildCrackComplex(lattice, smoothing_steps);
         const CutAttempt attempt = cutWithNudges(surface, edges, lattice, crack, settings.seed);
         why = attempt.failure ? attempt.failure : "";
         if (attempt.failure) continue;

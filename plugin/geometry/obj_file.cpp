@@ -5,7 +5,9 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <optional>
+#include <type_traits>
 
 #include "geometry/merge_vertices.h"
 
@@ -23,12 +25,14 @@ std::string_view takeWord(std::string_view& line) {
     return word;
 }
 
-/// The whole word as a number, whatever the locale.
+/// The whole word as a number, whatever the locale; infinite where a double cannot hold it.
 template <class Number>
 std::optional<Number> parseNumber(std::string_view word) {
     if (!word.empty() && word.front() == '+') word.remove_prefix(1);
     Number value{};
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if constexpr (std::is_floating_point_v<Number>)
+        if (fault == std::errc::result_out_of_range) return std::numeric_limits<Number>::infinity();
     if (fault != std::errc() || end != word.data() + word.size()) return std::nullopt;
     return value;
 }
@@ -68,12 +72,10 @@ class ObjParser {
         for (int axis = 0; axis < 3; ++axis) {
             const std::string_view word = takeWord(line);
             const auto value = parseNumber<double>(word);
-            if (!value)
-                return fail("the " + std::string(1, "xyz"[axis]) + " coordinate " + quoted(word) +
-                            " is not a number; a vertex is 'v x y z'.");
+            const std::string subject = std::string("the ") + "xyz"[axis] + " coordinate " + quoted(word);
+            if (!value) return fail(subject + " is not a number; a vertex is 'v x y z'.");
             if (!std::isfinite(*value))
-                return fail("the " + std::string(1, "xyz"[axis]) + " coordinate " + quoted(word) +
-                            " is not a finite number; correct this vertex.");
+                return fail(subject + " is not a finite number; correct this vertex.");
             position[axis] = *value;
         }
         mesh_.vertices.push_back(position);

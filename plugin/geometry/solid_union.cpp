@@ -11,6 +11,7 @@
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <optional>
 #include <string>
@@ -93,9 +94,7 @@ TriangleMesh toTriangleMesh(const Solid& solid) {
     return mergeEqualVertices(mesh);
 }
 
-Result<TriangleMesh> uniteAll(Parts parts) {
-    if (parts.empty()) return Error{"There are no convex parts to unite; give at least one."};
-    if (Status welded = weld(parts); !welded) return Error{welded.error()};
+Result<Solid> uniteHulls(const Parts& parts) {
     std::vector<std::pair<std::size_t, Solid>> waiting;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         std::optional<Solid> hull = convexHull(parts[p]);
@@ -113,14 +112,39 @@ Result<TriangleMesh> uniteAll(Parts parts) {
         progress = failed.size() < waiting.size();
         waiting = std::move(failed);
     }
-    if (!waiting.empty())
-        return Error{"Convex part " + std::to_string(waiting.front().first) +
-                     " touches the others in an edge or a point only, so the union is no solid; let parts "
-                     "overlap, meet in faces, or stay apart."};
-    TriangleMesh mesh = toTriangleMesh(whole);
-    if (Status checked = checkSurface(mesh); !checked)
-        return Error{"The union of the convex parts is no solid: " + checked.error()};
-    return mesh;
+    if (waiting.empty()) return whole;
+    return Error{"Convex part " + std::to_string(waiting.front().first) +
+                 " touches the others in an edge or a point only, so the union is no solid; let parts "
+                 "overlap, meet in "
+                 "faces, or stay apart."};
+}
+
+/// Every part grows by a few millionths, each by its own share, so that faces that all but lie in one plane
+/// are apart by more than the rounding to double precision.
+void growUnevenly(Parts& parts) {
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const double growth =
+            weld_tolerance * (1 + std::fmod(0.6180339887498949 * static_cast<double>(p), 1));
+        Vec3 centre = Vec3::Zero();
+        for (const Vec3& point : parts[p]) centre += point / static_cast<double>(parts[p].size());
+        for (Vec3& point : parts[p]) point += growth * (point - centre);
+    }
+}
+
+Result<TriangleMesh> uniteAll(Parts parts) {
+    if (parts.empty()) return Error{"There are no convex parts to unite; give at least one."};
+    if (Status welded = weld(parts); !welded) return Error{welded.error()};
+    Status checked = success();
+    for (int attempt = 0; attempt < 2; ++attempt) {
+        const Result<Solid> whole = uniteHulls(parts);
+        if (!whole) return Error{whole.error()};
+        TriangleMesh mesh = toTriangleMesh(whole.value());
+        checked = checkSurface(mesh);
+        if (checked) return mesh;
+        if (!closedManifoldEdges(mesh)) break;  // parts that touch in a point; growth would only hide it
+        growUnevenly(parts);
+    }
+    return Error{"The union of the convex parts is no solid: " + checked.error()};
 }
 
 }  // namespace

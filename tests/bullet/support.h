@@ -38,7 +38,8 @@ struct TestWorld {
     }
 
     ~TestWorld() {
-        for (int i = world->getNumConstraints() - 1; i >= 0; --i) world->removeConstraint(world->getConstraint(i));
+        for (int i = world->getNumConstraints() - 1; i >= 0; --i)
+            world->removeConstraint(world->getConstraint(i));
         for (int i = world->getNumCollisionObjects() - 1; i >= 0; --i)
             world->removeCollisionObject(world->getCollisionObjectArray()[i]);
     }
@@ -53,7 +54,8 @@ struct TestWorld {
         world->addRigidBody(body);
         return body;
     }
-    btRigidBody* addBall(double mass, double radius, const btVector3& position, const btVector3& velocity = {0, 0, 0}) {
+    btRigidBody* addBall(double mass, double radius, const btVector3& position,
+                         const btVector3& velocity = {0, 0, 0}) {
         btRigidBody* ball = addBody(std::make_unique<btSphereShape>(btScalar(radius)), mass, position);
         ball->setLinearVelocity(velocity);
         return ball;
@@ -83,23 +85,24 @@ struct TestWorld {
             btSetTaskScheduler(btGetSequentialTaskScheduler());
             auto pool = std::make_unique<btConstraintSolverPoolMt>(2);
             island_solver = std::make_unique<btSequentialImpulseConstraintSolver>();
-            world = std::make_unique<btDiscreteDynamicsWorldMt>(dispatcher.get(), broadphase.get(), pool.get(),
-                                                                island_solver.get(), configuration.get());
+            world = std::make_unique<btDiscreteDynamicsWorldMt>(
+                dispatcher.get(), broadphase.get(), pool.get(), island_solver.get(), configuration.get());
             solver = std::move(pool);
             return;
         }
         if (kind == WorldKind::multi_body) {
             auto multi = std::make_unique<btMultiBodyConstraintSolver>();
-            world = std::make_unique<btMultiBodyDynamicsWorld>(dispatcher.get(), broadphase.get(), multi.get(),
-                                                               configuration.get());
+            world = std::make_unique<btMultiBodyDynamicsWorld>(dispatcher.get(), broadphase.get(),
+                                                               multi.get(), configuration.get());
             solver = std::move(multi);
             return;
         }
-        if (kind != WorldKind::owns_its_solver) solver = std::make_unique<btSequentialImpulseConstraintSolver>();
+        if (kind != WorldKind::owns_its_solver)
+            solver = std::make_unique<btSequentialImpulseConstraintSolver>();
         if (kind == WorldKind::soft) {
             soft_solver = std::make_unique<btDefaultSoftBodySolver>();
-            world = std::make_unique<btSoftRigidDynamicsWorld>(dispatcher.get(), broadphase.get(), solver.get(),
-                                                               configuration.get(), soft_solver.get());
+            world = std::make_unique<btSoftRigidDynamicsWorld>(
+                dispatcher.get(), broadphase.get(), solver.get(), configuration.get(), soft_solver.get());
             return;
         }
         world = std::make_unique<btDiscreteDynamicsWorld>(dispatcher.get(), broadphase.get(), solver.get(),
@@ -126,13 +129,14 @@ inline Settings coarse(double spacing_m) {
     Settings settings;
     settings.sampling.spacing_m = spacing_m;
     settings.fracture.fragment_count = 8;
+    settings.fracture.smallest_fragment_m3 = 0.006;  // pieces of these tests' bodies do not break again
     return settings;
 }
 
 /// A plate of 0.6 x 0.6 x 0.06 m in the x-y plane about the origin.
 inline BreakableAsset plate(const Material& material, double spacing_m = 0.06) {
-    const auto asset =
-        BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), material, coarse(spacing_m));
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                material, coarse(spacing_m));
     EXPECT_TRUE(asset.ok()) << asset.error();
     return asset.value();
 }
@@ -154,7 +158,8 @@ inline bool sameState(const btRigidBody& a, const btRigidBody& b) {
 }
 
 /// Steps until something breaks; the event, or one with outcome `held` if nothing does.
-inline BreakEvent stepUntilBreak(TestWorld& scene, FractureWorld& fracture, int most_steps = 240, double dt = 1.0 / 240) {
+inline BreakEvent stepUntilBreak(TestWorld& scene, FractureWorld& fracture, int most_steps = 240,
+                                 double dt = 1.0 / 240) {
     for (int i = 0; i < most_steps; ++i) {
         scene.step(1, dt);
         for (BreakEvent& event : fracture.events())

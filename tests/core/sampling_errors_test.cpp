@@ -44,6 +44,9 @@ TEST(SamplingErrors, TooFineAGridNamesASpacingThatWillDo) {
     const double enough = std::stod(text.substr(start));
     EXPECT_GT(enough, 0.008);
     EXPECT_LT(enough, 0.03);
+    const TriangleMesh far_apart = shapes::joined(
+        shapes::slab({0.1, 0.1, 0.1}), shapes::translated(shapes::slab({0.1, 0.1, 0.1}), {50, 50, 50}));
+    EXPECT_TRUE(contains(sentence(far_apart, 0.05), "over its bounding box"));
     EXPECT_TRUE(contains(sentence(shapes::slab({1e300, 1, 1}), 1e-300), "more than the limit"));
 }
 

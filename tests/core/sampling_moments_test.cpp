@@ -74,12 +74,39 @@ TEST(SamplingMoments, FlatSidesTakeOneSurfacePointACell) {
     EXPECT_NEAR(on_surface / all, 1, 1e-9);
 }
 
-TEST(SamplingMoments, SurfacePointsOfACurvedSolidStayAtIt) {
-    const Discretisation solid = sampled(shapes::hollowSphere(0.5, 0.4, 4), 0.06);
+TEST(SamplingMoments, ChamfersTakeAPointOnEachOfTheirPlanes) {
+    // A prism of eight sides, 45 degrees from one to the next.
+    const TriangleMesh prism = shapes::moved(shapes::tube(0.5, 0.2, 0.4, 8), shapes::tilt());
+    const Discretisation solid = sampled(prism, 0.09);
+    double worst = 0;
+    for (const SurfacePoint& q : solid.surface_points) {
+        const Vec3 x = shapes::tilt().transpose() * q.position;
+        const double turn = std::acos(-1.0) / 4, side = std::floor(std::atan2(x.y(), x.x()) / turn) + 0.5;
+        const double across =
+            (x.x() * std::cos(side * turn) + x.y() * std::sin(side * turn)) / std::cos(turn / 2);
+        worst = std::max(worst, std::min({std::abs(x.z()), std::abs(x.z() - 0.4), std::abs(across - 0.5),
+                                          std::abs(across - 0.2)}));
+    }
+    EXPECT_LT(worst, 1e-9);
+}
+
+TEST(SamplingMoments, SurfacePointsOfACurvedWallStayOnEachSideOfIt) {
+    // Both sides of the wall pass through the same voxels.
+    const Discretisation solid = sampled(shapes::hollowSphere(0.5, 0.47, 5), 0.12);
+    int inner = 0, outer = 0;
     for (const SurfacePoint& q : solid.surface_points) {
         const double r = q.position.norm();
-        EXPECT_LT(std::min(std::abs(r - 0.5), std::abs(r - 0.4)), 0.02) << r;
+        EXPECT_LT(r, 0.501);
+        EXPECT_LT(std::min(std::abs(r - 0.5), std::abs(r - 0.47)), 0.006) << r;
+        ++(r < 0.485 ? inner : outer);
     }
+    EXPECT_GT(inner, 500);
+    EXPECT_GT(outer, 500);
+}
+
+TEST(SamplingMoments, SurfacePointsLieInsideRatherThanOutside) {
+    const Discretisation solid = sampled(shapes::icosphere(0.5, 4), 0.2);
+    for (const SurfacePoint& q : solid.surface_points) EXPECT_LT(q.position.norm(), 0.5003);
 }
 
 TEST(SamplingMoments, OffsetsOfTheGridChangeNothingButRounding) {

@@ -45,14 +45,11 @@ TEST(SolidUnion, BoxesThatTouchInAFaceMerge) {
 }
 
 TEST(SolidUnion, SinglePrecisionBoxesMerge) {
-    // Centre and half extents as an engine keeps them: the faces miss each other by a rounding.
-    const float centre = 0.3f, half = 0.1f;
-    const double right = double(centre) + double(half), left = double(0.1f) + double(half + 0.1f - 0.1f);
-    ASSERT_NE(float(left) + 0.2f, float(right) + 0.2f * 1.0000002f);
-    expectUnion({box(Vec3(left + 3e-8, 0, 0), Vec3(right, 1, 1)), box(Vec3(0, 0, 0), Vec3(left, 1, 1))},
-                right, 1, 1e-6);
-    expectUnion({box(Vec3(left - 3e-8, 0, 0), Vec3(right, 1, 1)), box(Vec3(0, 0, 0), Vec3(left, 1, 1))},
-                right, 1, 1e-6);
+    // Faces that should be one miss each other by a rounding: once a gap, once an overlap.
+    for (const double miss : {-3e-8, 3e-8})
+        expectUnion(
+            {box(Vec3(0, 0, 0), Vec3(0.2, 1, 1)), box(Vec3(0.2 + miss, miss, 0), Vec3(0.4, 1, 1 - miss))},
+            0.4, 1, 1e-6);
 }
 
 TEST(SolidUnion, OverlapsCountOnce) {
@@ -83,11 +80,16 @@ TEST(SolidUnion, ASphereStuckInABox) {
     EXPECT_NEAR(solidMoments(mesh.value()).volume, 1 + solidMoments(sphere).volume / 2, 1e-6);
 }
 
-TEST(SolidUnion, TurnedBoxesMergeWhereTheyTouch) {
-    // Faces that touch at an angle to the axes are not welded; here they overlap by a little instead.
+TEST(SolidUnion, TurnedBoxesMerge) {
+    // Side faces that were one plane are apart by a rounding after the turn, once in double, once in single
+    // precision.
     const TriangleMesh left = shapes::moved(shapes::box(Vec3(0, 0, 0), Vec3(1.01, 1, 1)), shapes::tilt());
     const TriangleMesh right = shapes::moved(shapes::box(Vec3(1, 0, 0), Vec3(2, 1, 1)), shapes::tilt());
     expectUnion({left.vertices, right.vertices}, 2, 1, 1e-5);
+    std::vector<std::vector<Vec3>> single = {left.vertices, right.vertices};
+    for (auto& part : single)
+        for (Vec3& point : part) point = point.cast<float>().cast<double>();
+    expectUnion(single, 2, 1, 1e-5);
 }
 
 TEST(SolidUnion, ACornerThatALaterPartFillsIsNoTrouble) {

@@ -145,9 +145,8 @@ TEST(SurfaceChecks, SheetsWithoutVolumeAreNamed) {
 TEST(SurfaceChecks, PartsThatFaceTheWrongWayAreNamed) {
     const TriangleMesh far = shapes::translated(unit_box, Vec3(3, 0, 0));
     EXPECT_EQ(sentenceFor(shapes::joined(unit_box, shapes::inverted(far))),
-              "The part of the surface at (3, 0, 0) (triangle 12) is inside out; reverse the order of the "
-              "corners in its "
-              "faces.");
+              "The part of the surface at (4, 0, 0) (triangle 12) is inside out; reverse the order of the "
+              "corners in its faces.");
     expectWords(sentenceFor(shapes::joined(shapes::icosphere(1, 2), shapes::icosphere(0.5, 1))),
                 {"(triangle 320) lies inside another part and faces outward"});
     expectWords(sentenceFor(shapes::inverted(shapes::hollowSphere(1, 0.5, 2))),

@@ -1,7 +1,7 @@
 #include "core/mlpg/galerkin_stiffness.h"
 #include "core/mlpg/inertia_relief.h"
-#include "core/mlpg/stopwatch.h"
 #include "core/mlpg/weak_form.h"
+#include "stopwatch.h"
 
 namespace sherd {
 namespace {
@@ -73,7 +73,7 @@ Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem,
     pinUnknowns(stiffness, pinned);
     Stopwatch watch;
     Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(stiffness, problem.space.unknownsPerParticle());
-    factor_ms = watch.lap();
+    factor_ms = watch.milliseconds();
     if (!solver) return Error{solver.error()};
     if (solver.value()->relativeShift() > 0)
         warnings.push_back(

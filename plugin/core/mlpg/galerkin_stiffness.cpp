@@ -179,9 +179,18 @@ SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients&
 void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
     std::vector<char> pinned(lower.size, 0);
     for (int unknown : unknowns) pinned[unknown] = 1;
+    double largest = 0;
+    for (double value : lower.values) largest = std::max(largest, std::abs(value));
     for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k)
-            if ((pinned[column] || pinned[lower.indices[k]]) && lower.indices[k] != column) lower.values[k] = 0;
+        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
+            const int row = lower.indices[k];
+            if (!pinned[column] && !pinned[row]) continue;
+            // A part that cannot strain (one particle of mls) has no stiffness at all: any diagonal will do.
+            if (row != column)
+                lower.values[k] = 0;
+            else if (lower.values[k] <= 0)
+                lower.values[k] = largest > 0 ? largest : 1;
+        }
 }
 
 }  // namespace sherd

@@ -1,7 +1,7 @@
 #include "core/mlpg/heaviside_stiffness.h"
 #include "core/mlpg/inertia_relief.h"
-#include "core/mlpg/stopwatch.h"
 #include "core/mlpg/weak_form.h"
+#include "stopwatch.h"
 
 namespace sherd {
 namespace {
@@ -53,7 +53,7 @@ Result<std::unique_ptr<WeakForm>> makeHeavisideForm(const StressProblem& problem
     const auto matrix = std::make_shared<const SparseMatrix>(std::move(stiffness.matrix));
     Stopwatch watch;
     Result<std::unique_ptr<SparseSolver>> solver = factorLu(matrix);
-    factor_ms = watch.lap();
+    factor_ms = watch.milliseconds();
     if (!solver) return Error{solver.error()};
     warnings.push_back(
         "Heaviside test functions balance forces but not moments: bending stress comes out too low where fewer than "

@@ -4,10 +4,10 @@
 #include <exception>
 #include <new>
 
-#include "core/mlpg/point_loads.h"
-#include "core/mlpg/stopwatch.h"
+#include "core/mlpg/nearest_owner.h"
 #include "core/mlpg/weak_form.h"
 #include "core/stress/stress_recovery.h"
+#include "stopwatch.h"
 
 namespace sherd {
 namespace {
@@ -72,7 +72,7 @@ struct StressSolver::Impl {
     StressSolverReport report;
 
     Impl(std::shared_ptr<const Discretisation> sampled, const Material& material, const StressSettings& settings)
-        : solid(std::move(sampled)), problem(*solid, material, settings), recovery(*solid, problem.supports) {}
+        : solid(std::move(sampled)), problem(*solid, material, settings), recovery(*solid, problem.supports, supportRadius(settings)) {}
 
     LoadVector noLoads() const {
         LoadVector loads;
@@ -81,20 +81,22 @@ struct StressSolver::Impl {
         return loads;
     }
 
-    /// Sum of |F| and of |F| |x| over the size of the body: what net force and moment are measured against.
+    /// Sum of |F|: what net force, and net moment over the size of the body, are measured against.
     static double magnitude(const std::vector<PointForce>& loads) {
         double sum = 0;
         for (const PointForce& load : loads) sum += load.force.norm();
         return sum;
     }
 
-    void recoverStress(const Eigen::VectorXd& unknowns, StressField& field) const {
+    void recoverStress(const Eigen::VectorXd& unknowns, const std::vector<Vec3>& points, StressField& field) const {
         std::vector<Mat3> cells = displacementGradients(problem.cells, unknowns);
         for (Mat3& cell : cells) cell = problem.elasticity.stress(cell);
         recovery.recover(cells, field.particles, field.surface);
+        for (const Vec3& point : points)
+            field.points.push_back(recovery.recoverAt(cells, point, nearestOwner(problem.solid, point)));
     }
 
-    Result<StressField> solve(LoadVector loads, double load_magnitude, std::vector<std::string> warnings) const;
+    Result<StressField> solve(LoadVector loads, double load_magnitude, const std::vector<Vec3>& points) const;
 };
 
 namespace {
@@ -108,20 +110,21 @@ bool isFinite(const std::vector<Voigt>& stresses) {
 }  // namespace
 
 Result<StressField> StressSolver::Impl::solve(LoadVector loads, double load_magnitude,
-                                              std::vector<std::string> warnings) const {
+                                              const std::vector<Vec3>& points) const {
     form->addInertia(loads);
     const Result<Displacement> solved = form->solve(loads.forces);
     if (!solved) return Error{solved.error()};
     const Displacement& displacement = solved.value();
 
     StressField field;
-    recoverStress(displacement.unknowns, field);
+    recoverStress(displacement.unknowns, points, field);
     field.strain_energy_j = 0.5 * displacement.unknowns.dot(loads.forces);
     field.residual_rel = displacement.residual_rel;
     if (load_magnitude > 0)
         field.imbalance_rel = problem.motions.resultants(loads.forces).cwiseAbs().maxCoeff() / load_magnitude;
-    field.warnings = std::move(warnings);
-    if (!std::isfinite(field.strain_energy_j) || !isFinite(field.particles) || !isFinite(field.surface))
+    field.warnings = report.warnings;
+    if (!std::isfinite(field.strain_energy_j) || !isFinite(field.particles) || !isFinite(field.surface) ||
+        !isFinite(field.points))
         return Error{"The stress came out not finite; the loads or the sampling of the solid are beyond what can be solved."};
     return field;
 }
@@ -140,7 +143,7 @@ Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> s
                      : makeHeavisideForm(impl->problem, report.factor_ms, report.warnings);
         if (!form) return Error{form.error()};
         impl->form = std::move(form).value();
-        report.assemble_ms = watch.lap() - report.factor_ms;
+        report.assemble_ms = watch.milliseconds() - report.factor_ms;
         report.unknowns = static_cast<int>(impl->problem.unknowns());
         report.factor_entries = impl->form->solver().factorEntries();
         return StressSolver(std::move(impl));
@@ -151,33 +154,36 @@ Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> s
     }
 }
 
-Result<StressField> StressSolver::solve(const std::vector<PointForce>& point_forces) const {
+Result<StressField> StressSolver::solve(const std::vector<PointForce>& point_forces,
+                                        const std::vector<Vec3>& points) const {
     const StressProblem& problem = impl_->problem;
     try {
         LoadVector loads = impl_->noLoads();
-        LoadPlacement placement(problem.solid, problem.supports, problem.space);
+        ShapeEvaluator evaluator(problem.solid, problem.supports, problem.space);
         ShapeFunctions shapes;
         for (const PointForce& load : point_forces) {
             if (!load.force.allFinite() || !load.position.allFinite())
                 return Error{"A load on the body is not finite; check the contact that it came from."};
-            const int owner = placement.ownerAt(load.position);
-            if (owner < 0)
-                return Error{"A load acts more than two particle spacings outside the body; give it in the asset's frame."};
-            placement.evaluate(load.position, owner, shapes);
+            const int owner = nearestOwner(problem.solid, load.position);
+            const Particle& particle = problem.solid.particles[owner];
+            if ((load.position - particle.position).norm() > 3 * particle.spacing)
+                return Error{"A load acts more than three particle spacings outside the body; give it in the asset's frame."};
+            evaluator.evaluate(load.position, owner, false, shapes);
             impl_->form->addLoad(shapes, owner, load, loads);
         }
-        return impl_->solve(std::move(loads), Impl::magnitude(point_forces), impl_->report.warnings);
+        return impl_->solve(std::move(loads), Impl::magnitude(point_forces), points);
     } catch (const std::exception& trouble) {
         return Error{std::string("The stress could not be solved: ") + trouble.what()};
     }
 }
 
 Result<StressField> StressSolver::solveTraction(
-    const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction) const {
+    const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+    const std::vector<Vec3>& points) const {
     const StressProblem& problem = impl_->problem;
     try {
         LoadVector loads = impl_->noLoads();
-        LoadPlacement placement(problem.solid, problem.supports, problem.space);
+        ShapeEvaluator evaluator(problem.solid, problem.supports, problem.space);
         ShapeFunctions shapes;
         double magnitude = 0;
         for (const SurfacePoint& point : problem.solid.surface_points) {
@@ -186,11 +192,11 @@ Result<StressField> StressSolver::solveTraction(
             const PointForce load{point.position, area * traction(point.position, point.area / area)};
             if (!load.force.allFinite()) return Error{"The traction is not finite somewhere on the surface."};
             const int owner = problem.solid.cells[point.cell].particle;
-            placement.evaluate(point.position, owner, shapes);
+            evaluator.evaluate(point.position, owner, false, shapes);
             impl_->form->addLoad(shapes, owner, load, loads);
             magnitude += load.force.norm();
         }
-        return impl_->solve(std::move(loads), magnitude, impl_->report.warnings);
+        return impl_->solve(std::move(loads), magnitude, points);
     } catch (const std::exception& trouble) {
         return Error{std::string("The stress could not be solved: ") + trouble.what()};
     }
@@ -210,7 +216,7 @@ StressField StressSolver::stressOf(const std::function<Vec3(const Vec3& x)>& dis
         for (int j = 0; j < 3; ++j) unknowns.segment<3>(row + 3 + 3 * j) = scaled.col(j);
     }
     StressField field;
-    impl_->recoverStress(unknowns, field);
+    impl_->recoverStress(unknowns, {}, field);
     return field;
 }
 

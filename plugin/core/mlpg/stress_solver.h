@@ -33,11 +33,13 @@ class StressSolver {
     StressSolver& operator=(StressSolver&&) noexcept;
     ~StressSolver();
 
-    /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances them.
-    Result<StressField> solve(const std::vector<PointForce>& loads) const;
+    /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances them; also at
+    /// `points` in or on the solid, if any are given.
+    Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points = {}) const;
 
     /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
-    Result<StressField> solveTraction(const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction) const;
+    Result<StressField> solveTraction(const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+                                      const std::vector<Vec3>& points = {}) const;
 
     /// Stress that the displacement field u(x) makes when sampled at the particles, without a solve.
     StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,

@@ -8,9 +8,14 @@
 
 namespace sherd {
 
-/// Samples the inside of a closed surface: a grid of particles at `spacing_m`, their sub-domains cut exactly by the
-/// surface. Parts of one grid cell that are not connected inside it become particles of their own, so that neighbours
-/// meet only through the solid. Fails with a sentence if the grid would be too large or the surface is not closed.
-Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m, const SamplingSettings& settings);
+/// Samples the inside of a closed surface: a grid of particles at `spacing_m`, their sub-domains cut exactly
+/// by the surface. Parts of one grid cell that are not connected inside it become particles of their own, so
+/// that neighbours meet only through the solid; a gap narrower than an integration cell (spacing /
+/// cells_per_spacing) may be bridged. `smallest_fill`: a part that fills less of its grid cell joins the part
+/// it hangs on, unless it is a piece of a sheet or a rod that is thin everywhere. Particles are in ascending
+/// order of their grid cells (z, y, x); no part of the solid is lost. Fails with a sentence if the grid would
+/// be too large or the surface is not closed.
+Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
+                                   const SamplingSettings& settings);
 
 }  // namespace sherd

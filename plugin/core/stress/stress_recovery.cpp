@@ -1,5 +1,6 @@
 #include "core/stress/stress_recovery.h"
 
+#include "core/linear_algebra/parallel_chunks.h"
 #include "core/mls/centred_fit.h"
 #include "core/mls/weight_function.h"
 #include "core/stress/elasticity.h"
@@ -7,66 +8,82 @@
 namespace sherd {
 namespace {
 
-constexpr double fit_radius = 1.5;       // in particle spacings
+constexpr int chunk_count = 16;
+constexpr double fit_radius = 1.1;  // in support radii: what is to be smoothed away has the length of the supports
 constexpr double smallest_spread = 0.03;  // in particle spacings: cells closer to a plane than that give no slope across it
 
 }  // namespace
 
-StressRecovery::StressRecovery(const Discretisation& solid, const SupportGraph& supports) : solid_(&solid) {
-    const std::vector<std::vector<int>> balls = supports.balls(fit_radius);
-    starts_.push_back(0);
-    for (size_t particle = 0; particle < solid.particles.size(); ++particle) {
-        const Particle& centre = solid.particles[particle];
-        const auto weightOf = [&](int cell) {
-            const Moments& moments = solid.cells[cell].moments;
-            const double distance = (moments.centroid - centre.position).norm();
-            return moments.volume * splineWeight(distance / (fit_radius * centre.spacing));
-        };
-        CentredFit fit;
-        std::vector<int> cells;
-        for (int neighbour : balls[particle])
-            for (int cell : solid.particle_cells[neighbour])
-                if (weightOf(cell) > 0) cells.push_back(cell);
-        for (int cell : cells) fit.add(solid.cells[cell].moments.centroid, weightOf(cell));
-        if (!fit.finish(smallest_spread * centre.spacing)) {
-            // All cells out of reach: a sub-domain much larger than its spacing. Its own cells, plainly averaged.
-            cells = solid.particle_cells[particle];
-            for (int cell : cells) fit.add(centre.position, solid.cells[cell].moments.volume);
-            fit.finish(smallest_spread * centre.spacing);
-            for (int cell : cells)
-                terms_.push_back({cell, fit.valueFactor(solid.cells[cell].moments.volume), Vec3::Zero()});
-        } else {
-            for (int cell : cells)
-                terms_.push_back({cell, fit.valueFactor(weightOf(cell)),
-                                  fit.slopeFactor(solid.cells[cell].moments.centroid, weightOf(cell))});
+StressRecovery::StressRecovery(const Discretisation& solid, const SupportGraph& supports, double support_radius)
+    : solid_(&solid), fit_radius_(fit_radius * support_radius), balls_(supports.balls(fit_radius_ + 1)) {
+    const int particles = static_cast<int>(solid.particles.size());
+    const int points = particles + static_cast<int>(solid.surface_points.size());
+    std::vector<std::vector<Term>> fits(points);
+    forEachChunk(chunk_count, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunk_count, points);
+        for (int point = chunkBegin(chunk, chunk_count, points); point < end; ++point) {
+            if (point < particles) {
+                fit(solid.particles[point].position, point, fits[point]);
+                continue;
+            }
+            const SurfacePoint& surface = solid.surface_points[point - particles];
+            fit(surface.position, solid.cells[surface.cell].particle, fits[point]);
         }
-        means_.push_back(fit.mean());
+    });
+    starts_.push_back(0);
+    for (const std::vector<Term>& terms : fits) {
+        terms_.insert(terms_.end(), terms.begin(), terms.end());
         starts_.push_back(static_cast<int>(terms_.size()));
     }
 }
 
+void StressRecovery::fit(const Vec3& x, int owner, std::vector<Term>& terms) const {
+    const double spacing = solid_->particles[owner].spacing;
+    // Weights are centred between the point and its particle: about the point itself, fits at the surface would see one
+    // side only and lean on the outermost cells; about the particle, all of its points would share one fit.
+    const Vec3 centre = (x + solid_->particles[owner].position) / 2;
+    terms.clear();
+    // A point that no cell is near (beside the solid) is fitted from farther away.
+    for (double radius = fit_radius_ * spacing; terms.empty(); radius *= 1.5) {
+        CentredFit fit;
+        for (int neighbour : balls_[owner])
+            for (int cell : solid_->particle_cells[neighbour]) {
+                const Moments& moments = solid_->cells[cell].moments;
+                const double weight = moments.volume * splineWeight((moments.centroid - centre).norm() / radius);
+                if (weight <= 0) continue;
+                fit.add(moments.centroid, weight);
+                terms.push_back({cell, weight});
+            }
+        if (terms.empty()) continue;
+        fit.finish(smallest_spread * spacing);
+        for (Term& term : terms) term.factor = fit.factorAt(x, solid_->cells[term.cell].moments.centroid, term.factor);
+    }
+}
+
+Voigt StressRecovery::recoverAt(const std::vector<Mat3>& cells, const Vec3& x, int owner) const {
+    std::vector<Term> terms;
+    fit(x, owner, terms);
+    Voigt stress = Voigt::Zero();
+    for (const Term& term : terms) stress += term.factor * toVoigt(cells[term.cell]);
+    return stress;
+}
+
 void StressRecovery::recover(const std::vector<Mat3>& cells, std::vector<Voigt>& particles,
                              std::vector<Voigt>& surface) const {
-    const size_t count = solid_->particles.size();
-    std::vector<Voigt> values(count);
-    std::vector<Eigen::Matrix<double, 6, 3>> slopes(count);
-    particles.resize(count);
-    for (size_t particle = 0; particle < count; ++particle) {
-        values[particle].setZero();
-        slopes[particle].setZero();
-        for (int n = starts_[particle]; n < starts_[particle + 1]; ++n) {
-            const Voigt stress = toVoigt(cells[terms_[n].cell]);
-            values[particle] += terms_[n].value * stress;
-            slopes[particle] += stress * terms_[n].slope.transpose();
+    std::vector<Voigt> stresses(cells.size());
+    for (size_t cell = 0; cell < cells.size(); ++cell) stresses[cell] = toVoigt(cells[cell]);
+    particles.assign(solid_->particles.size(), Voigt::Zero());
+    surface.assign(solid_->surface_points.size(), Voigt::Zero());
+    const int count = static_cast<int>(particles.size());
+    const int points = static_cast<int>(starts_.size()) - 1;
+    forEachChunk(chunk_count, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunk_count, points);
+        for (int point = chunkBegin(chunk, chunk_count, points); point < end; ++point) {
+            Voigt& stress = point < count ? particles[point] : surface[point - count];
+            for (int n = starts_[point]; n < starts_[point + 1]; ++n)
+                stress += terms_[n].factor * stresses[terms_[n].cell];
         }
-        particles[particle] = values[particle] + slopes[particle] * (solid_->particles[particle].position - means_[particle]);
-    }
-    surface.resize(solid_->surface_points.size());
-    for (size_t point = 0; point < surface.size(); ++point) {
-        const SurfacePoint& at = solid_->surface_points[point];
-        const int owner = solid_->cells[at.cell].particle;
-        surface[point] = values[owner] + slopes[owner] * (at.position - means_[owner]);
-    }
+    });
 }
 
 }  // namespace sherd

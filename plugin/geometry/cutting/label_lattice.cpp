@@ -11,7 +11,8 @@ namespace sherd {
 
 namespace {
 
-constexpr int margin_cells = 3;  // of air around the solid's box
+constexpr int margin_cells = 3;        // of air around the solid's box
+constexpr double spacing_share = 0.65;  // of the particle spacing: fine enough for round edges, no finer than what is known
 
 std::pair<Vec3, Vec3> boundingBox(const TriangleMesh& surface) {
     Vec3 low = surface.vertices.front(), high = low;
@@ -158,8 +159,8 @@ double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, 
         spacing = *fine;
     }
     const auto [low, high] = boundingBox(surface);
-    const Vec3 box = (high - low).array() + 2 * margin_cells * 0.5 * spacing;
-    return std::max((getenv("LAT")?atof(getenv("LAT")):0.5) * spacing, std::cbrt(box.prod() / largest_node_count));
+    const Vec3 box = (high - low).array() + 2 * margin_cells * spacing_share * spacing;
+    return std::max(spacing_share * spacing, std::cbrt(box.prod() / largest_node_count));
 }
 
 }  // namespace sherd

@@ -45,7 +45,8 @@ struct LabelLattice {
 LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
                                const LatticeSettings& settings);
 
-/// Half the spacing of the particles where fragments meet, but no finer than about `largest_node_count` nodes allow.
+/// Somewhat less than the spacing of the particles where fragments meet, but no finer than about `largest_node_count` nodes
+/// allow, m.
 double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
                       double largest_node_count);
 

@@ -1,0 +1,85 @@
+// Time to cut a plate of 1 x 1 x 0.09 m, 968 particles, into 37 fragments: Sherd against CGAL's corefinement, which intersects the
+// same mesh with the Voronoi cell of every fragment. Processor time of one thread.
+// Usage: fragment_surfaces_benchmark [cells along the plate] [cells across it]
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/clip.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "geometry/fragment_support.h"
+#include "geometry/fragment_surfaces.h"
+#include "geometry/mass_properties.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace pmp = CGAL::Polygon_mesh_processing;
+
+double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+Mesh toCgal(const TriangleMesh& mesh) {
+    Mesh result;
+    for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
+    for (const auto& [a, b, c] : mesh.triangles)
+        result.add_face(Mesh::Vertex_index(a), Mesh::Vertex_index(b), Mesh::Vertex_index(c));
+    return result;
+}
+
+std::vector<Vec3> clusterCentres(const Discretisation& solid, const FragmentLabels& labels) {
+    std::vector<Vec3> sum(labels.count, Vec3::Zero());
+    std::vector<int> count(labels.count, 0);
+    for (std::size_t i = 0; i < solid.particles.size(); ++i) {
+        sum[labels.of_particle[i]] += solid.particles[i].position;
+        ++count[labels.of_particle[i]];
+    }
+    for (int l = 0; l < labels.count; ++l) sum[l] /= count[l];
+    return sum;
+}
+
+Mesh voronoiCell(const std::vector<Vec3>& centres, std::size_t own) {
+    Mesh cell = toCgal(shapes::slab({3, 3, 3}));
+    for (std::size_t other = 0; other < centres.size(); ++other) {
+        if (other == own) continue;
+        const Vec3 n = centres[other] - centres[own];
+        const double d = n.dot(centres[other] + centres[own]) / 2;
+        pmp::clip(cell, Kernel::Plane_3(n.x(), n.y(), n.z(), -d), CGAL::parameters::clip_volume(true));
+    }
+    return cell;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int along = argc > 1 ? std::atoi(argv[1]) : 200, across = argc > 2 ? std::atoi(argv[2]) : 15;
+    const TriangleMesh plate = shapes::slab({1, 1, 0.09}, along, along, across);
+    const Discretisation solid = fragment_support::particlesOnly(plate, 1 / 22.0);
+    const FragmentLabels labels = fragment_support::randomClusters(solid, 37, 1);
+
+    double start = seconds();
+    const auto fragments = cutFragments(plate, solid, labels, 1);
+    const double ours = seconds() - start;
+    if (!fragments) return std::printf("%s\n", fragments.error().c_str()), 1;
+
+    const Mesh whole = toCgal(plate);
+    const std::vector<Vec3> centres = clusterCentres(solid, labels);
+    double theirs = 0, volume = 0;
+    for (std::size_t c = 0; c < centres.size(); ++c) {
+        Mesh cell = voronoiCell(centres, c), copy = whole, piece;
+        start = seconds();
+        if (!pmp::corefine_and_compute_intersection(copy, cell, piece)) std::printf("CGAL gave no piece %zu\n", c);
+        theirs += seconds() - start;
+        volume += pmp::volume(piece);
+    }
+    std::printf("%zu triangles, %zu particles\n", plate.triangles.size(), solid.particles.size());
+    std::printf("Sherd %7.3f s, %zu pieces\nCGAL  %7.3f s, %zu pieces, volume %.6f of 0.09\nratio %.0f\n", ours,
+                fragments.value().pieces.size(), theirs, centres.size(), volume, theirs / ours);
+}

@@ -1,0 +1,282 @@
+// Bodies that come and go, and what is asked for at the wrong moment.
+
+#include <memory>
+
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto kBroke = BreakEvent::Outcome::broke;
+
+/// A compound of two boxes, 0.6 x 0.3 x 0.06 m in all, with the mass and frame that the app chose.
+btRigidBody* addAppsBody(TestWorld& scene, double mass = 7) {
+    scene.shapes.push_back(std::make_unique<btBoxShape>(btVector3(0.15f, 0.15f, 0.03f)));
+    btCollisionShape* part = scene.shapes.back().get();
+    auto compound = std::make_unique<btCompoundShape>();
+    compound->addChildShape(at(-0.15f, 0, 0), part);
+    compound->addChildShape(at(0.15f, 0, 0), part);
+    return scene.addBody(std::move(compound), mass, btVector3(0, 0, 0));
+}
+
+TEST(MakeBreakable, AppsCompoundBreaksAndKeepsItsMass) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = addAppsBody(scene);
+    const Status made = fracture.makeBreakable(body, crumbly(), coarse(0.06));
+    ASSERT_TRUE(made.ok()) << made.error();
+    EXPECT_NEAR(fracture.asset(body)->mass(), 7, 1e-5);
+    EXPECT_NEAR(fracture.asset(body)->volume(), 0.6 * 0.3 * 0.06, 1e-6);
+    body->setLinearVelocity(btVector3(0.3f, 0, 0));
+    body->setAngularVelocity(
+        btVector3(1, 2, 3));  // with an inertia that is Bullet's guess, not that of the solid
+    scene.addBall(2, 0.1, btVector3(0.05f, 0, 0.2f), btVector3(0, 0, -8));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_EQ(event.broken, body);
+    EXPECT_FALSE(inWorld(scene, body));
+    EXPECT_LT(event.momentum_error_rel, 1e-5);
+    double mass = 0;
+    for (const btRigidBody* piece : event.fragments) mass += 1.0 / piece->getInvMass();
+    EXPECT_NEAR(mass, 7, 1e-4);
+    EXPECT_EQ(body->getInvMass(), btScalar(1) / 7) << "the body itself is the app's and alive";
+}
+
+TEST(MakeBreakable, ConvexBodiesAreTaken) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* box = scene.addBox(3, btVector3(0.1f, 0.2f, 0.3f), btVector3(0, 0, 0));
+    EXPECT_TRUE(fracture.makeBreakable(box, Material::plaster()).ok());
+    EXPECT_NEAR(fracture.asset(box)->volume(), 8 * 0.1 * 0.2 * 0.3, 1e-6);
+    btRigidBody* ball = scene.addBall(3, 0.2, btVector3(2, 0, 0));
+    const Status made = fracture.makeBreakable(ball, Material::plaster());
+    EXPECT_TRUE(made.ok()) << made.error();
+    EXPECT_NEAR(fracture.asset(ball)->mass(), 3, 1e-6);
+}
+
+TEST(MakeBreakable, RefusesWithASentence) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const Material material = Material::plaster();
+    EXPECT_EQ(fracture.makeBreakable(nullptr, material).error(),
+              "there is no body to make breakable (nullptr)");
+    btRigidBody* floor = scene.addFloor();
+    EXPECT_EQ(fracture.makeBreakable(floor, material).error(),
+              "the body is static or kinematic and has no mass; only dynamic bodies can break");
+    btRigidBody* body = addAppsBody(scene);
+    scene.world->removeRigidBody(body);
+    EXPECT_EQ(fracture.makeBreakable(body, material).error(),
+              "the body is not in this world; add it with addRigidBody first");
+    scene.world->addRigidBody(body);
+    ASSERT_TRUE(fracture.makeBreakable(body, material).ok());
+    EXPECT_EQ(fracture.makeBreakable(body, material).error(), "the body is breakable already");
+}
+
+TEST(MakeBreakable, RefusesShapesThatAreNoConvexSolids) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    auto compound = std::make_unique<btCompoundShape>();
+    scene.shapes.push_back(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), 0));
+    compound->addChildShape(at(0, 0, 0), scene.shapes.back().get());
+    scene.shapes.push_back(std::make_unique<btBoxShape>(btVector3(1, 1, 1)));
+    btRigidBody* body =
+        scene.addBody(std::make_unique<btBoxShape>(btVector3(1, 1, 1)), 1, btVector3(0, 0, 0));
+    body->setCollisionShape(compound.get());
+    const std::string sentence = fracture.makeBreakable(body, Material::plaster()).error();
+    EXPECT_NE(sentence.find("STATICPLANE"), std::string::npos) << sentence;
+    EXPECT_NE(sentence.find("not a convex solid"), std::string::npos) << sentence;
+    scene.world->removeRigidBody(body);
+    body->setCollisionShape(scene.shapes.back().get());
+
+    auto empty = std::make_unique<btCompoundShape>();
+    body->setCollisionShape(empty.get());
+    scene.world->addRigidBody(body);
+    EXPECT_NE(fracture.makeBreakable(body, Material::plaster()).error().find("no children"),
+              std::string::npos);
+    scene.world->removeRigidBody(body);
+}
+
+/// Asks for things from inside the step, where Bullet calls the app.
+struct Intruder {
+    static Intruder*& current() {
+        static Intruder* intruder = nullptr;
+        return intruder;
+    }
+    static void whileColliding(btBroadphasePair& pair, btCollisionDispatcher& dispatcher,
+                               const btDispatcherInfo& info) {
+        Intruder& self = *current();
+        self.answer = self.fracture->add(*self.asset, at(5, 5, 5));
+        self.sentence = self.fracture->lastError();
+        self.refusal = self.fracture->makeBreakable(self.apps_body, Material::plaster()).error();
+        self.fracture->remove(self.to_remove);
+        btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+    }
+    FractureWorld* fracture = nullptr;
+    const BreakableAsset* asset = nullptr;
+    btRigidBody *apps_body = nullptr, *to_remove = nullptr, *answer = nullptr;
+    std::string sentence, refusal;
+};
+
+TEST(MidStep, AddAndMakeBreakableAreRefusedAndRemoveWaits) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const BreakableAsset asset = plate(unbreakable());
+    Intruder intruder;
+    intruder.fracture = &fracture;
+    intruder.asset = &asset;
+    intruder.to_remove = fracture.add(asset, at(0, 0, 0));
+    intruder.apps_body = scene.addBall(1, 0.1, btVector3(0, 0, 0.12f));
+    intruder.answer = intruder.to_remove;
+    Intruder::current() = &intruder;
+    scene.dispatcher->setNearCallback(&Intruder::whileColliding);
+    scene.step();
+    scene.dispatcher->setNearCallback(&btCollisionDispatcher::defaultNearCallback);
+    EXPECT_EQ(intruder.answer, nullptr);
+    EXPECT_EQ(intruder.sentence,
+              "a body cannot be added while the world is inside a step; add it after stepSimulation");
+    EXPECT_EQ(intruder.refusal,
+              "a body cannot be made breakable while the world is inside a step; do it after stepSimulation");
+    EXPECT_TRUE(fracture.bodies().empty());
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), 1);
+    EXPECT_NE(fracture.add(asset, at(0, 0, 0)), nullptr)
+        << "after the step it works again: " << fracture.lastError();
+}
+
+TEST(Lifetime, BodyThatTheAppTookOutIsForgottenIfItIsTheApps) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    {
+        btBoxShape shape(btVector3(0.2f, 0.2f, 0.2f));
+        auto body = std::make_unique<btRigidBody>(btScalar(2), nullptr, &shape, btVector3(1, 1, 1));
+        scene.world->addRigidBody(body.get());
+        ASSERT_TRUE(fracture.makeBreakable(body.get(), crumbly()).ok());
+        scene.addBall(2, 0.1, btVector3(0, 0, 0.31f), btVector3(0, 0, -1));
+        scene.world->removeRigidBody(body.get());
+    }  // and deleted
+    scene.step(10);
+    EXPECT_TRUE(fracture.bodies().empty());
+    EXPECT_EQ(fracture.counts().seen, 0);
+}
+
+TEST(Lifetime, OwnBodyThatTheAppTookOutMayComeBack) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    scene.world->removeRigidBody(body);
+    scene.step(3);
+    EXPECT_TRUE(fracture.bodies().empty());
+    EXPECT_NE(fracture.asset(body), nullptr);
+    scene.world->addRigidBody(body);
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    EXPECT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+}
+
+TEST(Lifetime, RemoveTakesJointsAlong) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    btRigidBody* weight = scene.addBox(1, btVector3(0.05f, 0.05f, 0.05f), btVector3(0.5f, 0, 0));
+    btPoint2PointConstraint joint(*body, *weight, btVector3(0.4f, 0, 0), btVector3(-0.1f, 0, 0));
+    scene.world->addConstraint(&joint);
+    fracture.remove(body);
+    fracture.remove(body);    // a second time: nothing
+    fracture.remove(weight);  // not ours: nothing
+    EXPECT_EQ(scene.world->getNumConstraints(), 0);
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), 1);
+    scene.step(3);
+    EXPECT_EQ(fracture.asset(body), nullptr);
+}
+
+TEST(Lifetime, EventsAreHandedOutOnceAndTheirBodiesLiveUntilTheNextStep) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    int tag = 0;
+    fracture.add(plate(crumbly()), at(0, 0, 0))->setUserPointer(&tag);
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    scene.step(60);
+    const auto events = fracture.events();
+    ASSERT_FALSE(events.empty());
+    EXPECT_EQ(events.front().broken->getUserPointer(), &tag);
+    EXPECT_TRUE(fracture.events().empty());
+}
+
+TEST(Lifetime, AppMayPutInAnotherSolverWhileHooked) {
+    TestWorld scene(WorldKind::owns_its_solver);
+    btSequentialImpulseConstraintSolver other;
+    {
+        FractureWorld fracture(scene.world.get());
+        ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+        scene.step(2);
+        scene.world->setConstraintSolver(&other);
+        scene.step(2);
+    }
+    EXPECT_EQ(scene.world->getConstraintSolver(), &other);
+    scene.step(2);
+}
+
+TEST(Frames, BodyStandsWhereTheAssetWasPlaced) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    // Neither centred nor along its axes.
+    const TriangleMesh skew =
+        shapes::moved(shapes::box(Vec3(0, 0, 0), Vec3(0.6, 0.4, 0.2)), shapes::tilt(), Vec3(1, 2, 3));
+    const auto asset = BreakableAsset::fromMesh(skew, Material::plaster(), coarse(0.1));
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    const btTransform start(btQuaternion(btVector3(1, 1, 0), 0.5f), btVector3(0.1f, 0.2f, 0.3f));
+    btRigidBody* body = fracture.add(asset.value(), start);
+    const btTransform found = fracture.assetTransform(body);
+    EXPECT_LT(found.getOrigin().distance(start.getOrigin()), 1e-5);
+    EXPECT_LT((found.getBasis() * btVector3(1, 2, 3)).distance(start.getBasis() * btVector3(1, 2, 3)), 1e-5);
+    // The inertia of a box about its own axes, m/12 (b^2 + c^2), smallest first.
+    const double mass = asset.value().mass();
+    std::vector<double> inertia;
+    for (int axis = 0; axis < 3; ++axis) inertia.push_back(1.0 / body->getInvInertiaDiagLocal()[axis]);
+    std::sort(inertia.begin(), inertia.end());
+    EXPECT_NEAR(inertia[0] / mass, (0.4 * 0.4 + 0.2 * 0.2) / 12, 1e-6);
+    EXPECT_NEAR(inertia[1] / mass, (0.6 * 0.6 + 0.2 * 0.2) / 12, 1e-6);
+    EXPECT_NEAR(inertia[2] / mass, (0.6 * 0.6 + 0.4 * 0.4) / 12, 1e-6);
+}
+
+/// How everything moves at the end of a run, and how often something broke.
+struct RunResult {
+    std::vector<btScalar> numbers;
+    int breaks = 0;
+};
+
+RunResult runOnce(std::uint64_t seed) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    Settings settings = coarse(0.06);
+    settings.fracture.seed = seed;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    for (int i = 0; i < 2; ++i) EXPECT_NE(fracture.add(asset.value(), at(0, 0, 0.5f + btScalar(i))), nullptr);
+    scene.addBall(2, 0.1, btVector3(0.05f, 0, 2), btVector3(0, 0, -8));
+    scene.step(240);
+    RunResult result;
+    for (const BreakEvent& event : fracture.events()) result.breaks += event.outcome == kBroke;
+    for (const btRigidBody* body : fracture.bodies()) {
+        btScalar matrix[16];
+        body->getWorldTransform().getOpenGLMatrix(matrix);
+        result.numbers.insert(result.numbers.end(), matrix, matrix + 16);
+        for (int axis = 0; axis < 3; ++axis) {
+            result.numbers.push_back(body->getLinearVelocity()[axis]);
+            result.numbers.push_back(body->getAngularVelocity()[axis]);
+        }
+    }
+    return result;
+}
+
+TEST(Determinism, SameRunTwiceGivesTheSameBits) {
+    const RunResult first = runOnce(1), second = runOnce(1), other = runOnce(2);
+    EXPECT_GT(first.breaks, 1);
+    EXPECT_EQ(first.breaks, second.breaks);
+    EXPECT_EQ(first.numbers, second.numbers);
+    EXPECT_NE(first.numbers, other.numbers) << "another seed, another break";
+}
+
+}  // namespace

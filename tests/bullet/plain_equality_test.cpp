@@ -1,0 +1,120 @@
+// Where nothing breaks, the hook must not be felt: the same bits as plain Bullet.
+
+#include "bullet/rigid_body_factory.h"
+#include "pipeline.h"
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+struct Case {
+    const char* name;
+    WorldKind kind;
+    int solver_mode_off;  // bits taken out of the solver mode
+    bool split_impulse;
+};
+
+class PlainEquality : public testing::TestWithParam<Case> {
+  protected:
+    static void set(TestWorld& scene) {
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        scene.world->getSolverInfo().m_solverMode &= ~GetParam().solver_mode_off;
+        scene.world->getSolverInfo().m_splitImpulse = GetParam().split_impulse;
+        scene.addFloor();
+    }
+
+    /// Two worlds side by side, a ball thrown at a plate that stands on the floor; the left one is hooked.
+    static void compare(const Material& material, BlowCounts& counts) {
+        TestWorld hooked(GetParam().kind), plain(GetParam().kind);
+        set(hooked);
+        set(plain);
+        const BreakableAsset asset = plate(material);
+        const btTransform standing(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.301f));
+
+        FractureWorld fracture(hooked.world.get());
+        btRigidBody* body = fracture.add(asset, standing);
+        ASSERT_NE(body, nullptr) << fracture.lastError();
+
+        const auto boxes = collisionBoxes(*asset.body());
+        ASSERT_TRUE(boxes.ok());
+        OwnedBody twin = makeRigidBody(*asset.body(), boxes.value());
+        twin.body->setCenterOfMassTransform(
+            standing * principalFrame(asset.body()->moments()).body_from_asset.inverse());
+        plain.world->addRigidBody(twin.body.get());
+
+        btRigidBody* ball = hooked.addBall(3, 0.1, btVector3(0, 0.3f, 0.4f), btVector3(0, -6, 0));
+        btRigidBody* plain_ball = plain.addBall(3, 0.1, btVector3(0, 0.3f, 0.4f), btVector3(0, -6, 0));
+        for (int i = 0; i < 480; ++i) {
+            hooked.step();
+            plain.step();
+            ASSERT_TRUE(sameState(*body, *twin.body)) << "plate, step " << i;
+            ASSERT_TRUE(sameState(*ball, *plain_ball)) << "ball, step " << i;
+        }
+        for (const BreakEvent& event : fracture.events()) EXPECT_EQ(event.outcome, BreakEvent::Outcome::held);
+        counts = fracture.counts();
+        plain.world->removeRigidBody(twin.body.get());
+    }
+};
+
+TEST_P(PlainEquality, WhereTheBoundSaysThatNothingCanBreak) {
+    BlowCounts counts;
+    compare(unbreakable(), counts);
+    EXPECT_EQ(counts.solved, 0);
+    EXPECT_GT(counts.seen, 0);
+    EXPECT_EQ(counts.skipped, counts.seen);
+}
+
+TEST_P(PlainEquality, WhereBlowsAreSolvedAndHeld) {
+    Material tough = Material::plaster();
+    tough.tensile_strength_pa = 4e7;
+    BlowCounts counts;
+    compare(tough, counts);
+    EXPECT_GT(counts.solved, 0) << "the strength of this test is to let the bound pass";
+}
+
+constexpr int kWarm = SOLVER_USE_WARMSTARTING;
+INSTANTIATE_TEST_SUITE_P(Worlds, PlainEquality,
+                         testing::Values(Case{"plain", WorldKind::plain, 0, true},
+                                         Case{"no_warm_starting", WorldKind::plain, kWarm, true},
+                                         Case{"no_split_impulse", WorldKind::plain, 0, false},
+                                         Case{"owns_its_solver", WorldKind::owns_its_solver, 0, true},
+                                         Case{"threaded", WorldKind::threaded, 0, true},
+                                         Case{"soft", WorldKind::soft, 0, true},
+                                         Case{"multi_body", WorldKind::multi_body, 0, true}),
+                         [](const auto& info) { return info.param.name; });
+
+TEST(Rest, BodyAtRestCostsNoSolveForTenSeconds) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(Material::plaster()), at(0, 0, 0.031f));
+    ASSERT_NE(body, nullptr) << fracture.lastError();
+    body->setActivationState(
+        DISABLE_DEACTIVATION);  // or Bullet would put it to sleep and nothing would be tested
+    scene.step(240);  // comes to rest
+    const BlowCounts landed = fracture.counts();
+    scene.step(2400);
+    const BlowCounts counts = fracture.counts();
+    EXPECT_EQ(counts.solved - landed.solved, 0);
+    EXPECT_GT(counts.seen - landed.seen, 2300);
+    EXPECT_EQ(counts.skipped - landed.skipped, counts.seen - landed.seen);
+}
+
+TEST(Rest, SleepingBodyIsNotEvenSeen) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(Material::plaster()), at(0, 0, 0.031f));
+    scene.step(1200);
+    ASSERT_FALSE(body->isActive());
+    const long long seen = fracture.counts().seen;
+    scene.addBall(1, 0.1, btVector3(0, 3, 1));  // keeps the world awake
+    scene.step(100);
+    EXPECT_EQ(fracture.counts().seen, seen);
+}
+
+}  // namespace

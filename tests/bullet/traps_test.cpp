@@ -1,0 +1,239 @@
+// What goes wrong in Bullet's step when a body is swapped in the middle of it.
+
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto kBroke = BreakEvent::Outcome::broke;
+
+/// A ball that comes down on a plate about the origin.
+btRigidBody* dropBall(TestWorld& scene, btScalar speed = 8, btScalar height = 0.2f) {
+    return scene.addBall(2, 0.1, btVector3(0.03f, 0.02f, height), btVector3(0, 0, -speed));
+}
+
+bool finite(const btVector3& v) {
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+void expectCalm(const TestWorld& scene, btScalar fastest) {
+    for (int i = 0; i < scene.world->getNumCollisionObjects(); ++i) {
+        const btRigidBody* body = btRigidBody::upcast(scene.world->getCollisionObjectArray()[i]);
+        if (!body) continue;
+        ASSERT_TRUE(finite(body->getCenterOfMassPosition()));
+        ASSERT_TRUE(finite(body->getLinearVelocity()));
+        EXPECT_LT(body->getLinearVelocity().length(), fastest);
+    }
+}
+
+TEST(Traps, JointsOfTheBrokenBodyAreTakenOutAndNamed) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    btRigidBody* weight = scene.addBox(1, btVector3(0.05f, 0.05f, 0.05f), btVector3(0.5f, 0, 0));
+    btRigidBody* other = scene.addBox(1, btVector3(0.05f, 0.05f, 0.05f), btVector3(0.8f, 0, 0));
+    btPoint2PointConstraint joint(*body, *weight, btVector3(0.4f, 0, 0), btVector3(-0.1f, 0, 0));
+    btPoint2PointConstraint elsewhere(*weight, *other, btVector3(0.15f, 0, 0), btVector3(-0.15f, 0, 0));
+    scene.world->addConstraint(&joint, true);
+    scene.world->addConstraint(&elsewhere, true);
+    dropBall(scene);
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_EQ(event.removed_constraints, std::vector<btTypedConstraint*>{&joint});
+    EXPECT_EQ(scene.world->getNumConstraints(), 1);
+    EXPECT_EQ(weight->getNumConstraintRefs(), 1);
+    scene.step(60);
+    expectCalm(scene, 20);
+    scene.world->removeConstraint(&elsewhere);
+}
+
+TEST(Traps, JointThatOnlyTheFirstSolveBrokeStays) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+    // A tray that hangs on a weak joint right under the plate: the blow goes through the whole plate and
+    // would tear it off.
+    btRigidBody* ball = scene.addBall(20, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    btRigidBody* tail = scene.addBox(4, btVector3(0.05f, 0.05f, 0.05f), btVector3(0, 0, 0.6f));
+    btPoint2PointConstraint joint(*ball, *tail, btVector3(0, 0, 0.2f), btVector3(0, 0, -0.2f));
+    tail->setLinearVelocity(btVector3(0, 0, -8));
+    joint.setBreakingImpulseThreshold(10);
+    scene.world->addConstraint(&joint, true);
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_TRUE(joint.isEnabled()) << "the blow on the whole plate tore it; in the step taken again it holds";
+    scene.world->removeConstraint(&joint);
+}
+
+TEST(Traps, SleepingNeighbourWakesAndFalls) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -10));
+    FractureWorld fracture(scene.world.get());
+    scene.addBox(0, btVector3(0.05f, 0.3f, 0.2f), btVector3(-0.25f, 0, -0.231f));
+    scene.addBox(0, btVector3(0.05f, 0.3f, 0.2f), btVector3(0.25f, 0, -0.231f));
+    btRigidBody* body = fracture.add(plate(Material::plaster()), at(0, 0, 0));
+    btRigidBody* neighbour = scene.addBox(0.2, btVector3(0.05f, 0.05f, 0.05f), btVector3(0.1f, 0.1f, 0.081f));
+    scene.step(1500);
+    ASSERT_FALSE(body->isActive());
+    ASSERT_FALSE(neighbour->isActive());
+    ASSERT_GT(neighbour->getCenterOfMassPosition().z(), 0.05f);
+    // Removal by the app first: the same road out of the world.
+    fracture.remove(body);
+    EXPECT_TRUE(neighbour->isActive());
+    scene.step(120);
+    EXPECT_LT(neighbour->getCenterOfMassPosition().z(), 0);
+}
+
+TEST(Traps, NeighbourAsleepOnThePlateFallsWithThePieces) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -10));
+    FractureWorld fracture(scene.world.get());
+    scene.addBox(0, btVector3(0.05f, 0.3f, 0.2f), btVector3(-0.25f, 0, -0.231f));
+    scene.addBox(0, btVector3(0.05f, 0.3f, 0.2f), btVector3(0.25f, 0, -0.231f));
+    Material weak = Material::plaster();
+    weak.tensile_strength_pa = 3e5;
+    btRigidBody* body = fracture.add(plate(weak), at(0, 0, 0));
+    btRigidBody* neighbour = scene.addBox(0.2, btVector3(0.05f, 0.05f, 0.05f), btVector3(0.1f, 0.1f, 0.081f));
+    scene.step(1500);
+    ASSERT_FALSE(neighbour->isActive());
+    ASSERT_TRUE(inWorld(scene, body));
+    scene.addBall(5, 0.1, btVector3(-0.05f, -0.1f, 0.3f), btVector3(0, 0, -10));
+    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+    EXPECT_TRUE(neighbour->isActive());
+    scene.step(240);
+    EXPECT_LT(neighbour->getCenterOfMassPosition().z(), 0.03f);
+}
+
+TEST(Traps, PredictedContactBreaksAndDoesNotOutliveTheBody) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    btRigidBody* ball = scene.addBall(2, 0.05, btVector3(0.03f, 0.02f, 1.03f), btVector3(0, 0, -100));
+    ball->setCcdMotionThreshold(0.02f);
+    ball->setCcdSweptSphereRadius(0.05f);
+    BreakEvent event = stepUntilBreak(scene, fracture, 20, 1.0 / 60);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_NEAR(event.position.z(), 0.03, 0.02)
+        << "the point of a predicted contact is a centre, not a surface";
+    EXPECT_FALSE(inWorld(scene, body));
+    for (int i = 0; i < scene.dispatcher->getNumManifolds(); ++i) {
+        EXPECT_NE(scene.dispatcher->getManifoldByIndexInternal(i)->getBody0(), body);
+        EXPECT_NE(scene.dispatcher->getManifoldByIndexInternal(i)->getBody1(), body);
+    }
+    EXPECT_LT(ball->getLinearVelocity().z(), -50);
+    scene.step(20, 1.0 / 60);
+    expectCalm(scene, 200);
+}
+
+TEST(Traps, SplitImpulseOfTheFirstSolveIsUndone) {
+    // The ball starts deep in the plate: the first solve moves both apart by their transforms.
+    TestWorld scene;
+    scene.world->getSolverInfo().m_splitImpulse = true;
+    scene.world->getSolverInfo().m_splitImpulsePenetrationThreshold = 0;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    body->setLinearVelocity(btVector3(0, 0, 0));
+    btRigidBody* bystander =
+        scene.addBall(0.01, 0.02, btVector3(0.25f, 0.25f, -0.045f));  // touches the plate from below
+    scene.addBall(50, 0.1, btVector3(-0.1f, -0.1f, 0.09f), btVector3(0, 0, -8));
+    const BreakEvent event = stepUntilBreak(scene, fracture, 5);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    for (const btRigidBody* piece : event.fragments) {
+        const BreakableAsset& asset = *fracture.asset(piece);
+        double low = 1, high = -1;
+        const btTransform place = fracture.assetTransform(piece);
+        for (const Vec3& v : asset.surface().vertices) {
+            const btScalar z = (place * btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()))).z();
+            low = std::min<double>(low, z);
+            high = std::max<double>(high, z);
+        }
+        // Only the push of its own solve and one step of its own velocity.
+        const double moved =
+            std::abs(piece->getLinearVelocity().z()) / 240 + 0.3 * piece->getAngularVelocity().length() / 240;
+        EXPECT_GT(low, -0.03 - moved - 0.02);
+        EXPECT_LT(high, 0.03 + moved + 0.02);
+    }
+    (void)bystander;
+}
+
+TEST(Traps, BreaksWithWarmStartingOffAndLeavesTheSettingsAlone) {
+    TestWorld scene;
+    btContactSolverInfo& info = scene.world->getSolverInfo();
+    info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    info.m_warmstartingFactor = 0.77f;
+    FractureWorld fracture(scene.world.get());
+    ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+    dropBall(scene);
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    EXPECT_EQ(event.outcome, kBroke) << "no impulses are written back";
+    EXPECT_FALSE(info.m_solverMode & SOLVER_USE_WARMSTARTING);
+    EXPECT_EQ(info.m_warmstartingFactor, 0.77f);
+}
+
+TEST(Traps, CompoundIsStruckAsFirstAndAsSecondBodyOfAContact) {
+    // Bullet orders a pair by the ids of the proxies, that is, by who came first.
+    bool seen_first = false, seen_second = false;
+    for (const bool plate_first : {true, false}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        if (!plate_first) dropBall(scene);
+        btRigidBody* body = fracture.add(plate(unbreakable()), at(0, 0, 0));
+        if (plate_first) dropBall(scene);
+        for (int i = 0; i < 30 && fracture.counts().seen == 0; ++i) scene.step();
+        ASSERT_GT(fracture.counts().seen, 0);
+        const btPersistentManifold& manifold = *scene.dispatcher->getManifoldByIndexInternal(0);
+        seen_first = seen_first || manifold.getBody0() == body;
+        seen_second = seen_second || manifold.getBody1() == body;
+
+        TestWorld breaking;
+        FractureWorld hook(breaking.world.get());
+        if (!plate_first) dropBall(breaking);
+        ASSERT_NE(hook.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+        if (plate_first) dropBall(breaking);
+        const BreakEvent event = stepUntilBreak(breaking, hook);
+        ASSERT_EQ(event.outcome, kBroke);
+        EXPECT_LT(event.normal.z(), -0.99);
+        EXPECT_NEAR(event.position.z(), 0.03, 0.01);
+    }
+    EXPECT_TRUE(seen_first || seen_second);
+}
+
+TEST(Traps, StaleImpulsesOfAPairWithoutResponseAreIgnored) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -10));
+    btRigidBody* floor = scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(unbreakable()), at(0, 0, 0.03f));
+    body->setActivationState(DISABLE_DEACTIVATION);
+    scene.step(30);
+    ASSERT_GT(fracture.counts().seen, 0);
+    floor->setCollisionFlags(floor->getCollisionFlags() | btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    const long long seen = fracture.counts().seen;
+    scene.step(1);
+    EXPECT_EQ(fracture.counts().seen, seen);
+}
+
+TEST(Traps, OtherBroadphasesFindTheFragmentsContacts) {
+    for (const bool sweep : {true, false}) {
+        TestWorld scene;
+        scene.world.reset();
+        if (sweep)
+            scene.broadphase =
+                std::make_unique<btAxisSweep3>(btVector3(-10, -10, -10), btVector3(10, 10, 10));
+        else
+            scene.broadphase = std::make_unique<btSimpleBroadphase>();
+        scene.world = std::make_unique<btDiscreteDynamicsWorld>(
+            scene.dispatcher.get(), scene.broadphase.get(), scene.solver.get(), scene.configuration.get());
+        scene.world->setGravity(btVector3(0, 0, 0));
+        FractureWorld fracture(scene.world.get());
+        ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+        btRigidBody* ball = dropBall(scene);
+        const BreakEvent event = stepUntilBreak(scene, fracture);
+        ASSERT_EQ(event.outcome, kBroke);
+        EXPECT_GT(ball->getLinearVelocity().z(), -8) << "the ball went through without touching a piece";
+    }
+}
+
+}  // namespace

@@ -1,0 +1,151 @@
+// Every kind of Bullet world.
+
+#include <BulletDynamics/Featherstone/btMultiBody.h>
+#include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <BulletSoftBody/btSoftBodyHelpers.h>
+
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto kBroke = BreakEvent::Outcome::broke;
+
+class EveryWorld : public testing::TestWithParam<WorldKind> {};
+
+TEST_P(EveryWorld, PlateBreaksAndTheBallGoesOn) {
+    TestWorld scene(GetParam());
+    FractureWorld fracture(scene.world.get());
+    ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr) << fracture.lastError();
+    btRigidBody* ball = scene.addBall(20, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_LT(event.momentum_error_rel, 1e-5);
+    scene.step(60);
+    EXPECT_LT(ball->getLinearVelocity().z(), -12);
+}
+
+TEST_P(EveryWorld, HasItsOwnSolverBackAfterwards) {
+    TestWorld scene(GetParam());
+    btConstraintSolver* const own = scene.world->getConstraintSolver();
+    {
+        FractureWorld fracture(scene.world.get());
+        EXPECT_NE(scene.world->getConstraintSolver(), own);
+        if (own->getSolverType() != BT_MULTIBODY_SOLVER)
+            EXPECT_EQ(scene.world->getConstraintSolver()->getSolverType(), own->getSolverType());
+        else
+            EXPECT_NE(scene.world->getConstraintSolver()->getSolverType(), BT_MULTIBODY_SOLVER);
+        ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
+        scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+        scene.step(20);
+    }
+    EXPECT_EQ(scene.world->getConstraintSolver(), own);
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), 1) << "only the app's ball is left";
+    scene.step(20);
+}
+
+std::string nameOf(const testing::TestParamInfo<WorldKind>& info) {
+    static constexpr const char* kNames[] = {"plain", "owns_its_solver", "threaded", "soft", "multi_body"};
+    return kNames[static_cast<int>(info.param)];
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, EveryWorld,
+                         testing::Values(WorldKind::plain, WorldKind::owns_its_solver, WorldKind::threaded,
+                                         WorldKind::soft, WorldKind::multi_body),
+                         nameOf);
+
+TEST(SoftWorld, ClothOnThePlateSurvivesTheBreak) {
+    TestWorld scene(WorldKind::soft);
+    scene.world->setGravity(btVector3(0, 0, -10));
+    auto* soft_world = static_cast<btSoftRigidDynamicsWorld*>(scene.world.get());
+    soft_world->getWorldInfo().m_gravity = btVector3(0, 0, -10);
+    soft_world->getWorldInfo().m_sparsesdf.Initialize();
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0.5f)), nullptr);
+    btSoftBody* cloth = btSoftBodyHelpers::CreatePatch(
+        soft_world->getWorldInfo(), btVector3(-0.2f, -0.2f, 0.6f), btVector3(0.2f, -0.2f, 0.6f),
+        btVector3(-0.2f, 0.2f, 0.6f), btVector3(0.2f, 0.2f, 0.6f), 8, 8, 0, true);
+    cloth->setTotalMass(0.2f);
+    soft_world->addSoftBody(cloth);
+    int breaks = 0;
+    for (int i = 0; i < 240; ++i) {
+        scene.step();
+        for (const BreakEvent& event : fracture.events()) breaks += event.outcome == kBroke;
+    }
+    EXPECT_GT(breaks, 0);
+    for (int n = 0; n < cloth->m_nodes.size(); ++n) {
+        ASSERT_TRUE(std::isfinite(cloth->m_nodes[n].m_x.z()));
+        EXPECT_GT(cloth->m_nodes[n].m_x.z(), -0.5);
+    }
+    soft_world->removeSoftBody(cloth);
+    delete cloth;
+}
+
+/// A free multi-body of one base without links.
+struct MultiBodyBall {
+    MultiBodyBall(btMultiBodyDynamicsWorld& its_world, btScalar mass, btScalar radius,
+                  const btVector3& position, const btVector3& velocity)
+        : world(its_world), shape(radius) {
+        btVector3 inertia;
+        shape.calculateLocalInertia(mass, inertia);
+        multi_body = std::make_unique<btMultiBody>(0, mass, inertia, false, false);
+        multi_body->finalizeMultiDof();
+        multi_body->setBasePos(position);
+        multi_body->setBaseVel(velocity);
+        multi_body->setLinearDamping(0);
+        multi_body->setAngularDamping(0);
+        world.addMultiBody(multi_body.get());
+        collider = std::make_unique<btMultiBodyLinkCollider>(multi_body.get(), -1);
+        collider->setCollisionShape(&shape);
+        collider->setWorldTransform(btTransform(btQuaternion::getIdentity(), position));
+        world.addCollisionObject(collider.get(), 1, -1);
+        multi_body->setBaseCollider(collider.get());
+    }
+    ~MultiBodyBall() {
+        world.removeCollisionObject(collider.get());
+        world.removeMultiBody(multi_body.get());
+    }
+
+    btMultiBodyDynamicsWorld& world;
+    btSphereShape shape;
+    std::unique_ptr<btMultiBody> multi_body;
+    std::unique_ptr<btMultiBodyLinkCollider> collider;
+};
+
+TEST(MultiBodyWorld, MultiBodyThatBreaksThePlateGoesOnToo) {
+    TestWorld scene(WorldKind::multi_body);
+    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*scene.world);
+    FractureWorld fracture(&world);
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    const double plate_mass = fracture.asset(body)->mass();
+    MultiBodyBall ball(world, 20, 0.1f, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_LT(ball.multi_body->getBaseVel().z(), -12) << "it bounced off the plate as if that had held";
+    double momentum = 20.0 * ball.multi_body->getBaseVel().z();
+    for (const btRigidBody* piece : event.fragments)
+        momentum += piece->getLinearVelocity().z() / piece->getInvMass();
+    EXPECT_NEAR(momentum, -400, 0.01) << "plate of " << plate_mass << " kg";
+    scene.step(60);
+    EXPECT_LT(ball.multi_body->getBasePos().z(), -1);
+}
+
+TEST(MultiBodyWorld, ClosingSpeedOfAMultiBodyIsKnown) {
+    TestWorld scene(WorldKind::multi_body);
+    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*scene.world);
+    FractureWorld fracture(&world);
+    Material strong = Material::plaster();
+    ASSERT_NE(fracture.add(plate(strong), at(0, 0, 0)), nullptr);
+    // So slow that nothing can break, then so fast that it must be looked at.
+    MultiBodyBall slow(world, 2, 0.05f, btVector3(0.1f, 0, 0.09f), btVector3(0, 0, -0.001f));
+    scene.step(30);
+    EXPECT_EQ(fracture.counts().solved, 0);
+    MultiBodyBall fast(world, 2, 0.05f, btVector3(-0.1f, 0, 0.3f), btVector3(0, 0, -10));
+    scene.step(30);
+    EXPECT_GT(fracture.counts().solved, 0);
+}
+
+}  // namespace
