@@ -52,6 +52,11 @@ int wantedClusters(const Body& body, const Damage& damage, const Discretisation&
     return std::min(affordableClusters(budget, damaged_volume), fracture.largest_fragment_count);
 }
 
+double smallestCrackEnergy(const Body& body) {
+    const double section = body.wallThickness() * body.wallThickness();
+    return section * body.material().fracture_energy_j_m2 / body.settings().fracture.energy_into_cracks;
+}
+
 std::vector<Fragment> makeFragments(const Body& body, const Discretisation& solid,
                                     const FragmentLabels& labels, const FragmentSurfaces& surfaces) {
     const std::vector<int> owner = pieceOfVoxel(solid, labels, surfaces);

@@ -78,7 +78,7 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     });
     out.largest_stress_pa = damage.largest_stress_pa;
     out.damaged_particles = damage.count;
-    if (damage.count == 0) return;
+    if (damage.count == 0 || energy < smallestCrackEnergy(body)) return;
 
     const FragmentLabels labels = timed(out.ms.cluster, [&] {
         const int wanted = wantedClusters(body, damage, solid, energy);
@@ -98,16 +98,17 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
 }  // namespace
 
 bool canBreak(const Body& body, const Blow& blow) {
-    // The body can store no more than the blow brings. A particle at its strength stores at least
-    // s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume: the least energy density of any stress whose largest
-    // principal value is s.
+    // The body can store no more than the blow brings, and both of these must be paid for:
+    // a particle at its strength s stores at least s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume, the least energy density
+    // of any stress whose largest principal value is s; and a crack through the thinnest section costs its faces (Griffith).
+    const double energy = blowEnergy(blow);
+    if (!(energy > smallestCrackEnergy(body))) return false;
     const Material& m = body.material();
     const double s = m.tensile_strength_pa * weakestStrengthFraction(m);
     const double nu = m.poisson_ratio;
     const double density = s * s / (2 * m.youngs_modulus_pa) * (1 - 2 * nu * nu / (1 - nu));
-    const double share =
-        std::min(std::pow(body.spacing(), 3), body.moments().volume) * body.settings().sampling.smallest_fill;
-    return blowEnergy(blow) > density * share;
+    const double share = std::min(std::pow(body.spacing(), 3), body.moments().volume);
+    return energy > density * body.settings().sampling.smallest_fill * share;
 }
 
 BlowOutcome strike(const Body& body, const Blow& blow, std::uint64_t seed) {

@@ -10,8 +10,8 @@ namespace sherd {
 struct SamplingSettings {
     double spacing_m = 0;  ///< distance between particles; 0: from the wall thickness and the limits below
     double layers_across_wall = 1.5;  ///< particles across the thinnest wall, when the spacing is chosen
-    int smallest_count = 400;         ///< particles of a compact body, at least, when the spacing is chosen
-    int largest_count = 2500;         ///< about this many particles at most, when the spacing is chosen
+    int smallest_count = 200;         ///< particles of a compact body, at least, when the spacing is chosen
+    int largest_count = 1500;         ///< about this many particles at most, when the spacing is chosen
     int cells_per_spacing = 2;        ///< integration cells per particle spacing and direction, 1 to 4
     double smallest_fill = 0.25;      ///< a cell filled by less gets no particle of its own
 

@@ -2,10 +2,11 @@
 // same mesh with the Voronoi cell of every fragment. Processor time of one thread.
 // Usage: fragment_surfaces_benchmark [cells along the plate] [cells across it]
 
+#include <CGAL/Convex_hull_3/dual/halfspace_intersection_with_constructions_3.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/clip.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Surface_mesh.h>
 
 #include <cstdio>
@@ -46,13 +47,21 @@ std::vector<Vec3> clusterCentres(const Discretisation& solid, const FragmentLabe
 }
 
 Mesh voronoiCell(const std::vector<Vec3>& centres, std::size_t own) {
-    Mesh cell = toCgal(shapes::slab({3, 3, 3}));
+    std::vector<Kernel::Plane_3> planes;
+    for (int axis = 0; axis < 3; ++axis)
+        for (int side : {-1, 1}) {
+            const Vec3 n = side * Vec3::Unit(axis);
+            planes.emplace_back(n.x(), n.y(), n.z(), -1);
+        }
     for (std::size_t other = 0; other < centres.size(); ++other) {
         if (other == own) continue;
         const Vec3 n = centres[other] - centres[own];
-        const double d = n.dot(centres[other] + centres[own]) / 2;
-        pmp::clip(cell, Kernel::Plane_3(n.x(), n.y(), n.z(), -d), CGAL::parameters::clip_volume(true));
+        planes.emplace_back(n.x(), n.y(), n.z(), -n.dot(centres[other] + centres[own]) / 2);
     }
+    Mesh cell;
+    const Vec3& c = centres[own];
+    CGAL::halfspace_intersection_with_constructions_3(planes.begin(), planes.end(), cell, Kernel::Point_3(c.x(), c.y(), c.z()));
+    pmp::triangulate_faces(cell);
     return cell;
 }
 

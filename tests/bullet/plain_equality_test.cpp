@@ -14,6 +14,8 @@ struct Case {
     WorldKind kind;
     int solver_mode_off;  // bits taken out of the solver mode
     bool split_impulse;
+
+    friend void PrintTo(const Case& self, std::ostream* out) { *out << self.name; }
 };
 
 class PlainEquality : public testing::TestWithParam<Case> {

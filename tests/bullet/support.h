@@ -24,6 +24,7 @@ enum class WorldKind { plain, owns_its_solver, threaded, soft, multi_body };
 /// A world with all that Bullet wants beside it. No gravity unless it is set.
 struct TestWorld {
     explicit TestWorld(WorldKind kind = WorldKind::plain) {
+        if (kind == WorldKind::threaded) btSetTaskScheduler(btGetSequentialTaskScheduler());
         broadphase = std::make_unique<btDbvtBroadphase>();
         if (kind == WorldKind::soft)
             configuration = std::make_unique<btSoftBodyRigidBodyCollisionConfiguration>();
@@ -82,7 +83,6 @@ struct TestWorld {
   private:
     void makeWorld(WorldKind kind) {
         if (kind == WorldKind::threaded) {
-            btSetTaskScheduler(btGetSequentialTaskScheduler());
             auto pool = std::make_unique<btConstraintSolverPoolMt>(2);
             island_solver = std::make_unique<btSequentialImpulseConstraintSolver>();
             world = std::make_unique<btDiscreteDynamicsWorldMt>(

@@ -40,8 +40,8 @@ inline void expectMoments(const Discretisation& solid, const TriangleMesh& mesh,
     const Moments expected = meshMoments(mesh), found = totalMoments(solid);
     const double length = std::sqrt(expected.second.trace() / expected.volume);
     EXPECT_NEAR(found.volume / expected.volume, 1, tolerance);
-    EXPECT_LT((found.centroid - expected.centroid).norm(), 4 * tolerance * length);
-    EXPECT_LT((found.second - expected.second).norm(), 4 * tolerance * expected.second.norm());
+    EXPECT_LT((found.centroid - expected.centroid).norm(), tolerance * length);
+    EXPECT_LT((found.second - expected.second).norm(), tolerance * expected.second.norm());
 }
 
 /// Largest violation, over all cells, of sum area = 0 and of sum area (x) centroid = volume I, relative to a

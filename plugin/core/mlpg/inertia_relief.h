@@ -17,6 +17,9 @@ class InertiaRelief {
     /// Heaviside: the rows of sub-domain P get int_P b.
     static InertiaRelief heaviside(const Discretisation& solid, const RigidMotions& motions);
 
+    /// Resultants of the six forces of a component, 6 x 6: its mass matrix at unit density.
+    const Eigen::Matrix<double, 6, 6>& mass(int component) const { return masses_[static_cast<size_t>(component)]; }
+
     /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances them.
     void balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
                  const RigidMotions& motions) const;

@@ -29,6 +29,7 @@ std::vector<double> subdomainExtents(const Discretisation& solid) {
     };
     for (size_t cell = 0; cell < solid.cells.size(); ++cell)
         include(static_cast<int>(cell), solid.cells[cell].moments.centroid);
+    for (double& extent : extents) extent += solid.cell_size.norm() / 2;  // out to the cells' corners
     for (const IntegrationFace& face : solid.faces)
         for (int cell : face.cells) include(cell, face.centroid);
     for (const SurfacePoint& point : solid.surface_points) include(point.cell, point.position);

@@ -1,16 +1,16 @@
 #pragma once
 
-#include <vector>
-
 #include <sherd/types.h>
+
+#include <vector>
 
 namespace sherd {
 
 /// Volume, centroid and second moment of a piece of the solid, of unit density.
 struct Moments {
-    double volume = 0;                  ///< m^3
-    Vec3 centroid = Vec3::Zero();       ///< m
-    Mat3 second = Mat3::Zero();         ///< integral of (x - centroid)(x - centroid)^T, m^5
+    double volume = 0;             ///< m^3
+    Vec3 centroid = Vec3::Zero();  ///< m
+    Mat3 second = Mat3::Zero();    ///< integral of (x - centroid)(x - centroid)^T, m^5
 };
 
 /// A piece of the solid over which the strain is smoothed: a grid cell cut by the surface, or several merged.
@@ -31,7 +31,7 @@ struct IntegrationFace {
 struct SurfacePoint {
     int cell = -1;
     Vec3 position = Vec3::Zero();  ///< m
-    Vec3 area = Vec3::Zero();      ///< weight of the outward normal: f -> sum f(position) area is exact for linear f
+    Vec3 area = Vec3::Zero();      ///< weight, m^2: sum f(position) area is the integral of f n for linear f
 };
 
 struct Particle {
@@ -40,15 +40,16 @@ struct Particle {
     double spacing = 0;            ///< local distance between particles, m; supports are multiples of it
 };
 
-/// A solid sampled for the stress solve: particles, and cells that tile it exactly. The core's only view of geometry.
+/// A solid sampled for the stress solve: particles, and cells that tile it exactly. The core's only view of
+/// geometry.
 struct Discretisation {
-    double spacing = 0;    ///< m
+    double spacing = 0;             ///< m
     Vec3 cell_size = Vec3::Zero();  ///< edges of a cell of the integration grid, m
     std::vector<Particle> particles;
     std::vector<IntegrationCell> cells;
-    std::vector<IntegrationFace> faces;          ///< between different cells only
+    std::vector<IntegrationFace> faces;  ///< between different cells only
     std::vector<SurfacePoint> surface_points;
-    std::vector<std::vector<int>> neighbours;    ///< per particle: whose sub-domains share a face with its own, sorted
+    std::vector<std::vector<int>> neighbours;      ///< per particle: who shares a face with it, sorted
     std::vector<std::vector<int>> particle_cells;  ///< per particle: its integration cells, sorted
 
     /// A box that is filled by the solid, for collision shapes: one grid cell.
