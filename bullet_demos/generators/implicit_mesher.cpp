@@ -100,7 +100,7 @@ Result<TriangleMesh> meshImplicitSolid(const ImplicitSolid& solid, const MeshFin
         roundCoordinates(mesh);
         return mesh;
     } catch (const std::exception& fault) {
-        return Error{std::string("The solid could not be meshed: ") + fault.what()};
+        return Error{std::string("The solid could not be meshed: ") + fault.what() + "."};
     }
 }
 

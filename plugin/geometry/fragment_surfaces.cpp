@@ -12,10 +12,11 @@ namespace {
 
 constexpr double largest_lattice = 2e6;  // nodes
 constexpr int smoothing_steps = 6;
-constexpr int nudges = 8;    // of single crack triangles, before the whole lattice is drawn anew
+constexpr int nudges = 8;  // of single crack triangles, before the whole lattice is drawn anew
 constexpr int lattices = 6;
 
-Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Discretisation& solid, const FragmentLabels& labels) {
+Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Discretisation& solid,
+                  const FragmentLabels& labels) {
     if (labels.of_particle.size() != solid.particles.size() || solid.particles.empty())
         return Error{"There is not one fragment label for each particle."};
     for (int label : labels.of_particle)
@@ -24,14 +25,15 @@ Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Dis
         const int first = edges.first_use[e];
         const auto start = [&](int half_edge) { return surface.triangles[half_edge / 3][half_edge % 3]; };
         if (edges.first_use[e + 1] - first != 2 || start(edges.uses[first]) == start(edges.uses[first + 1]))
-            return Error{"The surface to be cut is not closed and oriented; check it before it is made breakable."};
+            return Error{
+                "The surface to be cut is not closed and oriented; check it before it is made breakable."};
     }
     return success();
 }
 
 // Cracks that pass too near to a vertex or an edge of the surface are moved a little until none does.
-CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, const LabelLattice& lattice, CrackComplex& crack,
-                         std::uint64_t seed) {
+CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, const LabelLattice& lattice,
+                         CrackComplex& crack, std::uint64_t seed) {
     CutAttempt attempt = cutFaces(surface, edges, lattice, crack);
     for (int nudge = 0; nudge < nudges && !attempt.troubled.empty(); ++nudge) {
         for (int triangle : attempt.troubled) nudgeTriangle(crack, lattice, triangle, seed, nudge);
@@ -41,17 +43,19 @@ CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, co
     return attempt;
 }
 
-Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                                    std::uint64_t seed) {
+Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretisation& solid,
+                                    const FragmentLabels& labels, std::uint64_t seed) {
     if (surface.triangles.empty()) return Error{"The surface to be cut has no triangles."};
     const EdgeTable edges = buildEdgeTable(surface.triangles, static_cast<int>(surface.vertices.size()));
-    if (const Status checked = checkInput(surface, edges, solid, labels); !checked) return Error{checked.error()};
+    if (const Status checked = checkInput(surface, edges, solid, labels); !checked)
+        return Error{checked.error()};
     const double spacing = latticeSpacing(surface, solid, labels, largest_lattice);
     std::string why;
     for (int k = 0; k < lattices; ++k) {
         // Another lattice each time, and from the third on a coarser one, whose faces are larger and fewer.
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
-        const LatticeSettings settings = {spacing * coarser, 0.15, seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
+        const LatticeSettings settings = {spacing * coarser, 0.15,
+                                          seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
         const LabelLattice lattice = buildLabelLattice(surface, solid, labels, settings);
         CrackComplex crack = buildCrackComplex(lattice, smoothing_steps);
         const CutAttempt attempt = cutWithNudges(surface, edges, lattice, crack, settings.seed);
@@ -62,22 +66,25 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
         if (!pieces) continue;
         FragmentSurfaces result = {std::move(pieces).value(), {}};
         if (k > 1)
-            result.notes.push_back("Crack faces are " + std::to_string(static_cast<int>(100 * coarser - 99.5)) +
+            result.notes.push_back("Crack faces are " +
+                                   std::to_string(static_cast<int>(100 * coarser - 99.5)) +
                                    " % coarser than usual, since finer ones could not be cut cleanly.");
         return result;
     }
-    return Error{"The fragments' surfaces could not be cut (" + why + "); the body stays whole. Try another seed or another "
+    return Error{"The fragments' surfaces could not be cut (" + why +
+                 "); the body stays whole. Try another seed or another "
                  "particle spacing, and check the surface for very thin or very small triangles."};
 }
 
 }  // namespace
 
-Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                                      std::uint64_t seed) {
+Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
+                                      const FragmentLabels& labels, std::uint64_t seed) {
     try {
         return cutOrThrow(surface, solid, labels, seed);
     } catch (const std::exception& e) {
-        return Error{std::string("The fragments' surfaces could not be cut (") + e.what() + "); the body stays whole."};
+        return Error{std::string("The fragments' surfaces could not be cut (") + e.what() +
+                     "); the body stays whole."};
     }
 }
 

@@ -19,8 +19,8 @@ using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterato
 using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
 
 constexpr int ray_count = 2000;
-constexpr double percentile =
-    0.1;  // a thin wall that is a tenth of the surface counts, a sharp edge does not
+// A thin wall that is a tenth of the surface counts, a sharp edge does not.
+constexpr double percentile = 0.1;
 
 Kernel::Point_3 toPoint(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
@@ -34,8 +34,7 @@ struct Ray {
     Vec3 origin, direction;
 };
 
-/// Equal shares of the area, each with a point in its triangle; large triangles get several, low-discrepancy
-/// points.
+/// Equal shares of the area, each with a point in its triangle; a large triangle gets several.
 std::vector<Ray> inwardRays(const TriangleMesh& mesh) {
     const auto areaVector = [&](std::size_t t) -> Vec3 {
         const auto& [a, b, c] = mesh.triangles[t];

@@ -1,5 +1,5 @@
-// Time to cut a plate of 1 x 1 x 0.09 m, 968 particles, into 37 fragments: Sherd against CGAL's corefinement, which intersects the
-// same mesh with the Voronoi cell of every fragment. Processor time of one thread.
+// Time to cut a plate of 1 x 1 x 0.09 m, 968 particles, into 37 fragments: Sherd against CGAL's corefinement,
+// which intersects the same mesh with the Voronoi cell of every fragment. Processor time of one thread.
 // Usage: fragment_surfaces_benchmark [cells along the plate] [cells across it]
 
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_with_constructions_3.h>
@@ -25,7 +25,9 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
 namespace pmp = CGAL::Polygon_mesh_processing;
 
-double seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+double seconds() {
+    return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+}
 
 Mesh toCgal(const TriangleMesh& mesh) {
     Mesh result;
@@ -60,7 +62,8 @@ Mesh voronoiCell(const std::vector<Vec3>& centres, std::size_t own) {
     }
     Mesh cell;
     const Vec3& c = centres[own];
-    CGAL::halfspace_intersection_with_constructions_3(planes.begin(), planes.end(), cell, Kernel::Point_3(c.x(), c.y(), c.z()));
+    CGAL::halfspace_intersection_with_constructions_3(planes.begin(), planes.end(), cell,
+                                                      Kernel::Point_3(c.x(), c.y(), c.z()));
     pmp::triangulate_faces(cell);
     return cell;
 }
@@ -84,11 +87,12 @@ int main(int argc, char** argv) {
     for (std::size_t c = 0; c < centres.size(); ++c) {
         Mesh cell = voronoiCell(centres, c), copy = whole, piece;
         start = seconds();
-        if (!pmp::corefine_and_compute_intersection(copy, cell, piece)) std::printf("CGAL gave no piece %zu\n", c);
+        if (!pmp::corefine_and_compute_intersection(copy, cell, piece))
+            std::printf("CGAL gave no piece %zu\n", c);
         theirs += seconds() - start;
         volume += pmp::volume(piece);
     }
     std::printf("%zu triangles, %zu particles\n", plate.triangles.size(), solid.particles.size());
-    std::printf("Sherd %7.3f s, %zu pieces\nCGAL  %7.3f s, %zu pieces, volume %.6f of 0.09\nratio %.0f\n", ours,
-                fragments.value().pieces.size(), theirs, centres.size(), volume, theirs / ours);
+    std::printf("Sherd %7.3f s, %zu pieces\nCGAL  %7.3f s, %zu pieces, volume %.6f of 0.09\nratio %.0f\n",
+                ours, fragments.value().pieces.size(), theirs, centres.size(), volume, theirs / ours);
 }

@@ -96,7 +96,7 @@ TEST(Rest, BodyAtRestCostsNoSolveForTenSeconds) {
     ASSERT_NE(body, nullptr) << fracture.lastError();
     body->setActivationState(
         DISABLE_DEACTIVATION);  // or Bullet would put it to sleep and nothing would be tested
-    scene.step(240);  // comes to rest
+    scene.step(240);            // comes to rest
     const BlowCounts landed = fracture.counts();
     scene.step(2400);
     const BlowCounts counts = fracture.counts();

@@ -1,10 +1,9 @@
 #include <gtest/gtest.h>
+#include <sherd/stress_field.h>
 
 #include <Eigen/Eigenvalues>
 
 #include "core/stress/elasticity.h"
-
-#include <sherd/stress_field.h>
 
 namespace sherd {
 namespace {

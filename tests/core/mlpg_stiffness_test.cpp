@@ -14,7 +14,8 @@ namespace {
 
 Discretisation cutBlock() {
     const Mat3 tilt = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
-    Result<Discretisation> solid = sampleSolid(shapes::moved(shapes::slab({0.5, 0.4, 0.3}), tilt), 0.12, SamplingSettings{});
+    Result<Discretisation> solid =
+        sampleSolid(shapes::moved(shapes::slab({0.5, 0.4, 0.3}), tilt), 0.12, SamplingSettings{});
     EXPECT_TRUE(solid.ok()) << solid.error();
     return std::move(solid).value();
 }
@@ -60,7 +61,8 @@ TEST(GalerkinStiffness, IsTheSumOverCells) {
             }
             expected += solid.cells[cell].moments.volume * strain.transpose() * law * strain;
         }
-        const Eigen::MatrixXd found = symmetricDense(galerkinStiffness(solid, problem.cells, problem.elasticity));
+        const Eigen::MatrixXd found =
+            symmetricDense(galerkinStiffness(solid, problem.cells, problem.elasticity));
         EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
         EXPECT_LT((found * problem.motions.coefficients).norm(), 1e-12 * found.norm());
     }
@@ -83,14 +85,17 @@ TEST(HeavisideStiffness, ForcesBalanceAndRigidMotionsVanish) {
     const Discretisation solid = cutBlock();
     const StressProblem problem = problemOf(solid, TrialFunction::mls);
     const SparseMatrix rows =
-        heavisideStiffness(solid, problem.supports, problem.space, problem.elasticity, problem.motions).matrix;
+        heavisideStiffness(solid, problem.supports, problem.space, problem.elasticity, problem.motions)
+            .matrix;
     const int n = static_cast<int>(problem.unknowns());
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows.size, rows.size);
     for (int row = 0; row < rows.size; ++row)
-        for (int k = rows.starts[row]; k < rows.starts[row + 1]; ++k) dense(row, rows.indices[k]) = rows.values[k];
+        for (int k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
+            dense(row, rows.indices[k]) = rows.values[k];
     const Eigen::MatrixXd stiffness = dense.topLeftCorner(n, n);
     EXPECT_LT((stiffness * problem.motions.coefficients).norm(), 1e-12 * stiffness.norm());
-    EXPECT_LT((stiffness.transpose() * problem.motions.coefficients.leftCols<3>()).norm(), 1e-13 * stiffness.norm());
+    EXPECT_LT((stiffness.transpose() * problem.motions.coefficients.leftCols<3>()).norm(),
+              1e-13 * stiffness.norm());
     EXPECT_LT((dense.topRightCorner(n, 6) - dense.bottomLeftCorner(6, n).transpose()).norm(), 1e-15);
 }
 
@@ -114,9 +119,10 @@ TEST(InertiaRelief, AccelerationIsThatOfTheRigidBody) {
     const Discretisation solid = cutBlock();
     for (const bool galerkin : {true, false}) {
         const StressProblem problem = problemOf(solid, galerkin ? TrialFunction::gmls : TrialFunction::mls);
-        const InertiaRelief relief =
-            galerkin ? InertiaRelief::galerkin(solid, problem.supports, problem.space, problem.cells, problem.motions)
-                     : InertiaRelief::heaviside(solid, problem.motions);
+        const InertiaRelief relief = galerkin
+                                         ? InertiaRelief::galerkin(solid, problem.supports, problem.space,
+                                                                   problem.cells, problem.motions)
+                                         : InertiaRelief::heaviside(solid, problem.motions);
         const Moments total = totalMoments(solid);
         const Mat3 inertia = total.second.trace() * Mat3::Identity() - total.second;
         const double size = problem.motions.size[0];

@@ -1,8 +1,8 @@
-#include "core/mls/centred_fit.h"
-
 #include <gtest/gtest.h>
 
 #include <vector>
+
+#include "core/mls/centred_fit.h"
 
 namespace sherd {
 namespace {
@@ -27,7 +27,9 @@ TEST(CentredFit, ReproducesWhatThePointsDetermine) {
     EXPECT_NEAR(fitAt({far}, x, 0, slope), 2 + slope.dot(far), 1e-12);
 }
 
-TEST(CentredFit, NothingToFit) { EXPECT_FALSE(CentredFit().finish(1e-3)); }
+TEST(CentredFit, NothingToFit) {
+    EXPECT_FALSE(CentredFit().finish(1e-3));
+}
 
 }  // namespace
 }  // namespace sherd

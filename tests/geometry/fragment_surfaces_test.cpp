@@ -7,6 +7,7 @@
 #include <map>
 #include <set>
 
+#include "core/sampling/sample_solid.h"
 #include "fragment_support.h"
 #include "geometry/mass_properties.h"
 #include "piece_checks.h"
@@ -17,13 +18,17 @@ namespace {
 
 using namespace fragment_support;
 
-FragmentSurfaces cut(const TriangleMesh& mesh, const Discretisation& solid, const FragmentLabels& labels, std::uint64_t seed = 1) {
+const double pi = std::acos(-1.0);
+
+FragmentSurfaces cut(const TriangleMesh& mesh, const Discretisation& solid, const FragmentLabels& labels,
+                     std::uint64_t seed = 1) {
     auto result = cutFragments(mesh, solid, labels, seed);
     EXPECT_TRUE(result) << result.error();
     return result ? std::move(result).value() : FragmentSurfaces();
 }
 
-FragmentLabels labelled(const Discretisation& solid, int count, const std::function<int(const Vec3&)>& label_at) {
+FragmentLabels labelled(const Discretisation& solid, int count,
+                        const std::function<int(const Vec3&)>& label_at) {
     FragmentLabels labels;
     labels.count = count;
     for (const Particle& p : solid.particles) labels.of_particle.push_back(label_at(p.position));
@@ -43,7 +48,8 @@ Vec3 areaVector(const TriangleMesh& mesh, int t) {
 
 using Corner = std::array<double, 3>;
 
-// A triangle by the coordinates of its corners, from the lowest on: the same for both sides of a crack but for the turn.
+// A triangle by the coordinates of its corners, from the lowest on: the same for both sides of a crack but
+// for the turn.
 std::array<Corner, 3> cornersOf(const TriangleMesh& mesh, int t, bool reversed) {
     std::array<Corner, 3> corners;
     for (int i = 0; i < 3; ++i) {
@@ -75,7 +81,8 @@ void expectMatchedCracks(const FragmentSurfaces& fragments) {
     }
 }
 
-// The parts of every triangle of the body cover it, keep its direction, and are the triangle itself where nothing cut it.
+// The parts of every triangle of the body cover it, keep its direction, and are the triangle itself where
+// nothing cut it.
 void expectParentsCovered(const TriangleMesh& body, const FragmentSurfaces& fragments) {
     std::vector<double> covered(body.triangles.size(), 0);
     for (const FragmentSurface& piece : fragments.pieces)
@@ -85,7 +92,8 @@ void expectParentsCovered(const TriangleMesh& body, const FragmentSurfaces& frag
             const Vec3 normal = areaVector(body, parent).normalized();
             covered[parent] += areaVector(piece.mesh, t).dot(normal);
             for (int v : piece.mesh.triangles[t])
-                EXPECT_NEAR((piece.mesh.vertices[v] - body.vertices[body.triangles[parent][0]]).dot(normal), 0, 1e-12);
+                EXPECT_NEAR((piece.mesh.vertices[v] - body.vertices[body.triangles[parent][0]]).dot(normal),
+                            0, 1e-12);
         }
     for (std::size_t t = 0; t < covered.size(); ++t) {
         const double area = areaVector(body, static_cast<int>(t)).norm();
@@ -101,7 +109,8 @@ struct Shape {
 
 TriangleMesh torus() {
     std::vector<std::pair<double, double>> ring;
-    for (int i = 0; i < 16; ++i) ring.emplace_back(0.5 + 0.15 * std::cos(i * M_PI / 8), 0.15 * std::sin(i * M_PI / 8));
+    for (int i = 0; i < 16; ++i)
+        ring.emplace_back(0.5 + 0.15 * std::cos(i * pi / 8), 0.15 * std::sin(i * pi / 8));
     return shapes::revolved(ring, 40);
 }
 
@@ -149,14 +158,16 @@ TEST_P(FragmentsOf, ShareCrackFacesAndCoverTheSurface) {
     expectParentsCovered(mesh, fragments);
 }
 
-INSTANTIATE_TEST_SUITE_P(Shapes, FragmentsOf, testing::ValuesIn(testShapes()), [](const auto& info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Shapes, FragmentsOf, testing::ValuesIn(testShapes()),
+                         [](const auto& info) { return info.param.name; });
 
 // Labels without any order: points where four fragments meet everywhere, strays, islands.
 TEST(FragmentSurfaces, StandLabelsWithoutOrder) {
     const TriangleMesh mesh = shapes::hollowSphere(0.5, 0.4, 3);
     const Discretisation solid = particlesOnly(mesh, 0.1);
     std::mt19937 random(5);
-    const FragmentLabels labels = labelled(solid, 6, [&](const Vec3&) { return static_cast<int>(random() % 6); });
+    const FragmentLabels labels =
+        labelled(solid, 6, [&](const Vec3&) { return static_cast<int>(random() % 6); });
     const FragmentSurfaces fragments = cut(mesh, solid, labels);
     const double volume = solidMoments(mesh).volume;
     EXPECT_NEAR(volumeOf(fragments), volume, 1e-9 * volume);
@@ -172,16 +183,47 @@ TEST(FragmentSurfaces, CanBeCutAgain) {
     for (unsigned seed = 0; seed < 3; ++seed)
         for (const FragmentSurface& parent : cut(mesh, solid, randomClusters(solid, 8, seed), seed).pieces) {
             const Discretisation parent_solid = particlesOnly(parent.mesh, 0.03);
-            const auto fragments = cut(parent.mesh, parent_solid, randomClusters(parent_solid, 5, seed), seed);
+            const auto fragments =
+                cut(parent.mesh, parent_solid, randomClusters(parent_solid, 5, seed), seed);
             const double volume = solidMoments(parent.mesh).volume;
             EXPECT_NEAR(volumeOf(fragments), volume, 1e-9 * volume);
             for (const FragmentSurface& piece : fragments.pieces) {
                 EXPECT_EQ(faultOf(piece.mesh), "");
                 for (std::size_t t = 0; t < piece.parents.size(); ++t)
-                    EXPECT_EQ(piece.mesh.kinds[t], piece.parents[t] < 0 ? SurfaceKind::crack : parent.mesh.kinds[piece.parents[t]]);
+                    EXPECT_EQ(piece.mesh.kinds[t], piece.parents[t] < 0
+                                                       ? SurfaceKind::crack
+                                                       : parent.mesh.kinds[piece.parents[t]]);
                 ++checked;
             }
         }
+    std::cout << checked << " pieces checked\n";
+}
+
+// The real thing, three generations deep: the cup, cut cells, fragments of fragments of fragments.
+TEST(FragmentSurfaces, OfTheCupAreCleanForThreeGenerations) {
+    auto cup = readObj(SHERD_ASSETS "/coffee_cup.obj");
+    ASSERT_TRUE(cup) << cup.error();
+    std::vector<TriangleMesh> generation = {cup.value()};
+    int checked = 0;
+    for (const int count : {6, 4, 3}) {
+        std::vector<TriangleMesh> next;
+        for (const TriangleMesh& parent : generation) {
+            const auto solid = sampleSolid(parent, 0.004, {});
+            ASSERT_TRUE(solid) << solid.error();
+            if (solid.value().particles.size() < 12) continue;
+            const FragmentSurfaces fragments =
+                cut(parent, solid.value(), randomClusters(solid.value(), count, 3));
+            const double volume = solidMoments(parent).volume;
+            EXPECT_NEAR(volumeOf(fragments), volume, 1e-9 * volume);
+            for (const FragmentSurface& piece : fragments.pieces) {
+                EXPECT_EQ(faultOf(piece.mesh), "");
+                next.push_back(piece.mesh);
+                ++checked;
+            }
+        }
+        generation = next;
+    }
+    EXPECT_GE(checked, 6 + 6 * 4);
     std::cout << checked << " pieces checked\n";
 }
 
@@ -204,16 +246,18 @@ TEST(FragmentSurfaces, RunHalfwayBetweenTwoLabels) {
     }
 }
 
-// Clusters across the diagonal of the particle grid: a plane, halfway between the rows x + y = 0 and 0.1, not a staircase, whose
-// area would be larger by sqrt(2).
+// Clusters across the diagonal of the particle grid: a plane, halfway between the rows x + y = 0 and 0.1, not
+// a staircase, whose area would be larger by sqrt(2).
 TEST(FragmentSurfaces, AreNoStaircases) {
     const TriangleMesh mesh = shapes::slab({1, 1, 1}, 4, 4, 4);
     const Discretisation solid = particlesOnly(mesh, 0.1);
-    const auto fragments = cut(mesh, solid, labelled(solid, 2, [](const Vec3& x) { return x.x() + x.y() > 0.03; }));
+    const auto fragments =
+        cut(mesh, solid, labelled(solid, 2, [](const Vec3& x) { return x.x() + x.y() > 0.03; }));
     ASSERT_EQ(fragments.pieces.size(), 2u);
     double area = 0;
     for (std::size_t t = 0; t < fragments.pieces[0].parents.size(); ++t)
-        if (fragments.pieces[0].parents[t] < 0) area += areaVector(fragments.pieces[0].mesh, static_cast<int>(t)).norm();
+        if (fragments.pieces[0].parents[t] < 0)
+            area += areaVector(fragments.pieces[0].mesh, static_cast<int>(t)).norm();
     EXPECT_NEAR(area, std::sqrt(2.0) * 0.95, 0.06);
 }
 
@@ -236,7 +280,8 @@ TEST(FragmentSurfaces, KeepFragmentsOfOneParticle) {
 TEST(FragmentSurfaces, MayLieInsideEachOther) {
     const TriangleMesh mesh = shapes::slab({1, 1, 1}, 3, 3, 3);
     const Discretisation solid = particlesOnly(mesh, 0.1);
-    const auto fragments = cut(mesh, solid, labelled(solid, 2, [](const Vec3& x) { return x.norm() < 0.25; }));
+    const auto fragments =
+        cut(mesh, solid, labelled(solid, 2, [](const Vec3& x) { return x.norm() < 0.25; }));
     ASSERT_EQ(fragments.pieces.size(), 2u);
     for (const FragmentSurface& piece : fragments.pieces) {
         EXPECT_EQ(faultOf(piece.mesh), "");
@@ -246,7 +291,9 @@ TEST(FragmentSurfaces, MayLieInsideEachOther) {
 }
 
 TEST(FragmentSurfaces, KeepACavityThatNoCrackTouches) {
-    const TriangleMesh mesh = shapes::joined(shapes::slab({2, 1, 1}), shapes::inverted(shapes::translated(shapes::icosphere(0.2, 2), {0.5, 0, 0})));
+    const TriangleMesh mesh =
+        shapes::joined(shapes::slab({2, 1, 1}),
+                       shapes::inverted(shapes::translated(shapes::icosphere(0.2, 2), {0.5, 0, 0})));
     const Discretisation solid = particlesOnly(mesh, 0.1);
     const auto fragments = cut(mesh, solid, labelled(solid, 2, [](const Vec3& x) { return x.x() > 0; }));
     ASSERT_EQ(fragments.pieces.size(), 2u);
@@ -259,10 +306,12 @@ TEST(FragmentSurfaces, KeepACavityThatNoCrackTouches) {
 
 // Without any crack the surface comes back as it is, part by part.
 TEST(FragmentSurfaces, AreThePartsOfTheSurfaceWhereNothingCracks) {
-    const TriangleMesh left = shapes::slab({1, 1, 1}, 2, 2, 2), mesh = shapes::joined(left, shapes::translated(left, {3, 0, 0}));
+    const TriangleMesh left = shapes::slab({1, 1, 1}, 2, 2, 2),
+                       mesh = shapes::joined(left, shapes::translated(left, {3, 0, 0}));
     const Discretisation solid = particlesOnly(mesh, 0.2);
     for (int count : {1, 2}) {
-        const auto fragments = cut(mesh, solid, labelled(solid, count, [&](const Vec3& x) { return count == 2 && x.x() > 1.5; }));
+        const auto fragments = cut(
+            mesh, solid, labelled(solid, count, [&](const Vec3& x) { return count == 2 && x.x() > 1.5; }));
         ASSERT_EQ(fragments.pieces.size(), 2u);
         EXPECT_EQ(fragments.pieces[1].label, count - 1);
         const TriangleMesh& part = fragments.pieces[0].mesh;
@@ -276,7 +325,9 @@ TEST(FragmentSurfaces, AreThePartsOfTheSurfaceWhereNothingCracks) {
 TEST(FragmentSurfaces, DoNotReachAcrossGaps) {
     const TriangleMesh mesh = shapes::uShape(0.1, 0.015, 0.6, 0.2);
     const Discretisation solid = particlesOnly(mesh, 0.05);
-    const auto fragments = cut(mesh, solid, labelled(solid, 4, [](const Vec3& x) { return (x.x() > 0.107) + 2 * (x.z() > 0.3 + 0.1 * (x.x() > 0.107)); }));
+    const auto fragments = cut(mesh, solid, labelled(solid, 4, [](const Vec3& x) {
+                                   return (x.x() > 0.107) + 2 * (x.z() > 0.3 + 0.1 * (x.x() > 0.107));
+                               }));
     ASSERT_EQ(fragments.pieces.size(), 4u);
     for (const FragmentSurface& piece : fragments.pieces) {
         const double upper = piece.label == 2 ? 0.3 : 0.2;
@@ -290,7 +341,8 @@ TEST(FragmentSurfaces, AreTheSameForTheSameSeedOnly) {
     const TriangleMesh mesh = shapes::icosphere(0.5, 3);
     const Discretisation solid = particlesOnly(mesh, 0.1);
     const FragmentLabels labels = randomClusters(solid, 6, 1);
-    const auto a = cut(mesh, solid, labels, 7), b = cut(mesh, solid, labels, 7), c = cut(mesh, solid, labels, 8);
+    const auto a = cut(mesh, solid, labels, 7), b = cut(mesh, solid, labels, 7),
+               c = cut(mesh, solid, labels, 8);
     ASSERT_EQ(a.pieces.size(), b.pieces.size());
     for (std::size_t p = 0; p < a.pieces.size(); ++p) {
         EXPECT_EQ(a.pieces[p].mesh.vertices, b.pieces[p].mesh.vertices);
@@ -308,7 +360,8 @@ TEST(FragmentSurfaces, ScaleWithTheBody) {
     const double scale = std::ldexp(1.0, -10);
     for (Vec3& v : mesh.vertices) v *= scale;
     solid.spacing *= scale;
-    for (Particle& p : solid.particles) p.position *= scale, p.spacing *= scale, p.volume *= scale * scale * scale;
+    for (Particle& p : solid.particles)
+        p.position *= scale, p.spacing *= scale, p.volume *= scale * scale * scale;
     const auto small = cut(mesh, solid, labels);
     ASSERT_EQ(small.pieces.size(), large.pieces.size());
     for (std::size_t p = 0; p < small.pieces.size(); ++p) {
@@ -331,7 +384,8 @@ TEST(FragmentSurfaces, SayWhatIsWrongWithTheInput) {
     const FragmentLabels labels = randomClusters(solid, 3, 1);
     FragmentLabels wrong = labels;
     wrong.of_particle.pop_back();
-    EXPECT_EQ(cutFragments(mesh, solid, wrong, 1).error(), "There is not one fragment label for each particle.");
+    EXPECT_EQ(cutFragments(mesh, solid, wrong, 1).error(),
+              "There is not one fragment label for each particle.");
     wrong.of_particle.push_back(3);
     EXPECT_EQ(cutFragments(mesh, solid, wrong, 1).error(), "A fragment label is out of range.");
     EXPECT_EQ(cutFragments({}, solid, labels, 1).error(), "The surface to be cut has no triangles.");

@@ -19,7 +19,8 @@ std::string faultOf(const TriangleMesh& mesh) {
     for (const Vec3& v : mesh.vertices) surface.add_vertex({v.x(), v.y(), v.z()});
     std::set<std::array<int, 3>> seen;
     for (std::array<int, 3> t : mesh.triangles) {
-        const auto face = surface.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
+        const auto face =
+            surface.add_face(Mesh::Vertex_index(t[0]), Mesh::Vertex_index(t[1]), Mesh::Vertex_index(t[2]));
         if (face == Mesh::null_face()) return "not manifold";
         std::sort(t.begin(), t.end());
         if (!seen.insert(t).second) return "doubled triangle";
@@ -29,7 +30,8 @@ std::string faultOf(const TriangleMesh& mesh) {
     for (const auto face : surface.faces())
         if (pmp::is_degenerate_triangle_face(face, surface)) return "triangle without area";
     if (pmp::does_self_intersect(surface)) return "self-intersecting";
-    return pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface) ? "" : "not oriented outward";
+    return pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface) ? ""
+                                                                                  : "not oriented outward";
 }
 
 }  // namespace sherd::fragment_support

@@ -25,7 +25,8 @@ TEST(FreeBody, InertiaReliefLeavesNoResidual) {
 TEST(FreeBody, PulledRodCarriesItsOwnInertia) {
     const double length = 2, side = 0.2, force = 100;
     const auto solid = sampled(shapes::box({0, 0, 0}, {length, side, side}), 0.1);
-    const auto loads = spreadOverSurface(*solid, {force, 0, 0}, [&](const Vec3&, const Vec3& n) { return n.x() > 0.9; });
+    const auto loads =
+        spreadOverSurface(*solid, {force, 0, 0}, [&](const Vec3&, const Vec3& n) { return n.x() > 0.9; });
     const StressField field = valueOf(build(solid, elasticMaterial(), galerkin_gmls).solve(loads));
     for (size_t i = 0; i < solid->particles.size(); ++i) {
         const double along = solid->particles[i].position.x() / length;
@@ -66,7 +67,9 @@ TEST(FreeBody, PartsAreBalancedOneByOne) {
 TEST(FreeBody, OneParticle) {
     const auto solid = sampled(shapes::slab({1, 1, 1}), 1.0);
     ASSERT_EQ(solid->particles.size(), 1u);
-    const auto squeeze = [](const Vec3&, const Vec3& normal) { return Vec3(-1e6 * normal.z() * Vec3::UnitZ()); };
+    const auto squeeze = [](const Vec3&, const Vec3& normal) {
+        return Vec3(-1e6 * normal.z() * Vec3::UnitZ());
+    };
     const StressField gmls = valueOf(build(solid, elasticMaterial(), galerkin_gmls).solveTraction(squeeze));
     EXPECT_NEAR(gmls.particles[0][2], -1e6, 1);
     const StressField mls = valueOf(build(solid, elasticMaterial(), galerkin_mls).solveTraction(squeeze));
@@ -80,7 +83,8 @@ TEST(FreeBody, WrongInputGetsASentence) {
     EXPECT_FALSE(StressSolver::build(solid, elasticMaterial(0), galerkin_gmls).ok());
     EXPECT_FALSE(StressSolver::build(solid, elasticMaterial(NAN), galerkin_gmls).ok());
     const auto mixed = form(TestFunction::heaviside, TrialFunction::gmls);
-    EXPECT_NE(StressSolver::build(solid, elasticMaterial(), mixed).error().find("heaviside with mls"), std::string::npos);
+    EXPECT_NE(StressSolver::build(solid, elasticMaterial(), mixed).error().find("heaviside with mls"),
+              std::string::npos);
     const StressSolver solver = build(solid, elasticMaterial(), galerkin_gmls);
     EXPECT_FALSE(solver.solve({{{0, 0, 0}, {NAN, 0, 0}}}).ok());
     EXPECT_FALSE(solver.solve({{{0, 0, 9}, {1, 0, 0}}}).ok());

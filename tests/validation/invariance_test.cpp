@@ -70,7 +70,8 @@ Discretisation carried(Discretisation solid, const Mat3& rotation, const Vec3& o
 
 TEST(Invariance, ParticleOrderAndRigidMotion) {
     const auto solid = sampled(shapes::slab(size), 0.1);
-    const std::vector<PointForce> loads = {{{0.22, 0.11, 0.1}, {10, 0, -100}}, {{-0.13, 0.02, 0.1}, {0, 5, -50}}};
+    const std::vector<PointForce> loads = {{{0.22, 0.11, 0.1}, {10, 0, -100}},
+                                           {{-0.13, 0.02, 0.1}, {0, 5, -50}}};
     const Mat3 rotation = someRotation();
     const Vec3 offset(3, -5, 7);
     std::vector<PointForce> carried_loads = loads;
@@ -78,15 +79,17 @@ TEST(Invariance, ParticleOrderAndRigidMotion) {
 
     for (const StressSettings& settings : {galerkin_gmls, galerkin_mls, heaviside_mls}) {
         const StressField field = valueOf(build(solid, elasticMaterial(), settings).solve(loads));
-        StressField other = valueOf(
-            build(std::make_shared<Discretisation>(reversed(*solid)), elasticMaterial(), settings).solve(loads));
+        StressField other =
+            valueOf(build(std::make_shared<Discretisation>(reversed(*solid)), elasticMaterial(), settings)
+                        .solve(loads));
         std::reverse(other.particles.begin(), other.particles.end());
         EXPECT_LT(largestDifference(field.particles, other.particles, 1), 1e-8);
 
-        other = valueOf(build(std::make_shared<Discretisation>(carried(*solid, rotation, offset)), elasticMaterial(),
-                              settings)
+        other = valueOf(build(std::make_shared<Discretisation>(carried(*solid, rotation, offset)),
+                              elasticMaterial(), settings)
                             .solve(carried_loads));
-        for (Voigt& stress : other.particles) stress = toVoigt(rotation.transpose() * toMatrix(stress) * rotation);
+        for (Voigt& stress : other.particles)
+            stress = toVoigt(rotation.transpose() * toMatrix(stress) * rotation);
         EXPECT_LT(largestDifference(field.particles, other.particles, 1), 1e-8);
     }
 }

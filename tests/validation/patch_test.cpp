@@ -3,8 +3,8 @@
 namespace sherd::validation {
 namespace {
 
-// sigma = const solves the equations without body force, with u linear. A form that passes gives it back to rounding on
-// any particles in any solid.
+// sigma = const solves the equations without body force, with u linear. A form that passes gives it back to
+// rounding on any particles in any solid.
 const Mat3 gradient = (Mat3() << 1, 2, -0.5, 0.3, -1, 0.7, 0.2, 0.4, 0.6).finished() * 1e-4;
 
 std::vector<TriangleMesh> cutSolids() {
@@ -19,33 +19,41 @@ void expectPatch(const StressSettings& settings, double spacing) {
         const auto solid = sampled(mesh, spacing);
         jitter(*solid, 0.15);
         const StressSolver solver = build(solid, material, settings);
-        const StressField field =
-            valueOf(solver.solveTraction([&](const Vec3&, const Vec3& normal) { return Vec3(stress * normal); }));
+        const StressField field = valueOf(
+            solver.solveTraction([&](const Vec3&, const Vec3& normal) { return Vec3(stress * normal); }));
         EXPECT_LT(largestError(field.particles, stress), 1e-8);
         EXPECT_LT(largestError(field.surface, stress), 1e-8);
         EXPECT_LT(field.residual_rel, 1e-10);
     }
 }
 
-TEST(Patch, GalerkinGmls) { expectPatch(galerkin_gmls, 0.12); }
-TEST(Patch, GalerkinMls) { expectPatch(galerkin_mls, 0.1); }
+TEST(Patch, GalerkinGmls) {
+    expectPatch(galerkin_gmls, 0.12);
+}
+TEST(Patch, GalerkinMls) {
+    expectPatch(galerkin_mls, 0.1);
+}
 TEST(Patch, GalerkinQuadraticMls) {
     expectPatch(form(TestFunction::galerkin, TrialFunction::mls, Basis::quadratic), 0.1);
 }
 
 // On a linear field even the flux form is exact: one point a face integrates a constant stress.
-TEST(Patch, HeavisideMls) { expectPatch(heaviside_mls, 0.1); }
+TEST(Patch, HeavisideMls) {
+    expectPatch(heaviside_mls, 0.1);
+}
 
-// The displacement field need not come from a solve: sampled at the particles, a linear one has the exact stress.
+// The displacement field need not come from a solve: sampled at the particles, a linear one has the exact
+// stress.
 TEST(Patch, StressOfALinearField) {
     const Material material = elasticMaterial();
     const Mat3 stress = Elasticity(material).stress(gradient);
     for (const StressSettings& settings : {galerkin_gmls, galerkin_mls, heaviside_mls}) {
         const auto solid = sampled(shapes::icosphere(0.5, 3), 0.12);
         jitter(*solid, 0.15);
-        const StressField field = build(solid, material, settings)
-                                      .stressOf([](const Vec3& x) { return Vec3(gradient * x + Vec3(1, 2, 3)); },
-                                                [](const Vec3&) { return gradient; });
+        const StressField field =
+            build(solid, material, settings)
+                .stressOf([](const Vec3& x) { return Vec3(gradient * x + Vec3(1, 2, 3)); },
+                          [](const Vec3&) { return gradient; });
         EXPECT_LT(largestError(field.particles, stress), 1e-8);
         EXPECT_LT(largestError(field.surface, stress), 1e-8);
     }
@@ -56,9 +64,10 @@ TEST(Patch, RigidMotionMakesNoStress) {
     const Material material = elasticMaterial();
     for (const StressSettings& settings : {galerkin_gmls, galerkin_mls, heaviside_mls})
         for (const TriangleMesh& mesh : cutSolids()) {
-            const StressField field = build(sampled(mesh, 0.12), material, settings)
-                                          .stressOf([&](const Vec3& x) { return Vec3(rotation * x + Vec3(5, -7, 9)); },
-                                                    [&](const Vec3&) { return rotation; });
+            const StressField field =
+                build(sampled(mesh, 0.12), material, settings)
+                    .stressOf([&](const Vec3& x) { return Vec3(rotation * x + Vec3(5, -7, 9)); },
+                              [&](const Vec3&) { return rotation; });
             for (const std::vector<Voigt>* stresses : {&field.particles, &field.surface})
                 for (const Voigt& stress : *stresses)
                     ASSERT_LT(stress.norm(), 1e-9 * material.youngs_modulus_pa * rotation.norm());

@@ -35,7 +35,8 @@ inline const StressSettings galerkin_gmls = form(TestFunction::galerkin, TrialFu
 inline const StressSettings galerkin_mls = form(TestFunction::galerkin, TrialFunction::mls);
 inline const StressSettings heaviside_mls = form(TestFunction::heaviside, TrialFunction::mls);
 
-inline std::shared_ptr<Discretisation> sampled(const TriangleMesh& mesh, double spacing, int cells_per_spacing = 2) {
+inline std::shared_ptr<Discretisation> sampled(const TriangleMesh& mesh, double spacing,
+                                               int cells_per_spacing = 2) {
     SamplingSettings settings;
     settings.cells_per_spacing = cells_per_spacing;
     Result<Discretisation> result = sampleSolid(mesh, spacing, settings);
@@ -79,8 +80,9 @@ inline double largestError(const std::vector<Voigt>& stresses, const Mat3& expec
 }
 
 /// Loads that spread a force evenly over the surface points that `chosen` admits, by their area.
-inline std::vector<PointForce> spreadOverSurface(const Discretisation& solid, const Vec3& force,
-                                                 const std::function<bool(const Vec3&, const Vec3& normal)>& chosen) {
+inline std::vector<PointForce> spreadOverSurface(
+    const Discretisation& solid, const Vec3& force,
+    const std::function<bool(const Vec3&, const Vec3& normal)>& chosen) {
     std::vector<PointForce> loads;
     double total = 0;
     for (const SurfacePoint& point : solid.surface_points) {

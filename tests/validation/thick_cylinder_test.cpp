@@ -13,10 +13,12 @@ struct Errors {
 Errors lameErrors(const StressSettings& settings, double spacing) {
     const auto solid = sampled(shapes::tube(outer, inner, 0.2, 96), spacing);
     const StressField field =
-        valueOf(build(solid, elasticMaterial(5e9, 0.43), settings).solveTraction([](const Vec3& x, const Vec3& normal) {
-            return x.head<2>().norm() < (inner + outer) / 2 && std::abs(normal.z()) < 0.5 ? Vec3(-pressure * normal)
-                                                                                         : Vec3(Vec3::Zero());
-        }));
+        valueOf(build(solid, elasticMaterial(5e9, 0.43), settings)
+                    .solveTraction([](const Vec3& x, const Vec3& normal) {
+                        return x.head<2>().norm() < (inner + outer) / 2 && std::abs(normal.z()) < 0.5
+                                   ? Vec3(-pressure * normal)
+                                   : Vec3(Vec3::Zero());
+                    }));
     double error[2] = {0, 0}, norm[2] = {0, 0};
     const auto compare = [&](int kind, const Vec3& x, const Voigt& stress) {
         const double radius = std::max(inner, x.head<2>().norm());
@@ -25,7 +27,8 @@ Errors lameErrors(const StressSettings& settings, double spacing) {
         error[kind] += std::pow(largestPrincipal(stress) - hoop, 2);
         norm[kind] += hoop * hoop;
     };
-    for (size_t i = 0; i < solid->particles.size(); ++i) compare(0, solid->particles[i].position, field.particles[i]);
+    for (size_t i = 0; i < solid->particles.size(); ++i)
+        compare(0, solid->particles[i].position, field.particles[i]);
     for (size_t i = 0; i < solid->surface_points.size(); ++i)
         compare(1, solid->surface_points[i].position, field.surface[i]);
     return {std::sqrt(error[0] / norm[0]), std::sqrt(error[1] / norm[1])};

@@ -1,7 +1,7 @@
+#include <cholmod.h>
+
 #include <cmath>
 #include <mutex>
-
-#include <cholmod.h>
 
 #include "core/linear_algebra/sparse_solver.h"
 
@@ -12,7 +12,8 @@ constexpr double smallest_reciprocal_condition = 1e-15;
 constexpr double diagonal_shift = 1e-11;
 
 /// CHOLMOD's view of a matrix whose arrays live elsewhere.
-cholmod_sparse viewOf(int size, const std::vector<int>& starts, const std::vector<int>& indices, const double* values) {
+cholmod_sparse viewOf(int size, const std::vector<int>& starts, const std::vector<int>& indices,
+                      const double* values) {
     cholmod_sparse view{};
     view.nrow = view.ncol = static_cast<size_t>(size);
     view.nzmax = indices.size();
@@ -79,13 +80,16 @@ class CholeskySolver : public SparseSolver {
         shift_ = diagonal_shift;
         for (int attempt = 0; attempt < 3; ++attempt, shift_ *= 100)
             if (tryFactor(matrix, shift_ * meanDiagonal(lower))) return success();
-        return Error{"The stiffness matrix is singular beyond repair; try another particle spacing or support radius."};
+        return Error{
+            "The stiffness matrix is singular beyond repair; try another particle spacing or support "
+            "radius."};
     }
 
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override {
         const std::lock_guard<std::mutex> lock(mutex_);
         cholmod_dense right = viewOf(b);
-        if (!cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &work_a_, &work_b_, &common_))
+        if (!cholmod_solve2(CHOLMOD_A, factor_, &right, nullptr, &solution_, nullptr, &work_a_, &work_b_,
+                            &common_))
             return false;
         x = Eigen::Map<const Eigen::VectorXd>(static_cast<const double*>(solution_->x), b.size());
         return true;

@@ -1,7 +1,7 @@
+#include <umfpack.h>
+
 #include <mutex>
 #include <utility>
-
-#include <umfpack.h>
 
 #include "core/linear_algebra/sparse_solver.h"
 
@@ -10,7 +10,9 @@ namespace {
 
 class LuSolver : public SparseSolver {
   public:
-    explicit LuSolver(std::shared_ptr<const SparseMatrix> rows) : matrix_(std::move(rows)) { umfpack_di_defaults(control_); }
+    explicit LuSolver(std::shared_ptr<const SparseMatrix> rows) : matrix_(std::move(rows)) {
+        umfpack_di_defaults(control_);
+    }
 
     ~LuSolver() override { umfpack_di_free_numeric(&numeric_); }
 
@@ -22,13 +24,15 @@ class LuSolver : public SparseSolver {
         const int* starts = matrix_->starts.data();
         const int* indices = matrix_->indices.data();
         const double* values = matrix_->values.data();
-        int status = umfpack_di_symbolic(matrix_->size, matrix_->size, starts, indices, values, &symbolic, control_, info_);
+        int status = umfpack_di_symbolic(matrix_->size, matrix_->size, starts, indices, values, &symbolic,
+                                         control_, info_);
         if (status == UMFPACK_OK)
             status = umfpack_di_numeric(starts, indices, values, symbolic, &numeric_, control_, info_);
         umfpack_di_free_symbolic(&symbolic);
         if (status == UMFPACK_WARNING_singular_matrix)
             return Error{
-                "The stiffness matrix is singular; use galerkin test functions, or another particle spacing or support "
+                "The stiffness matrix is singular; use galerkin test functions, or another particle spacing "
+                "or support "
                 "radius."};
         if (status != UMFPACK_OK)
             return Error{"The stiffness matrix could not be factored; is there enough memory?"};
@@ -40,8 +44,9 @@ class LuSolver : public SparseSolver {
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override {
         const std::lock_guard<std::mutex> lock(mutex_);
         x.resize(b.size());
-        return umfpack_di_solve(UMFPACK_At, matrix_->starts.data(), matrix_->indices.data(), matrix_->values.data(),
-                                x.data(), b.data(), numeric_, control_, info_) == UMFPACK_OK;
+        return umfpack_di_solve(UMFPACK_At, matrix_->starts.data(), matrix_->indices.data(),
+                                matrix_->values.data(), x.data(), b.data(), numeric_, control_,
+                                info_) == UMFPACK_OK;
     }
 
     long long factorEntries() const override { return entries_; }
@@ -61,7 +66,8 @@ class LuSolver : public SparseSolver {
 Eigen::VectorXd product(const SparseMatrix& rows, const Eigen::VectorXd& x) {
     Eigen::VectorXd result = Eigen::VectorXd::Zero(rows.size);
     for (int row = 0; row < rows.size; ++row)
-        for (int k = rows.starts[row]; k < rows.starts[row + 1]; ++k) result[row] += rows.values[k] * x[rows.indices[k]];
+        for (int k = rows.starts[row]; k < rows.starts[row + 1]; ++k)
+            result[row] += rows.values[k] * x[rows.indices[k]];
     return result;
 }
 

@@ -4,9 +4,9 @@
 
 namespace sherd {
 
-/// Runs work(0) ... work(count - 1) on the machine's cores. Which thread runs a chunk is left to chance, so a chunk must
-/// write only what is its own; then the result does not depend on the number of threads.
-/// The first exception that a chunk throws is thrown again here, after all threads have ended.
+/// Runs work(0) ... work(count - 1) on the machine's cores. Which thread runs a chunk is left to chance, so a
+/// chunk must write only what is its own; then the result does not depend on the number of threads. The first
+/// exception that a chunk throws is thrown again here, after all threads have ended.
 void forEachChunk(int count, const std::function<void(int)>& work);
 
 /// First item of a chunk when `total` items are split into `count` chunks of nearly equal size.

@@ -68,7 +68,8 @@ CellBoundaries cellBoundaries(const Discretisation& solid) {
     for (const IntegrationFace& face : solid.faces)
         for (int cell : face.cells) ++boundaries.starts[cell + 1];
     for (const SurfacePoint& point : solid.surface_points) ++boundaries.starts[point.cell + 1];
-    for (size_t cell = 0; cell < solid.cells.size(); ++cell) boundaries.starts[cell + 1] += boundaries.starts[cell];
+    for (size_t cell = 0; cell < solid.cells.size(); ++cell)
+        boundaries.starts[cell + 1] += boundaries.starts[cell];
 
     boundaries.points.resize(boundaries.starts.back());
     std::vector<int> next(boundaries.starts.begin(), boundaries.starts.end() - 1);
@@ -77,7 +78,8 @@ CellBoundaries cellBoundaries(const Discretisation& solid) {
         boundaries.points[next[face.cells[0]]++] = {number, 1.0};
         boundaries.points[next[face.cells[1]]++] = {number++, -1.0};
     }
-    for (const SurfacePoint& point : solid.surface_points) boundaries.points[next[point.cell]++] = {number++, 1.0};
+    for (const SurfacePoint& point : solid.surface_points)
+        boundaries.points[next[point.cell]++] = {number++, 1.0};
     return boundaries;
 }
 
@@ -136,7 +138,8 @@ CellGradients joined(std::vector<CellGradients> parts, int functions, const std:
 
 }  // namespace
 
-CellGradients smoothedGradients(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space) {
+CellGradients smoothedGradients(const Discretisation& solid, const SupportGraph& supports,
+                                const TrialSpace& space) {
     const QuadraturePoints points{solid};
     const std::vector<ShapeTable> tables = evaluateShapes(points, supports, space);
     const CellBoundaries boundaries = cellBoundaries(solid);
@@ -152,8 +155,8 @@ CellGradients smoothedGradients(const Discretisation& solid, const SupportGraph&
                 const auto [point, sign] = boundaries.points[n];
                 int table = static_cast<int>(static_cast<long long>(point) * chunk_count / points.count());
                 while (table + 1 < chunk_count && tables[table + 1].first_point <= point) ++table;
-                const Vec3& area =
-                    point < face_count ? solid.faces[point].area : solid.surface_points[point - face_count].area;
+                const Vec3& area = point < face_count ? solid.faces[point].area
+                                                      : solid.surface_points[point - face_count].area;
                 sum.add(tables[table], point, sign * area);
             }
             sum.moveTo(parts[chunk], solid.cells[cell].moments.volume);
@@ -174,7 +177,8 @@ std::vector<Mat3> displacementGradients(const CellGradients& cells, const Eigen:
                 const double* unknown = u.data() + 3L * functions * cells.particles[n];
                 const double* gradient = cells.gradients.data() + 3L * functions * n;
                 for (int k = 0; k < 3 * functions; k += 3)
-                    sum += Eigen::Map<const Vec3>(unknown + k) * Eigen::Map<const Vec3>(gradient + k).transpose();
+                    sum += Eigen::Map<const Vec3>(unknown + k) *
+                           Eigen::Map<const Vec3>(gradient + k).transpose();
             }
             result[cell] = sum;
         }
@@ -182,8 +186,8 @@ std::vector<Mat3> displacementGradients(const CellGradients& cells, const Eigen:
     return result;
 }
 
-Eigen::VectorXd internalForces(const Discretisation& solid, const CellGradients& cells, const std::vector<Mat3>& stresses,
-                               long unknowns) {
+Eigen::VectorXd internalForces(const Discretisation& solid, const CellGradients& cells,
+                               const std::vector<Mat3>& stresses, long unknowns) {
     constexpr int parts = 4;  // fixed, so that sums do not depend on the number of threads
     const int cell_count = static_cast<int>(cells.starts.size()) - 1;
     std::vector<Eigen::VectorXd> forces(parts);

@@ -10,7 +10,8 @@ namespace {
 
 constexpr int chunk_count = 32;
 
-// Columns of this many particles are multiplied at a time: what lies above the diagonal blocks is wasted, and stays small.
+// Columns of this many particles are multiplied at a time: what lies above the diagonal blocks is wasted, and
+// stays small.
 constexpr int strip_width = 4;
 
 /// Per sub-domain the particles whose functions reach it, sorted, and the inverse of that table.
@@ -35,7 +36,8 @@ Reach findReach(const Discretisation& solid, const CellGradients& cells) {
     return reach;
 }
 
-/// Per particle b the particles a >= b that share a sub-domain with it, sorted: the block pattern of K's lower half.
+/// Per particle b the particles a >= b that share a sub-domain with it, sorted: the block pattern of K's
+/// lower half.
 std::vector<std::vector<int>> blockPattern(const Reach& reach) {
     std::vector<std::vector<int>> rows(reach.particles_of.size());
     std::vector<int> seen(reach.particles_of.size(), -1);
@@ -69,13 +71,19 @@ SparseMatrix allocate(const std::vector<std::vector<int>>& pattern, int block) {
     return matrix;
 }
 
-/// Adds up the Gram matrix A_ab = sum_c V_c g_ca g_cb^T, which knows no material, for a range of block columns.
+/// Adds up the Gram matrix A_ab = sum_c V_c g_ca g_cb^T, which knows no material, for a range of block
+/// columns.
 class GramAssembly {
   public:
     GramAssembly(const Discretisation& solid, const CellGradients& cells, const Reach& reach,
                  const std::vector<std::vector<int>>& pattern, SparseMatrix& matrix)
-        : solid_(solid), cells_(cells), reach_(reach), pattern_(pattern), matrix_(matrix),
-          block_(3 * cells.functions_per_particle), place_(solid.particles.size(), 0) {}
+        : solid_(solid),
+          cells_(cells),
+          reach_(reach),
+          pattern_(pattern),
+          matrix_(matrix),
+          block_(3 * cells.functions_per_particle),
+          place_(solid.particles.size(), 0) {}
 
     void addColumns(int begin, int end) {
         std::vector<int> subdomains;
@@ -95,7 +103,8 @@ class GramAssembly {
     }
 
   private:
-    /// Row c of `scaled_` is sqrt(V_c) g_c of the sub-domain's cell c, over all functions that reach the sub-domain.
+    /// Row c of `scaled_` is sqrt(V_c) g_c of the sub-domain's cell c, over all functions that reach the
+    /// sub-domain.
     void gather(int subdomain, const std::vector<int>& local) {
         const std::vector<int>& subdomain_cells = solid_.particle_cells[subdomain];
         scaled_.setZero(static_cast<long>(subdomain_cells.size()), static_cast<long>(local.size()) * block_);
@@ -127,7 +136,8 @@ class GramAssembly {
         for (size_t n = column; n < local.size(); ++n) {
             while (rows[position] != local[n]) ++position;
             for (int k = 0; k < block_; ++k) {
-                double* target = matrix_.values.data() + matrix_.starts[local[column] * block_ + k] + position * block_;
+                double* target =
+                    matrix_.values.data() + matrix_.starts[local[column] * block_ + k] + position * block_;
                 const double* source = &product_((static_cast<long>(n) - strip_begin) * block_,
                                                  (column - strip_begin) * block_ + k);
                 for (int i = 0; i < block_; ++i) target[i] += source[i];
@@ -161,7 +171,8 @@ void applyElasticity(SparseMatrix& matrix, const Elasticity& elasticity, int beg
 
 }  // namespace
 
-SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells, const Elasticity& elasticity) {
+SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
+                               const Elasticity& elasticity) {
     const Reach reach = findReach(solid, cells);
     const std::vector<std::vector<int>> pattern = blockPattern(reach);
     const int block = 3 * cells.functions_per_particle;

@@ -11,7 +11,8 @@ using BlockRows = std::vector<std::vector<std::pair<int, Mat3>>>;
 
 /// Force on unit displacement of function b through area A: sigma(phi_b e_j) A, column j.
 Mat3 traction(const Vec3& gradient, const Vec3& area, const Elasticity& elasticity) {
-    return elasticity.lambda_pa * area * gradient.transpose() + elasticity.mu_pa * gradient * area.transpose() +
+    return elasticity.lambda_pa * area * gradient.transpose() +
+           elasticity.mu_pa * gradient * area.transpose() +
            elasticity.mu_pa * gradient.dot(area) * Mat3::Identity();
 }
 
@@ -56,8 +57,9 @@ double borderScale(const BlockRows& rows) {
 
 }  // namespace
 
-HeavisideStiffness heavisideStiffness(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space,
-                                      const Elasticity& elasticity, const RigidMotions& motions) {
+HeavisideStiffness heavisideStiffness(const Discretisation& solid, const SupportGraph& supports,
+                                      const TrialSpace& space, const Elasticity& elasticity,
+                                      const RigidMotions& motions) {
     HeavisideStiffness result;
     ShapeEvaluator evaluator(solid, supports, space);
     const BlockRows rows = assembleBlocks(solid, evaluator, elasticity, result.evaluations);
@@ -65,7 +67,8 @@ HeavisideStiffness heavisideStiffness(const Discretisation& solid, const Support
     SparseMatrix& matrix = result.matrix;
     const int unknowns = 3 * static_cast<int>(rows.size());
     double mean_volume = 0;
-    for (const Particle& particle : solid.particles) mean_volume += particle.volume / static_cast<double>(rows.size());
+    for (const Particle& particle : solid.particles)
+        mean_volume += particle.volume / static_cast<double>(rows.size());
     const double scale = borderScale(rows) / mean_volume;
     const auto border = [&](int unknown, int motion) {
         return scale * solid.particles[unknown / 3].volume * motions.coefficients(unknown, motion);

@@ -29,8 +29,9 @@ CellLoads integrate(const Discretisation& solid, int cell, const RigidMotions& m
 
 }  // namespace
 
-InertiaRelief InertiaRelief::galerkin(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space,
-                                      const CellGradients& cells, const RigidMotions& motions) {
+InertiaRelief InertiaRelief::galerkin(const Discretisation& solid, const SupportGraph& supports,
+                                      const TrialSpace& space, const CellGradients& cells,
+                                      const RigidMotions& motions) {
     InertiaRelief relief;
     relief.forces_.setZero(motions.coefficients.rows(), 6);
     ShapeEvaluator evaluator(solid, supports, space);
@@ -44,7 +45,8 @@ InertiaRelief InertiaRelief::galerkin(const Discretisation& solid, const Support
             const auto gradients = cells.ofCell(cell);
             for (int n = cells.starts[cell]; n < cells.starts[cell + 1]; ++n)
                 for (int k = 0; k < functions; ++k) {
-                    const Vec3 gradient = gradients.col(static_cast<long>(n - cells.starts[cell]) * functions + k);
+                    const Vec3 gradient =
+                        gradients.col(static_cast<long>(n - cells.starts[cell]) * functions + k);
                     const long row = 3L * (static_cast<long>(cells.particles[n]) * functions + k);
                     for (int motion = 0; motion < 6; ++motion)
                         relief.forces_.block<3, 1>(row, motion) += loads.first_moment[motion] * gradient;
@@ -52,7 +54,8 @@ InertiaRelief InertiaRelief::galerkin(const Discretisation& solid, const Support
         }
         evaluator.evaluate(solid.particles[particle].position, particle, false, shapes);
         for (size_t n = 0; n < shapes.values.size(); ++n) {
-            const long function = static_cast<long>(shapes.particles[n / functions]) * functions + n % functions;
+            const long function =
+                static_cast<long>(shapes.particles[n / functions]) * functions + n % functions;
             relief.forces_.middleRows<3>(3 * function) += shapes.values[n] * total;
         }
     }
@@ -81,18 +84,21 @@ InertiaRelief InertiaRelief::heaviside(const Discretisation& solid, const RigidM
         for (int j = 0; j < 3; ++j) {
             const Eigen::Matrix<double, 3, 6> slope = motions.at(position + Vec3::Unit(j), component) - here;
             for (int motion = 0; motion < 6; ++motion)
-                relief.masses_[component].col(motion) += slope.transpose() * loads.first_moment[motion].col(j);
+                relief.masses_[component].col(motion) +=
+                    slope.transpose() * loads.first_moment[motion].col(j);
         }
     }
     return relief;
 }
 
-void InertiaRelief::balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+void InertiaRelief::balance(Eigen::VectorXd& forces,
+                            const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
                             const RigidMotions& motions) const {
     Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration(6, resultants.cols());
     for (long component = 0; component < resultants.cols(); ++component)
         acceleration.col(component) =
-            masses_[static_cast<size_t>(component)].completeOrthogonalDecomposition().solve(-resultants.col(component));
+            masses_[static_cast<size_t>(component)].completeOrthogonalDecomposition().solve(
+                -resultants.col(component));
     for (long unknown = 0; unknown < forces.size(); ++unknown)
         forces[unknown] += forces_.row(unknown).dot(acceleration.col(motions.componentOfUnknown(unknown)));
 }

@@ -5,29 +5,34 @@
 
 namespace sherd {
 
-/// Balances the loads of a free body by rigid acceleration, b(x) = -rho (a + alpha x r), each connected component by
-/// itself. The body forces are integrated with the quadrature that builds K, cell by cell with its second moment, so
-/// that net force and moment vanish to rounding.
+/// Balances the loads of a free body by rigid acceleration, b(x) = -rho (a + alpha x r), each connected
+/// component by itself. The body forces are integrated with the quadrature that builds K, cell by cell with
+/// its second moment, so that net force and moment vanish to rounding.
 class InertiaRelief {
   public:
     /// Galerkin: f_a = sum over sub-domains P of phi_a(x_P) int_P b + sum_c g_ca . int_c b (x - x_P)^T.
-    static InertiaRelief galerkin(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space,
-                                  const CellGradients& cells, const RigidMotions& motions);
+    static InertiaRelief galerkin(const Discretisation& solid, const SupportGraph& supports,
+                                  const TrialSpace& space, const CellGradients& cells,
+                                  const RigidMotions& motions);
 
     /// Heaviside: the rows of sub-domain P get int_P b.
     static InertiaRelief heaviside(const Discretisation& solid, const RigidMotions& motions);
 
     /// Resultants of the six forces of a component, 6 x 6: its mass matrix at unit density.
-    const Eigen::Matrix<double, 6, 6>& mass(int component) const { return masses_[static_cast<size_t>(component)]; }
+    const Eigen::Matrix<double, 6, 6>& mass(int component) const {
+        return masses_[static_cast<size_t>(component)];
+    }
 
-    /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances them.
+    /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances
+    /// them.
     void balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
                  const RigidMotions& motions) const;
 
   private:
     using Mat6 = Eigen::Matrix<double, 6, 6>;
-    Eigen::Matrix<double, Eigen::Dynamic, 6> forces_;  // #unknowns x 6: of unit density times each rigid motion
-    std::vector<Mat6> masses_;                         // per component: their resultants
+    Eigen::Matrix<double, Eigen::Dynamic, 6>
+        forces_;                // #unknowns x 6: of unit density times each rigid motion
+    std::vector<Mat6> masses_;  // per component: their resultants
 };
 
 }  // namespace sherd

@@ -30,7 +30,8 @@ std::vector<Moments> componentMoments(const Discretisation& solid, const Compone
 }  // namespace
 
 RigidMotions::RigidMotions(const Discretisation& solid, const TrialSpace& space)
-    : components(connectedComponents(solid)), moments(componentMoments(solid, components)),
+    : components(connectedComponents(solid)),
+      moments(componentMoments(solid, components)),
       unknowns_per_particle(space.unknownsPerParticle()) {
     for (const Moments& m : moments) size.push_back(std::sqrt(m.second.trace() / m.volume));
     coefficients.setZero(static_cast<long>(solid.particles.size()) * unknowns_per_particle, 6);
@@ -70,7 +71,8 @@ std::vector<int> unknownsToPin(const RigidMotions& motions) {
         std::vector<long> best(motions.components.count, -1);
         for (long unknown = 0; unknown < rest.rows(); ++unknown) {
             long& leader = best[motions.componentOfUnknown(unknown)];
-            if (leader < 0 || rest.row(unknown).squaredNorm() > rest.row(leader).squaredNorm()) leader = unknown;
+            if (leader < 0 || rest.row(unknown).squaredNorm() > rest.row(leader).squaredNorm())
+                leader = unknown;
         }
         std::vector<Eigen::Matrix<double, 6, 1>> directions(best.size(), Eigen::Matrix<double, 6, 1>::Zero());
         for (size_t component = 0; component < best.size(); ++component) {

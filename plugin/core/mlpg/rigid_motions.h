@@ -1,20 +1,20 @@
 #pragma once
 
-#include <vector>
-
 #include <Eigen/Dense>
+#include <vector>
 
 #include "core/mls/shape_functions.h"
 
 namespace sherd {
 
-/// The six rigid motions of every connected component: three translations, and three rotations about the component's
-/// centre of mass divided by its size, so that all six move points by about as much.
+/// The six rigid motions of every connected component: three translations, and three rotations about the
+/// component's centre of mass divided by its size, so that all six move points by about as much.
 struct RigidMotions {
     Components components;
     std::vector<Moments> moments;  ///< per component
     std::vector<double> size;      ///< per component: the length that rotations are divided by, m
-    Eigen::Matrix<double, Eigen::Dynamic, 6> coefficients;  ///< #unknowns x 6: the unknowns of each motion of the component
+    Eigen::Matrix<double, Eigen::Dynamic, 6>
+        coefficients;  ///< #unknowns x 6: the unknowns of each motion of the component
     int unknowns_per_particle = 0;
 
     RigidMotions(const Discretisation& solid, const TrialSpace& space);
@@ -30,8 +30,9 @@ struct RigidMotions {
     Eigen::Matrix<double, 6, Eigen::Dynamic> resultants(const Eigen::VectorXd& forces) const;
 };
 
-/// For each component up to six unknowns far apart; holding them at zero leaves no rigid motion (pivoted Gram-Schmidt on
-/// the rows of `coefficients`). Fewer than six where the unknowns cannot express all six motions.
+/// For each component up to six unknowns far apart; holding them at zero leaves no rigid motion (pivoted
+/// Gram-Schmidt on the rows of `coefficients`). Fewer than six where the unknowns cannot express all six
+/// motions.
 std::vector<int> unknownsToPin(const RigidMotions& motions);
 
 }  // namespace sherd

@@ -5,65 +5,12 @@
 #include <new>
 
 #include "core/mlpg/nearest_owner.h"
+#include "core/mlpg/stress_problem.h"
 #include "core/mlpg/weak_form.h"
 #include "core/stress/stress_recovery.h"
 #include "stopwatch.h"
 
 namespace sherd {
-namespace {
-
-Status checkInput(const Discretisation* solid, const Material& material, const StressSettings& settings) {
-    if (!solid || solid->particles.empty() || solid->cells.empty())
-        return Error{"The stress solver was given a solid without particles; sample it first."};
-    if (!(material.youngs_modulus_pa > 0) || !std::isfinite(material.youngs_modulus_pa))
-        return Error{"Young's modulus must be positive and finite."};
-    if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
-        return Error{"Poisson's ratio must be above -1 and below 0.5; for rubber-like material use 0.49."};
-    if (!(settings.support_radius >= 0 && settings.support_radius < 10))
-        return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
-    if (settings.test_function == TestFunction::heaviside && settings.trial_function == TrialFunction::gmls)
-        return Error{
-            "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: use "
-            "heaviside with mls, or gmls with galerkin test functions."};
-    return success();
-}
-
-double supportRadius(const StressSettings& settings) {
-    if (settings.support_radius > 0) return settings.support_radius;
-    if (settings.basis == Basis::quadratic) return 2.8;
-    return settings.trial_function == TrialFunction::gmls ? 1.4 : 2.2;
-}
-
-std::vector<std::string> trustWarnings(const StressProblem& problem, const Material& material) {
-    std::vector<std::string> warnings;
-    const auto count = [&](Evaluation state) {
-        return std::to_string(problem.cells.evaluations[static_cast<size_t>(state)]);
-    };
-    if (count(Evaluation::widened) != "0")
-        warnings.push_back("At " + count(Evaluation::widened) +
-                           " integration points the supports were widened to reach enough particles; if there are many, "
-                           "use a larger support radius.");
-    if (count(Evaluation::reduced) != "0")
-        warnings.push_back("At " + count(Evaluation::reduced) +
-                           " integration points the quadratic basis was replaced by the linear one for lack of "
-                           "particles; use a finer spacing or the linear basis.");
-    if (count(Evaluation::deficient) != "0")
-        warnings.push_back("At " + count(Evaluation::deficient) +
-                           " integration points the particles lie in one plane or line, so that bending there is lost; "
-                           "use gmls trial functions or a finer spacing.");
-    if (material.poisson_ratio > 0.45)
-        warnings.push_back(
-            "Poisson's ratio is near 0.5, where thin walls come out too stiff; use three particles across a wall.");
-    return warnings;
-}
-
-}  // namespace
-
-StressProblem::StressProblem(const Discretisation& sampled, const Material& material, const StressSettings& settings)
-    : solid(sampled), elasticity(material), space{settings.trial_function, settings.basis},
-      supports(sampled, supportRadius(settings)), motions(sampled, space),
-      cells(smoothedGradients(sampled, supports, space)) {}
-
 struct StressSolver::Impl {
     std::shared_ptr<const Discretisation> solid;
     StressProblem problem;
@@ -71,8 +18,11 @@ struct StressSolver::Impl {
     std::unique_ptr<WeakForm> form;
     StressSolverReport report;
 
-    Impl(std::shared_ptr<const Discretisation> sampled, const Material& material, const StressSettings& settings)
-        : solid(std::move(sampled)), problem(*solid, material, settings), recovery(*solid, problem.supports, supportRadius(settings)) {}
+    Impl(std::shared_ptr<const Discretisation> sampled, const Material& material,
+         const StressSettings& settings)
+        : solid(std::move(sampled)),
+          problem(*solid, material, settings),
+          recovery(*solid, problem.supports, problem.support_radius) {}
 
     LoadVector noLoads() const {
         LoadVector loads;
@@ -88,9 +38,8 @@ struct StressSolver::Impl {
         return sum;
     }
 
-    void recoverStress(const Eigen::VectorXd& unknowns, const std::vector<Vec3>& points, StressField& field) const {
-        std::vector<Mat3> cells = displacementGradients(problem.cells, unknowns);
-        for (Mat3& cell : cells) cell = problem.elasticity.stress(cell);
+    void recoverStress(const std::vector<Mat3>& cells, const std::vector<Vec3>& points,
+                       StressField& field) const {
         recovery.recover(cells, field.particles, field.surface);
         for (const Vec3& point : points)
             field.points.push_back(recovery.recoverAt(cells, point, nearestOwner(problem.solid, point)));
@@ -117,7 +66,7 @@ Result<StressField> StressSolver::Impl::solve(LoadVector loads, double load_magn
     const Displacement& displacement = solved.value();
 
     StressField field;
-    recoverStress(displacement.unknowns, points, field);
+    recoverStress(displacement.cell_stresses, points, field);
     field.strain_energy_j = 0.5 * displacement.unknowns.dot(loads.forces);
     field.residual_rel = displacement.residual_rel;
     if (load_magnitude > 0)
@@ -125,13 +74,16 @@ Result<StressField> StressSolver::Impl::solve(LoadVector loads, double load_magn
     field.warnings = report.warnings;
     if (!std::isfinite(field.strain_energy_j) || !isFinite(field.particles) || !isFinite(field.surface) ||
         !isFinite(field.points))
-        return Error{"The stress came out not finite; the loads or the sampling of the solid are beyond what can be solved."};
+        return Error{
+            "The stress came out not finite; the loads or the sampling of the solid are beyond what can be "
+            "solved."};
     return field;
 }
 
-Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> solid, const Material& material,
-                                         const StressSettings& settings) {
-    if (Status status = checkInput(solid.get(), material, settings); !status) return Error{status.error()};
+Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> solid,
+                                         const Material& material, const StressSettings& settings) {
+    if (Status status = checkStressProblem(solid.get(), material, settings); !status)
+        return Error{status.error()};
     try {
         Stopwatch watch;
         auto impl = std::make_unique<Impl>(std::move(solid), material, settings);
@@ -148,7 +100,9 @@ Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> s
         report.factor_entries = impl->form->solver().factorEntries();
         return StressSolver(std::move(impl));
     } catch (const std::bad_alloc&) {
-        return Error{"There is not enough memory for the stress problem of this solid; use a larger particle spacing."};
+        return Error{
+            "There is not enough memory for the stress problem of this solid; use a larger particle "
+            "spacing."};
     } catch (const std::exception& trouble) {
         return Error{std::string("The stress problem could not be set up: ") + trouble.what()};
     }
@@ -167,7 +121,9 @@ Result<StressField> StressSolver::solve(const std::vector<PointForce>& point_for
             const int owner = nearestOwner(problem.solid, load.position);
             const Particle& particle = problem.solid.particles[owner];
             if ((load.position - particle.position).norm() > 3 * particle.spacing)
-                return Error{"A load acts more than three particle spacings outside the body; give it in the asset's frame."};
+                return Error{
+                    "A load acts more than three particle spacings outside the body; give it in the asset's "
+                    "frame."};
             evaluator.evaluate(load.position, owner, false, shapes);
             impl_->form->addLoad(shapes, owner, load, loads);
         }
@@ -216,11 +172,13 @@ StressField StressSolver::stressOf(const std::function<Vec3(const Vec3& x)>& dis
         for (int j = 0; j < 3; ++j) unknowns.segment<3>(row + 3 + 3 * j) = scaled.col(j);
     }
     StressField field;
-    impl_->recoverStress(unknowns, {}, field);
+    impl_->recoverStress(cellStresses(problem, unknowns), {}, field);
     return field;
 }
 
-const StressSolverReport& StressSolver::report() const { return impl_->report; }
+const StressSolverReport& StressSolver::report() const {
+    return impl_->report;
+}
 
 StressSolver::StressSolver(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 StressSolver::StressSolver(StressSolver&&) noexcept = default;

@@ -1,13 +1,13 @@
 #pragma once
 
-#include <functional>
-#include <memory>
-#include <vector>
-
 #include <sherd/material.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/stress_field.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
 
 #include "core/sampling/discretisation.h"
 
@@ -22,8 +22,9 @@ struct StressSolverReport {
     std::vector<std::string> warnings;
 };
 
-/// Quasi-static stress in a free body (paper, section 4): K assembled and factored once, then two triangular solves a
-/// blow. Loads are balanced by rigid acceleration (inertia relief) with the same quadrature that builds K.
+/// Quasi-static stress in a free body (paper, section 4): K assembled and factored once, then two triangular
+/// solves a blow. Loads are balanced by rigid acceleration (inertia relief) with the same quadrature that
+/// builds K.
 class StressSolver {
   public:
     static Result<StressSolver> build(std::shared_ptr<const Discretisation> solid, const Material& material,
@@ -33,13 +34,15 @@ class StressSolver {
     StressSolver& operator=(StressSolver&&) noexcept;
     ~StressSolver();
 
-    /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances them; also at
-    /// `points` in or on the solid, if any are given.
-    Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points = {}) const;
+    /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances
+    /// them; also at `points` in or on the solid, if any are given.
+    Result<StressField> solve(const std::vector<PointForce>& loads,
+                              const std::vector<Vec3>& points = {}) const;
 
     /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
-    Result<StressField> solveTraction(const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
-                                      const std::vector<Vec3>& points = {}) const;
+    Result<StressField> solveTraction(
+        const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+        const std::vector<Vec3>& points = {}) const;
 
     /// Stress that the displacement field u(x) makes when sampled at the particles, without a solve.
     StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,

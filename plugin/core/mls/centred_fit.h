@@ -4,15 +4,15 @@
 
 namespace sherd {
 
-/// Weighted least-squares fit of a linear function, written about the weighted mean of its points. Directions in which
-/// the points do not spread (coplanar, collinear, single) get no slope instead of a wild one; constants are always
-/// reproduced, and linear functions as far as the points determine them.
+/// Weighted least-squares fit of a linear function, written about the weighted mean of its points. Directions
+/// in which the points do not spread (coplanar, collinear, single) get no slope instead of a wild one;
+/// constants are always reproduced, and linear functions as far as the points determine them.
 class CentredFit {
   public:
     void add(const Vec3& point, double weight);
 
-    /// Call after the last `add`. Slopes along directions whose standard deviation is below `smallest_spread` (m) are
-    /// dropped. False when there is no weight at all.
+    /// Call after the last `add`. Slopes along directions whose standard deviation is below `smallest_spread`
+    /// (m) are dropped. False when there is no weight at all.
     bool finish(double smallest_spread);
 
     int rank() const { return rank_; }
@@ -34,7 +34,8 @@ class CentredFit {
   private:
     double weight_ = 0;
     int rank_ = 0;
-    Vec3 origin_ = Vec3::Zero();  // first point: sums are kept relative to it, against cancellation far from (0, 0, 0)
+    Vec3 origin_ =
+        Vec3::Zero();  // first point: sums are kept relative to it, against cancellation far from (0, 0, 0)
     Vec3 mean_ = Vec3::Zero();
     Mat3 inverse_covariance_ = Mat3::Zero();
 };

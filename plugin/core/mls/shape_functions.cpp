@@ -1,10 +1,9 @@
 #include "core/mls/shape_functions.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-
-#include <Eigen/Cholesky>
 
 #include "core/mls/centred_fit.h"
 #include "core/mls/weight_function.h"
@@ -14,11 +13,13 @@ namespace {
 
 constexpr double widening_step = 1.25;
 constexpr int widening_attempts = 4;
-// Sum of |phi|: rounding and noise in the data grow by this factor. A good fit has 1 to 4; beyond 16 a wider one is better.
+// Sum of |phi|: rounding and noise in the data grow by this factor. A good fit has 1 to 4; beyond 16 a wider
+// one is better.
 constexpr double largest_amplification = 16;
 constexpr double smallest_pivot_ratio = 1e-9;
 
-/// Value (row 0) and gradient (rows 1..3) of the basis p = (1, x, y, z [, xx, yy, zz, xy, yz, zx]) at one point.
+/// Value (row 0) and gradient (rows 1..3) of the basis p = (1, x, y, z [, xx, yy, zz, xy, yz, zx]) at one
+/// point.
 template <int N>
 using BasisRows = Eigen::Matrix<double, 4, N>;
 
@@ -44,7 +45,8 @@ void evaluateBasis(const Vec3& x, BasisRows<N>& rows) {
 
 }  // namespace
 
-ShapeEvaluator::ShapeEvaluator(const Discretisation& solid, const SupportGraph& supports, const TrialSpace& space)
+ShapeEvaluator::ShapeEvaluator(const Discretisation& solid, const SupportGraph& supports,
+                               const TrialSpace& space)
     : solid_(&solid), supports_(&supports), space_(&space) {}
 
 Evaluation ShapeEvaluator::evaluate(const Vec3& x, int owner, bool with_gradients, ShapeFunctions& out) {
@@ -65,12 +67,13 @@ Evaluation ShapeEvaluator::evaluateBetween(const Vec3& x, int owner, int other, 
 }
 
 template <int N>
-bool ShapeEvaluator::widenUntilFit(const Vec3& x, int owner, int other, bool with_gradients, Evaluation& state,
-                                   ShapeFunctions& out) {
-    // A point that its own particle's support does not reach (a load beside the solid, a sub-domain of odd shape) starts
-    // with a support that does.
-    const double distance = std::min((x - solid_->particles[owner].position).norm() / supports_->supportRadius(owner),
-                                     (x - solid_->particles[other].position).norm() / supports_->supportRadius(other));
+bool ShapeEvaluator::widenUntilFit(const Vec3& x, int owner, int other, bool with_gradients,
+                                   Evaluation& state, ShapeFunctions& out) {
+    // A point that its own particle's support does not reach (a load beside the solid, a sub-domain of odd
+    // shape) starts with a support that does.
+    const double distance =
+        std::min((x - solid_->particles[owner].position).norm() / supports_->supportRadius(owner),
+                 (x - solid_->particles[other].position).norm() / supports_->supportRadius(other));
     widening_ = std::max(1.0, 1.1 * distance);
     for (int attempt = 0; attempt <= widening_attempts; ++attempt) {
         if (widening_ > 1 && state == Evaluation::regular) state = Evaluation::widened;
@@ -90,19 +93,22 @@ void ShapeEvaluator::gatherCandidates(int owner, int other, double widening) {
             return;
         }
         const std::vector<int>& second = supports_->candidates(other);
-        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(), std::back_inserter(candidates_));
+        std::set_intersection(first.begin(), first.end(), second.begin(), second.end(),
+                              std::back_inserter(candidates_));
         return;
     }
     candidates_ = supports_->widerCandidates(owner, widening);
     if (owner == other) return;
     const std::vector<int> second = supports_->widerCandidates(other, widening);
     std::vector<int> both;
-    std::set_intersection(candidates_.begin(), candidates_.end(), second.begin(), second.end(), std::back_inserter(both));
+    std::set_intersection(candidates_.begin(), candidates_.end(), second.begin(), second.end(),
+                          std::back_inserter(both));
     candidates_.swap(both);
 }
 
-/// phi_a(x) = p(x)^T M^-1 q_a w_a with M = sum_a w_a q_a q_a^T; q_a = p(x_i) for a value, h_i dp/dx_j(x_i) for a gradient.
-/// The basis is written about x, so p(x) = (1, 0, ...). Gradients are complete: of p, of M^-1 and of w.
+/// phi_a(x) = p(x)^T M^-1 q_a w_a with M = sum_a w_a q_a q_a^T; q_a = p(x_i) for a value, h_i dp/dx_j(x_i)
+/// for a gradient. The basis is written about x, so p(x) = (1, 0, ...). Gradients are complete: of p, of M^-1
+/// and of w.
 template <int N>
 bool ShapeEvaluator::fit(const Vec3& x, double widening, bool with_gradients, ShapeFunctions& out) {
     using Vector = Eigen::Matrix<double, N, 1>;
@@ -122,7 +128,8 @@ bool ShapeEvaluator::fit(const Vec3& x, double widening, bool with_gradients, Sh
         evaluateBasis<N>(offset / scale_, rows);
         rows.template bottomRows<3>() *= solid_->particles[particle].spacing / scale_;
         Matrix outer = rows.row(0).transpose() * rows.row(0);
-        if (data == 4) outer.noalias() += rows.template bottomRows<3>().transpose() * rows.template bottomRows<3>();
+        if (data == 4)
+            outer.noalias() += rows.template bottomRows<3>().transpose() * rows.template bottomRows<3>();
         moment += weight * outer;
         if (!with_gradients) continue;
         const Vec3 slope = -splineWeightSlope(offset.norm() / radius) / (radius * radius) * offset;
@@ -161,8 +168,9 @@ bool ShapeEvaluator::fit(const Vec3& x, double widening, bool with_gradients, Sh
     return amplification < largest_amplification;
 }
 
-/// Values alone fitted by a linear function without slopes across the plane or line of the neighbours. Reached by MLS
-/// only: the gradients that GMLS carries determine a linear function at any number of particles.
+/// Values alone fitted by a linear function without slopes across the plane or line of the neighbours.
+/// Reached by MLS only: the gradients that GMLS carries determine a linear function at any number of
+/// particles.
 void ShapeEvaluator::fitDeficient(const Vec3& x, bool with_gradients, ShapeFunctions& out) const {
     const int data = space_->functionsPerParticle();
     const auto weightOf = [&](int particle) {

@@ -1,16 +1,17 @@
 #pragma once
 
-#include <vector>
-
 #include <sherd/settings.h>
+
+#include <vector>
 
 #include "core/mls/support_graph.h"
 #include "core/sampling/discretisation.h"
 
 namespace sherd {
 
-/// The functions in which the displacement is sought: u(x) = sum_a phi_a(x) u_a. Every particle i carries one function
-/// (mls: the datum is u(x_i)) or four (gmls: u(x_i) and h_i du/dx_j(x_i), j = 1..3, h_i the particle's spacing).
+/// The functions in which the displacement is sought: u(x) = sum_a phi_a(x) u_a. Every particle i carries one
+/// function (mls: the datum is u(x_i)) or four (gmls: u(x_i) and h_i du/dx_j(x_i), j = 1..3, h_i the
+/// particle's spacing).
 struct TrialSpace {
     TrialFunction trial_function = TrialFunction::gmls;
     Basis basis = Basis::linear;
@@ -35,9 +36,9 @@ struct ShapeFunctions {
     std::vector<Vec3> gradients;  ///< the same count, 1/m; only if asked for
 };
 
-/// Evaluates (generalised) moving least squares (paper, Eq. 6-11). The gradient terms of Eq. 11 are data as the values
-/// are, so that linear fields stay exact; Eq. 12 by itself would lose that.
-/// Holds scratch memory: one object per thread.
+/// Evaluates (generalised) moving least squares (paper, Eq. 6-11). The gradient terms of Eq. 11 are data as
+/// the values are, so that linear fields stay exact; Eq. 12 by itself would lose that. Holds scratch memory:
+/// one object per thread.
 class ShapeEvaluator {
   public:
     /// All arguments must outlive this object.
@@ -53,7 +54,8 @@ class ShapeEvaluator {
     template <int N>
     bool fit(const Vec3& x, double widening, bool with_gradients, ShapeFunctions& out);
     template <int N>
-    bool widenUntilFit(const Vec3& x, int owner, int other, bool with_gradients, Evaluation& state, ShapeFunctions& out);
+    bool widenUntilFit(const Vec3& x, int owner, int other, bool with_gradients, Evaluation& state,
+                       ShapeFunctions& out);
     void fitDeficient(const Vec3& x, bool with_gradients, ShapeFunctions& out) const;
     void gatherCandidates(int owner, int other, double widening);
 

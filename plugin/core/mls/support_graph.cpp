@@ -5,7 +5,8 @@
 namespace sherd {
 namespace {
 
-/// Breadth-first walk from `start` over neighbours that `admits` accepts. `seen` is scratch: stamped with `stamp`.
+/// Breadth-first walk from `start` over neighbours that `admits` accepts. `seen` is scratch: stamped with
+/// `stamp`.
 template <class Admits>
 std::vector<int> connectedFrom(const Discretisation& solid, int start, std::vector<int>& seen, int stamp,
                                const Admits& admits) {
@@ -77,7 +78,8 @@ Components connectedComponents(const Discretisation& solid) {
     std::vector<int> seen(solid.particles.size(), -1);
     for (size_t first = 0; first < solid.particles.size(); ++first) {
         if (components.of_particle[first] >= 0) continue;
-        for (int particle : connectedFrom(solid, static_cast<int>(first), seen, components.count, [](int) { return true; }))
+        for (int particle :
+             connectedFrom(solid, static_cast<int>(first), seen, components.count, [](int) { return true; }))
             components.of_particle[particle] = components.count;
         ++components.count;
     }

@@ -6,8 +6,9 @@
 
 namespace sherd {
 
-/// Which particles may see each other: only through the solid. A particle's support ball may cross a gap; what counts is
-/// the part of the ball that is connected, along neighbouring sub-domains inside the ball, to the point looked at.
+/// Which particles may see each other: only through the solid. A particle's support ball may cross a gap;
+/// what counts is the part of the ball that is connected, along neighbouring sub-domains inside the ball, to
+/// the point looked at.
 class SupportGraph {
   public:
     /// `support_radius` in particle spacings. `solid` must outlive this object.
@@ -19,7 +20,8 @@ class SupportGraph {
     /// The same with all supports `factor` times as wide.
     std::vector<int> widerCandidates(int owner, double factor) const;
 
-    /// Per particle: those whose sub-domain may come nearer to it than `radius` of its spacings; sorted, itself included.
+    /// Per particle: those whose sub-domain may come nearer to it than `radius` of its spacings; sorted,
+    /// itself included.
     std::vector<std::vector<int>> balls(double radius) const;
 
     double supportRadius(int particle) const { return support_radius_ * solid_->particles[particle].spacing; }

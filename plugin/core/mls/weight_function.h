@@ -10,6 +10,8 @@ inline double splineWeight(double q) {
 }
 
 /// (dw/dq) / q, finite at q = 0: the gradient of w(|x - x_i| / r) is this times (x - x_i) / r^2.
-inline double splineWeightSlope(double q) { return q >= 1 ? 0 : -12 * (1 - q) * (1 - q); }
+inline double splineWeightSlope(double q) {
+    return q >= 1 ? 0 : -12 * (1 - q) * (1 - q);
+}
 
 }  // namespace sherd

@@ -16,9 +16,9 @@ struct Elasticity {
         mu_pa = e / (2 * (1 + nu));
     }
 
-    /// From a displacement gradient about the rest position. Only its symmetric part counts, so a small rotation makes no
-    /// stress; displacements in a body that is solved as rigid are small, so this does what the co-rotation of the
-    /// paper's section 4.1 is for.
+    /// From a displacement gradient about the rest position. Only its symmetric part counts, so a small
+    /// rotation makes no stress; displacements in a body that is solved as rigid are small, so this does what
+    /// the co-rotation of the paper's section 4.1 is for.
     Mat3 stress(const Mat3& gradient) const {
         return lambda_pa * gradient.trace() * Mat3::Identity() + mu_pa * (gradient + gradient.transpose());
     }

@@ -1,7 +1,7 @@
-#include <cmath>
+#include <sherd/stress_field.h>
 
 #include <Eigen/Eigenvalues>
-#include <sherd/stress_field.h>
+#include <cmath>
 
 #include "core/stress/elasticity.h"
 

@@ -9,12 +9,15 @@ namespace sherd {
 namespace {
 
 constexpr int chunk_count = 16;
-constexpr double fit_radius = 1.1;  // in support radii: what is to be smoothed away has the length of the supports
-constexpr double smallest_spread = 0.03;  // in particle spacings: cells closer to a plane than that give no slope across it
+constexpr double fit_radius =
+    1.1;  // in support radii: what is to be smoothed away has the length of the supports
+constexpr double smallest_spread =
+    0.03;  // in particle spacings: cells closer to a plane than that give no slope across it
 
 }  // namespace
 
-StressRecovery::StressRecovery(const Discretisation& solid, const SupportGraph& supports, double support_radius)
+StressRecovery::StressRecovery(const Discretisation& solid, const SupportGraph& supports,
+                               double support_radius)
     : solid_(&solid), fit_radius_(fit_radius * support_radius), balls_(supports.balls(fit_radius_ + 1)) {
     const int particles = static_cast<int>(solid.particles.size());
     const int points = particles + static_cast<int>(solid.surface_points.size());
@@ -39,8 +42,9 @@ StressRecovery::StressRecovery(const Discretisation& solid, const SupportGraph& 
 
 void StressRecovery::fit(const Vec3& x, int owner, std::vector<Term>& terms) const {
     const double spacing = solid_->particles[owner].spacing;
-    // Weights are centred between the point and its particle: about the point itself, fits at the surface would see one
-    // side only and lean on the outermost cells; about the particle, all of its points would share one fit.
+    // Weights are centred between the point and its particle: about the point itself, fits at the surface
+    // would see one side only and lean on the outermost cells; about the particle, all of its points would
+    // share one fit.
     const Vec3 centre = (x + solid_->particles[owner].position) / 2;
     terms.clear();
     // A point that no cell is near (beside the solid) is fitted from farther away.
@@ -49,14 +53,16 @@ void StressRecovery::fit(const Vec3& x, int owner, std::vector<Term>& terms) con
         for (int neighbour : balls_[owner])
             for (int cell : solid_->particle_cells[neighbour]) {
                 const Moments& moments = solid_->cells[cell].moments;
-                const double weight = moments.volume * splineWeight((moments.centroid - centre).norm() / radius);
+                const double weight =
+                    moments.volume * splineWeight((moments.centroid - centre).norm() / radius);
                 if (weight <= 0) continue;
                 fit.add(moments.centroid, weight);
                 terms.push_back({cell, weight});
             }
         if (terms.empty()) continue;
         fit.finish(smallest_spread * spacing);
-        for (Term& term : terms) term.factor = fit.factorAt(x, solid_->cells[term.cell].moments.centroid, term.factor);
+        for (Term& term : terms)
+            term.factor = fit.factorAt(x, solid_->cells[term.cell].moments.centroid, term.factor);
     }
 }
 

@@ -8,15 +8,17 @@ namespace {
 
 enum : char { outside = 0, unreached = 1, near_surface = 2 };
 
-// Wider than jitter and smoothing can move a crack out of its cell, and wide enough that all cells around the node
-// nearest to a surface point are marked.
+// Wider than jitter and smoothing can move a crack out of its cell, and wide enough that all cells around the
+// node nearest to a surface point are marked.
 constexpr double margin = 0.8;
 
 void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, std::vector<char>& state) {
     for (const auto& t : surface.triangles) {
         const Vec3 &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
-        const Vec3 low = (a.cwiseMin(b).cwiseMin(c) - lattice.origin) / lattice.spacing - Vec3::Constant(margin);
-        const Vec3 high = (a.cwiseMax(b).cwiseMax(c) - lattice.origin) / lattice.spacing + Vec3::Constant(margin);
+        const Vec3 low =
+            (a.cwiseMin(b).cwiseMin(c) - lattice.origin) / lattice.spacing - Vec3::Constant(margin);
+        const Vec3 high =
+            (a.cwiseMax(b).cwiseMax(c) - lattice.origin) / lattice.spacing + Vec3::Constant(margin);
         const Eigen::Vector3i first = low.array().floor().cast<int>().max(0);
         const Eigen::Vector3i last = high.array().floor().cast<int>().min(lattice.size.array() - 2);
         for (int k = first.z(); k <= last.z(); ++k)
@@ -25,7 +27,8 @@ void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, s
     }
 }
 
-// The outermost layer of cells is outside by construction, so a flood from one corner reaches all of the outside.
+// The outermost layer of cells is outside by construction, so a flood from one corner reaches all of the
+// outside.
 void floodOutside(const LabelLattice& lattice, std::vector<char>& state) {
     std::vector<std::array<int, 3>> front = {{0, 0, 0}};
     state[0] = outside;

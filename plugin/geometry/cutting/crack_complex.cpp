@@ -13,10 +13,12 @@ namespace {
 constexpr double smallest_t = 0.15;
 constexpr double smallest_weight = 0.1;
 
-double clampToEdge(double t) { return std::min(1 - smallest_t, std::max(smallest_t, t)); }
+double clampToEdge(double t) {
+    return std::min(1 - smallest_t, std::max(smallest_t, t));
+}
 
-// Where two labels are equally dense on the edge: the contrast (f_a - f_b) / (f_a + f_b) goes through zero. It does not
-// change when both fade into the air.
+// Where two labels are equally dense on the edge: the contrast (f_a - f_b) / (f_a + f_b) goes through zero.
+// It does not change when both fade into the air.
 double crossingOnEdge(const LabelLattice& lattice, int a, int b) {
     const int la = lattice.labels[a], lb = lattice.labels[b];
     const auto contrast = [&](int node, int own, int other) {
@@ -43,12 +45,15 @@ class Marching {
     void addTetrahedron(const std::array<int, 4>& nodes) {
         std::array<int, 4> n = nodes;
         // Nodes of equal label side by side; the order of the labels does not matter.
-        std::sort(n.begin(), n.end(), [&](int a, int b) { return std::make_pair(label(a), a) < std::make_pair(label(b), b); });
-        const bool same[3] = {label(n[0]) == label(n[1]), label(n[1]) == label(n[2]), label(n[2]) == label(n[3])};
+        std::sort(n.begin(), n.end(),
+                  [&](int a, int b) { return std::make_pair(label(a), a) < std::make_pair(label(b), b); });
+        const bool same[3] = {label(n[0]) == label(n[1]), label(n[1]) == label(n[2]),
+                              label(n[2]) == label(n[3])};
         const int equal = same[0] + same[1] + same[2];
         if (equal == 3) return;
-        if (equal == 2) return same[1] ? (same[0] ? addCorner(n[3], n[0], n[1], n[2]) : addCorner(n[0], n[1], n[2], n[3]))
-                                       : addQuad(n[0], n[1], n[2], n[3]);
+        if (equal == 2)
+            return same[1] ? (same[0] ? addCorner(n[3], n[0], n[1], n[2]) : addCorner(n[0], n[1], n[2], n[3]))
+                           : addQuad(n[0], n[1], n[2], n[3]);
         if (equal == 0) return addFourLabels(n);
         if (same[0]) return addThreeLabels(n[0], n[1], n[2], n[3]);
         if (same[1]) return addThreeLabels(n[1], n[2], n[0], n[3]);
@@ -61,7 +66,9 @@ class Marching {
     int label(int node) const { return lattice_.labels[node]; }
 
     // One node of another label than the three others.
-    void addCorner(int lone, int a, int b, int c) { addTriangle(onEdge(lone, a), onEdge(lone, b), onEdge(lone, c), lone, a); }
+    void addCorner(int lone, int a, int b, int c) {
+        addTriangle(onEdge(lone, a), onEdge(lone, b), onEdge(lone, c), lone, a);
+    }
 
     // Nodes a, b of one label, c, d of another.
     void addQuad(int a, int b, int c, int d) {
@@ -70,7 +77,8 @@ class Marching {
         addTriangle(ac, bd, bc, b, c);
     }
 
-    // Nodes a and a2 share a label; three faces meet along the line between two points on the tetrahedron's faces.
+    // Nodes a and a2 share a label; three faces meet along the line between two points on the tetrahedron's
+    // faces.
     void addThreeLabels(int a, int a2, int b, int c) {
         const int f = onFace(a, b, c), f2 = onFace(a2, b, c);
         addTriangle(onEdge(b, c), f, f2, b, c);
@@ -93,8 +101,8 @@ class Marching {
                         addTriangle(inner, onEdge(n[i], n[j]), onFace(n[i], n[j], n[k]), n[i], n[j]);
     }
 
-    // The point on the edge between `from` and `to`, which have different labels, is one of p, q, r, so the triangle's
-    // plane parts the two nodes and the sign below is safe.
+    // The point on the edge between `from` and `to`, which have different labels, is one of p, q, r, so the
+    // triangle's plane parts the two nodes and the sign below is safe.
     void addTriangle(int p, int q, int r, int from, int to) {
         const std::vector<Vec3>& x = complex_.points;
         const Vec3 normal = (x[q] - x[p]).cross(x[r] - x[p]);
@@ -139,7 +147,8 @@ class Marching {
     std::map<std::array<int, 3>, int> face_points_;
 };
 
-// Freudenthal's six tetrahedra of a cube: the paths from its lowest to its highest corner. Neighbouring cubes match.
+// Freudenthal's six tetrahedra of a cube: the paths from its lowest to its highest corner. Neighbouring cubes
+// match.
 void addCell(Marching& marching, const LabelLattice& lattice, int i, int j, int k) {
     const int lowest = lattice.index(i, j, k);
     const int step[3] = {lattice.index(1, 0, 0), lattice.index(0, 1, 0), lattice.index(0, 0, 1)};
@@ -147,7 +156,8 @@ void addCell(Marching& marching, const LabelLattice& lattice, int i, int j, int 
     for (int first = 0; first < 3; ++first)
         for (int second = 0; second < 3; ++second)
             if (first != second)
-                marching.addTetrahedron({lowest, lowest + step[first], lowest + step[first] + step[second], highest});
+                marching.addTetrahedron(
+                    {lowest, lowest + step[first], lowest + step[first] + step[second], highest});
 }
 
 bool isUniform(const LabelLattice& lattice, int i, int j, int k) {
@@ -158,14 +168,16 @@ bool isUniform(const LabelLattice& lattice, int i, int j, int k) {
     return true;
 }
 
-// Sums over the neighbours of every point: on a sheet those of the sheet, on a line where sheets meet those of the line.
+// Sums over the neighbours of every point: on a sheet those of the sheet, on a line where sheets meet those
+// of the line.
 struct NeighbourMeans {
     std::vector<Vec3> sum;
     std::vector<int> count;
 };
 
 NeighbourMeans sumNeighbours(const CrackComplex& complex) {
-    NeighbourMeans means = {std::vector<Vec3>(complex.points.size(), Vec3::Zero()), std::vector<int>(complex.points.size(), 0)};
+    NeighbourMeans means = {std::vector<Vec3>(complex.points.size(), Vec3::Zero()),
+                            std::vector<int>(complex.points.size(), 0)};
     const auto is_on_line = [&](int p) { return complex.origins[p].nodes[0] < 0; };
     for (const Triangle& t : complex.triangles)
         for (int i = 0; i < 3; ++i)
@@ -182,12 +194,15 @@ double placeOnEdge(const CrackPoint& origin, const LabelLattice& lattice, const 
     return clampToEdge((wanted - a).dot(edge) / edge.squaredNorm());
 }
 
-// The weights of the point of a lattice face that is nearest to the wanted one, kept strictly inside the triangle of the
-// points on the face's edges: there the sheets of one tetrahedron cannot cross.
-std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex& complex, const Vec3& wanted) {
-    const Vec3 &a = complex.points[origin.between[0]], &b = complex.points[origin.between[1]], &c = complex.points[origin.between[2]];
+// The weights of the point of a lattice face that is nearest to the wanted one, kept strictly inside the
+// triangle of the points on the face's edges: there the sheets of one tetrahedron cannot cross.
+std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex& complex,
+                                    const Vec3& wanted) {
+    const Vec3 &a = complex.points[origin.between[0]], &b = complex.points[origin.between[1]],
+               &c = complex.points[origin.between[2]];
     const Vec3 normal = (b - a).cross(c - a);
-    std::array<double, 4> w = {normal.dot((b - wanted).cross(c - wanted)), normal.dot((c - wanted).cross(a - wanted)),
+    std::array<double, 4> w = {normal.dot((b - wanted).cross(c - wanted)),
+                               normal.dot((c - wanted).cross(a - wanted)),
                                normal.dot((a - wanted).cross(b - wanted)), 0};
     double sum = 0;
     for (int i = 0; i < 3; ++i) sum += w[i] = std::max(smallest_weight, w[i] / normal.squaredNorm());
@@ -195,7 +210,8 @@ std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex
     return w;
 }
 
-// One damped step of every point toward the mean of its neighbours, within the edge or face that it belongs to.
+// One damped step of every point toward the mean of its neighbours, within the edge or face that it belongs
+// to.
 void smoothOnce(CrackComplex& complex, const LabelLattice& lattice) {
     const NeighbourMeans means = sumNeighbours(complex);
     for (std::size_t p = 0; p < complex.points.size(); ++p) {
@@ -213,7 +229,8 @@ void smoothOnce(CrackComplex& complex, const LabelLattice& lattice) {
 void nudgePoint(CrackComplex& complex, int point, std::uint64_t seed, int attempt) {
     CrackPoint& origin = complex.origins[point];
     if (origin.nodes[0] >= 0) {
-        const double move = 0.02 * hashedRandom(seed, static_cast<std::uint64_t>(point), static_cast<std::uint64_t>(attempt));
+        const double move =
+            0.02 * hashedRandom(seed, static_cast<std::uint64_t>(point), static_cast<std::uint64_t>(attempt));
         const double moved = origin.t + move;
         origin.t = moved == clampToEdge(moved) ? moved : origin.t - move;
         return;
@@ -236,13 +253,15 @@ CrackComplex buildCrackComplex(const LabelLattice& lattice, int smoothing_steps)
     return complex;
 }
 
-void nudgeTriangle(CrackComplex& complex, const LabelLattice& lattice, int triangle, std::uint64_t seed, int attempt) {
+void nudgeTriangle(CrackComplex& complex, const LabelLattice& lattice, int triangle, std::uint64_t seed,
+                   int attempt) {
     for (int p : complex.triangles[triangle]) nudgePoint(complex, p, seed, attempt);
     placePoints(complex, lattice);
 }
 
 void placePoints(CrackComplex& complex, const LabelLattice& lattice) {
-    for (std::size_t p = 0; p < complex.points.size(); ++p) complex.points[p] = placeOf(complex, lattice, complex.origins[p]);
+    for (std::size_t p = 0; p < complex.points.size(); ++p)
+        complex.points[p] = placeOf(complex, lattice, complex.origins[p]);
 }
 
 }  // namespace sherd

@@ -50,10 +50,12 @@ SplitSurface splitSurface(const Side& side, const SurfaceCrossing& crossing, std
             result.triangles.push_back(side.triangles[t]);
         } else {
             pairs.clear();
-            for (int s : side.segments[t]) pairs.emplace_back(crossing.segments[s].source, crossing.segments[s].target);
+            for (int s : side.segments[t])
+                pairs.emplace_back(crossing.segments[s].source, crossing.segments[s].target);
             const auto& [a, b, c] = side.triangles[t];
             const std::vector<Vec3>& x = crossing.points;
-            if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs, result.triangles))
+            if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs,
+                                   result.triangles))
                 for (int s : side.segments[t]) troubled.push_back(crossing.segments[s].crack_triangle);
         }
         result.parents.resize(result.triangles.size(), t);
@@ -61,13 +63,15 @@ SplitSurface splitSurface(const Side& side, const SurfaceCrossing& crossing, std
     return result;
 }
 
-/// Values on both sides of a barrier edge, for the triangle that runs along it from source to target and the other one.
+/// Values on both sides of a barrier edge, for the triangle that runs along it from source to target and the
+/// other one.
 struct SideValues {
     int left, right;
 };
 
 // Sets of triangles that hang together without crossing a segment.
-UnionFind connectWithin(const std::vector<Triangle>& triangles, const EdgeTable& edges, const std::vector<char>& is_barrier) {
+UnionFind connectWithin(const std::vector<Triangle>& triangles, const EdgeTable& edges,
+                        const std::vector<char>& is_barrier) {
     UnionFind sets(static_cast<int>(triangles.size()));
     for (std::size_t e = 0; e < edges.edges.size(); ++e)
         if (!is_barrier[e])
@@ -76,16 +80,18 @@ UnionFind connectWithin(const std::vector<Triangle>& triangles, const EdgeTable&
     return sets;
 }
 
-/// Spreads the values that the segments give to the triangles beside them; -1 where no segment is in reach. False if two
-/// segments disagree, or one is not an edge between two triangles.
-bool spreadFromSegments(const std::vector<Triangle>& triangles, int point_count, const std::vector<CutSegment>& segments,
-                        const std::vector<SideValues>& values, std::vector<int>& value, std::vector<int>& set) {
+/// Spreads the values that the segments give to the triangles beside them; -1 where no segment is in reach.
+/// False if two segments disagree, or one is not an edge between two triangles.
+bool spreadFromSegments(const std::vector<Triangle>& triangles, int point_count,
+                        const std::vector<CutSegment>& segments, const std::vector<SideValues>& values,
+                        std::vector<int>& value, std::vector<int>& set) {
     const EdgeTable edges = buildEdgeTable(triangles, point_count);
     std::vector<char> is_barrier(edges.edges.size(), false);
     std::vector<int> edge_of(segments.size());
     for (std::size_t s = 0; s < segments.size(); ++s) {
         edge_of[s] = edges.find(segments[s].source, segments[s].target);
-        if (edge_of[s] < 0 || edges.first_use[edge_of[s] + 1] - edges.first_use[edge_of[s]] != 2) return false;
+        if (edge_of[s] < 0 || edges.first_use[edge_of[s] + 1] - edges.first_use[edge_of[s]] != 2)
+            return false;
         is_barrier[edge_of[s]] = true;
     }
     UnionFind sets = connectWithin(triangles, edges, is_barrier);
@@ -108,8 +114,8 @@ bool spreadFromSegments(const std::vector<Triangle>& triangles, int point_count,
     return true;
 }
 
-// The label at a point of the solid that is not on a crack: on the way to the nearest lattice node either a crack is met,
-// or none, and then it is the node's. -1 if the way is degenerate.
+// The label at a point of the solid that is not on a crack: on the way to the nearest lattice node either a
+// crack is met, or none, and then it is the node's. -1 if the way is degenerate.
 int labelAt(const Vec3& x, const LabelLattice& lattice, const CrackComplex& crack) {
     const Eigen::Vector3i node = ((x - lattice.origin) / lattice.spacing).array().round().cast<int>();
     const int index = lattice.index(node.x(), node.y(), node.z());
@@ -126,7 +132,8 @@ bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice,
     for (std::size_t t = 0; t < faces.body.size(); ++t) {
         if (faces.body_label[t] >= 0) continue;
         int& label = of_set[set[t]];
-        for (int i = 0; i < 3 && label < 0; ++i) label = labelAt(body.vertices[faces.body[t][i]], lattice, crack);
+        for (int i = 0; i < 3 && label < 0; ++i)
+            label = labelAt(body.vertices[faces.body[t][i]], lattice, crack);
         faces.body_label[t] = label;
     }
     // A degenerate first triangle leaves -1 where a later one of the same shell found the label.
@@ -143,7 +150,8 @@ void keepInsideCracks(const SplitSurface& split, const std::vector<int>& inside,
         int is_inside = inside[t];
         if (is_inside < 0) {
             int& known = of_set[set[t]];
-            if (known < 0) known = isInside(faces.points[split.triangles[t][0]], body.vertices, body.triangles);
+            if (known < 0)
+                known = isInside(faces.points[split.triangles[t][0]], body.vertices, body.triangles);
             is_inside = known;
         }
         if (!is_inside) continue;
@@ -152,9 +160,11 @@ void keepInsideCracks(const SplitSurface& split, const std::vector<int>& inside,
     }
 }
 
-std::vector<std::vector<int>> groupSegments(const std::vector<CutSegment>& segments, int CutSegment::*triangle, std::size_t count) {
+std::vector<std::vector<int>> groupSegments(const std::vector<CutSegment>& segments,
+                                            int CutSegment::*triangle, std::size_t count) {
     std::vector<std::vector<int>> groups(count);
-    for (std::size_t s = 0; s < segments.size(); ++s) groups[segments[s].*triangle].push_back(static_cast<int>(s));
+    for (std::size_t s = 0; s < segments.size(); ++s)
+        groups[segments[s].*triangle].push_back(static_cast<int>(s));
     return groups;
 }
 
@@ -174,10 +184,12 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
     attempt.troubled = crossing.degenerate;
     if (!attempt.troubled.empty()) return attempt;
 
-    const Side body_side = {body.triangles, body_edges, crossing.on_body_edges,
-                            groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())};
-    const Side crack_side = {shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,
-                             groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())};
+    const Side body_side = {
+        body.triangles, body_edges, crossing.on_body_edges,
+        groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())};
+    const Side crack_side = {
+        shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,
+        groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())};
     const SplitSurface split_body = splitSurface(body_side, crossing, attempt.troubled);
     const SplitSurface split_crack = splitSurface(crack_side, crossing, attempt.troubled);
     if (!attempt.troubled.empty()) return attempt;
@@ -194,7 +206,8 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
     const int point_count = static_cast<int>(faces.points.size());
     std::vector<int> body_set, inside, crack_set;
     if (!spreadFromSegments(faces.body, point_count, crossing.segments, labels, faces.body_label, body_set) ||
-        !spreadFromSegments(split_crack.triangles, point_count, crossing.segments, insides, inside, crack_set)) {
+        !spreadFromSegments(split_crack.triangles, point_count, crossing.segments, insides, inside,
+                            crack_set)) {
         attempt.failure = "the lines of the crack on the surface do not close";
     } else if (!labelUntouchedShells(body, lattice, crack, body_set, faces)) {
         attempt.failure = "a part of the surface could not be told from its neighbours";

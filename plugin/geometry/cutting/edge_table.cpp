@@ -12,7 +12,8 @@ struct HalfEdge {
     int id;
 };
 
-// Half-edges grouped by their lower vertex: a counting sort, since a comparison sort would dominate on large meshes.
+// Half-edges grouped by their lower vertex: a counting sort, since a comparison sort would dominate on large
+// meshes.
 std::vector<HalfEdge> groupByLowerVertex(const std::vector<Triangle>& triangles, std::vector<int>& offset) {
     for (const Triangle& t : triangles)
         for (int i = 0; i < 3; ++i) ++offset[std::min(t[i], t[(i + 1) % 3]) + 1];
@@ -47,13 +48,16 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
     for (int v = 0; v < vertex_count; ++v) {
         table.first_edge[v] = static_cast<int>(table.edges.size());
         std::sort(grouped.begin() + offset[v], grouped.begin() + offset[v + 1],
-                  [](const HalfEdge& a, const HalfEdge& b) { return std::tie(a.other, a.id) < std::tie(b.other, b.id); });
+                  [](const HalfEdge& a, const HalfEdge& b) {
+                      return std::tie(a.other, a.id) < std::tie(b.other, b.id);
+                  });
         for (int k = offset[v]; k < offset[v + 1]; ++k) {
             if (k == offset[v] || grouped[k].other != grouped[k - 1].other) {
                 table.edges.push_back({v, grouped[k].other});
                 table.first_use.push_back(k);
             }
-            table.of_triangle[grouped[k].id / 3][grouped[k].id % 3] = static_cast<int>(table.edges.size()) - 1;
+            table.of_triangle[grouped[k].id / 3][grouped[k].id % 3] =
+                static_cast<int>(table.edges.size()) - 1;
             table.uses.push_back(grouped[k].id);
         }
     }

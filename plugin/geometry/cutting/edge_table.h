@@ -7,8 +7,8 @@ namespace sherd {
 
 using Triangle = std::array<int, 3>;
 
-/// The undirected edges of any set of triangles, and who uses them. Half-edge 3 t + i runs from corner i of triangle t to
-/// corner i + 1.
+/// The undirected edges of any set of triangles, and who uses them. Half-edge 3 t + i runs from corner i of
+/// triangle t to corner i + 1.
 struct EdgeTable {
     std::vector<std::array<int, 2>> edges;        ///< #E, lower vertex first, ascending
     std::vector<std::array<int, 3>> of_triangle;  ///< #T, the edge of half-edge 3 t + i

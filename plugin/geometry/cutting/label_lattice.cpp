@@ -11,8 +11,9 @@ namespace sherd {
 
 namespace {
 
-constexpr int margin_cells = 3;        // of air around the solid's box
-constexpr double spacing_share = 0.65;  // of the particle spacing: fine enough for round edges, no finer than what is known
+constexpr int margin_cells = 3;  // of air around the solid's box
+constexpr double spacing_share =
+    0.65;  // of the particle spacing: fine enough for round edges, no finer than what is known
 
 std::pair<Vec3, Vec3> boundingBox(const TriangleMesh& surface) {
     Vec3 low = surface.vertices.front(), high = low;
@@ -33,7 +34,8 @@ LabelLattice placeNodes(const TriangleMesh& surface, const LatticeSettings& sett
                 const std::uint64_t node = lattice.nodes.size();
                 const Vec3 jitter(hashedRandom(settings.seed, node, 0), hashedRandom(settings.seed, node, 1),
                                   hashedRandom(settings.seed, node, 2));
-                lattice.nodes.push_back(lattice.origin + settings.spacing * (Vec3(i, j, k) + settings.jitter * jitter));
+                lattice.nodes.push_back(lattice.origin +
+                                        settings.spacing * (Vec3(i, j, k) + settings.jitter * jitter));
             }
     return lattice;
 }
@@ -71,7 +73,8 @@ void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, 
             for (int i = first.x(); i <= last.x(); ++i) {
                 const int node = lattice.index(i, j, k);
                 if (lattice.labels[node] == -1) continue;
-                const double value = kernel((lattice.nodes[node] - particle.position).squaredNorm() / (radius * radius));
+                const double value =
+                    kernel((lattice.nodes[node] - particle.position).squaredNorm() / (radius * radius));
                 if (value > 0) addDensity(lattice, node, label, weight * value);
             }
 }
@@ -81,7 +84,8 @@ void chooseLabels(LabelLattice& lattice) {
         double best = 0;
         for (int d = lattice.first_density[node]; d >= 0; d = lattice.densities[d].next) {
             const auto& density = lattice.densities[d];
-            if (density.value < best || (density.value == best && density.label > lattice.labels[node])) continue;
+            if (density.value < best || (density.value == best && density.label > lattice.labels[node]))
+                continue;
             best = density.value;
             lattice.labels[node] = density.label;
         }
@@ -91,12 +95,14 @@ void chooseLabels(LabelLattice& lattice) {
 int nearestParticle(const Discretisation& solid, const Vec3& x) {
     int best = 0;
     for (int i = 1; i < static_cast<int>(solid.particles.size()); ++i)
-        if ((solid.particles[i].position - x).squaredNorm() < (solid.particles[best].position - x).squaredNorm()) best = i;
+        if ((solid.particles[i].position - x).squaredNorm() <
+            (solid.particles[best].position - x).squaredNorm())
+            best = i;
     return best;
 }
 
-// Nodes that no kernel reaches take the label of the nearest node that has one, counted in lattice steps; an island
-// without any takes that of the nearest particle.
+// Nodes that no kernel reaches take the label of the nearest node that has one, counted in lattice steps; an
+// island without any takes that of the nearest particle.
 void fillTheRest(LabelLattice& lattice, const Discretisation& solid, const FragmentLabels& labels) {
     const int steps[3] = {1, lattice.size.x(), lattice.size.x() * lattice.size.y()};
     const int count = static_cast<int>(lattice.nodes.size());
@@ -129,8 +135,8 @@ double LabelLattice::density(int node, int label) const {
     return 0;
 }
 
-LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                               const LatticeSettings& settings) {
+LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
+                               const FragmentLabels& labels, const LatticeSettings& settings) {
     LabelLattice lattice = placeNodes(surface, settings);
     lattice.active_cells = findActiveCells(surface, lattice);
     markNodes(lattice);

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <sherd/triangle_mesh.h>
+
 #include <cstdint>
 #include <vector>
-
-#include <sherd/triangle_mesh.h>
 
 #include "core/clustering/fragment_labels.h"
 #include "core/sampling/discretisation.h"
@@ -11,15 +11,15 @@
 namespace sherd {
 
 struct LatticeSettings {
-    double spacing = 0;   ///< m
+    double spacing = 0;    ///< m
     double jitter = 0.15;  ///< nodes are moved by up to this fraction of the spacing along each axis
     std::uint64_t seed = 0;
 };
 
-/// Which fragment the space in and around a solid belongs to, on the nodes of a jittered cubic lattice. Node (i, j, k) has
-/// index i + size.x (j + size.y k); cell (i, j, k) has the index of its lowest node.
+/// Which fragment the space in and around a solid belongs to, on the nodes of a jittered cubic lattice. Node
+/// (i, j, k) has index i + size.x (j + size.y k); cell (i, j, k) has the index of its lowest node.
 struct LabelLattice {
-    double spacing = 0;       ///< m
+    double spacing = 0;  ///< m
     Vec3 origin = Vec3::Zero();
     Eigen::Vector3i size = Eigen::Vector3i::Zero();  ///< nodes along each axis
     std::vector<Vec3> nodes;
@@ -40,13 +40,14 @@ struct LabelLattice {
     std::vector<Density> densities;
 };
 
-/// Every particle spreads its volume over a smooth kernel; the label with the largest sum wins a node. A particle whose own
-/// label would lose at its own position is weighted up until it wins, so that one-particle fragments survive the smoothing.
-LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                               const LatticeSettings& settings);
+/// Every particle spreads its volume over a smooth kernel; the label with the largest sum wins a node. A
+/// particle whose own label would lose at its own position is weighted up until it wins, so that one-particle
+/// fragments survive the smoothing.
+LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
+                               const FragmentLabels& labels, const LatticeSettings& settings);
 
-/// Somewhat less than the spacing of the particles where fragments meet, but no finer than about `largest_node_count` nodes
-/// allow, m.
+/// Somewhat less than the spacing of the particles where fragments meet, but no finer than about
+/// `largest_node_count` nodes allow, m.
 double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
                       double largest_node_count);
 

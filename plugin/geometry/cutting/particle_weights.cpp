@@ -8,7 +8,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double winning_ratio = 1.5;  // of the own label over the next at a particle; a flat interface gives about 2
+constexpr double winning_ratio =
+    1.5;  // of the own label over the next at a particle; a flat interface gives about 2
 constexpr double largest_raise = 30;
 constexpr int raising_rounds = 8;
 
@@ -61,8 +62,8 @@ std::vector<std::vector<Contribution>> contributionsAtParticles(const Discretisa
     return result;
 }
 
-double ownOverNext(const std::vector<Contribution>& near, const std::vector<double>& weights, const std::vector<int>& labels,
-                   int own) {
+double ownOverNext(const std::vector<Contribution>& near, const std::vector<double>& weights,
+                   const std::vector<int>& labels, int own) {
     std::map<int, double> sums;
     for (const Contribution& c : near) sums[labels[c.particle]] += weights[c.particle] * c.kernel;
     double next = 0;
@@ -76,7 +77,8 @@ double ownOverNext(const std::vector<Contribution>& near, const std::vector<doub
 std::vector<double> particleWeights(const Discretisation& solid, const FragmentLabels& labels) {
     const int count = static_cast<int>(solid.particles.size());
     std::vector<double> fill(count), weights;
-    for (int i = 0; i < count; ++i) fill[i] = solid.particles[i].volume / std::pow(kernelRadius(solid.particles[i]), 3);
+    for (int i = 0; i < count; ++i)
+        fill[i] = solid.particles[i].volume / std::pow(kernelRadius(solid.particles[i]), 3);
     weights = fill;
     const auto near = contributionsAtParticles(solid);
     for (int round = 0; round < raising_rounds; ++round) {
@@ -84,7 +86,8 @@ std::vector<double> particleWeights(const Discretisation& solid, const FragmentL
         for (int i = 0; i < count; ++i) {
             const double ratio = ownOverNext(near[i], weights, labels.of_particle, labels.of_particle[i]);
             if (ratio >= winning_ratio || weights[i] >= largest_raise * fill[i]) continue;
-            weights[i] = std::min(largest_raise * fill[i], weights[i] * std::min(3.0, winning_ratio / ratio * 1.1));
+            weights[i] =
+                std::min(largest_raise * fill[i], weights[i] * std::min(3.0, winning_ratio / ratio * 1.1));
             raised = true;
         }
         if (!raised) break;

@@ -8,7 +8,9 @@
 namespace sherd {
 
 /// Radius of a particle's kernel, m: wide enough that the steps between particles are smoothed away.
-inline double kernelRadius(const Particle& particle) { return 2.0 * particle.spacing; }
+inline double kernelRadius(const Particle& particle) {
+    return 2.0 * particle.spacing;
+}
 
 /// The kernel (1 - r^2)^3 of a relative squared distance; 0 from 1 on.
 inline double kernel(double r_squared) {
@@ -16,8 +18,8 @@ inline double kernel(double r_squared) {
     return s > 0 ? s * s * s : 0;
 }
 
-/// #particles, what each adds to the density of its label: the share of its kernel that it fills, raised where its label
-/// would not clearly win at its own position.
+/// #particles, what each adds to the density of its label: the share of its kernel that it fills, raised
+/// where its label would not clearly win at its own position.
 std::vector<double> particleWeights(const Discretisation& solid, const FragmentLabels& labels);
 
 }  // namespace sherd

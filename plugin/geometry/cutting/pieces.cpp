@@ -49,7 +49,8 @@ Boundary makeBoundary(const CutFaces& faces) {
     return boundary;
 }
 
-// At every edge the triangles of each label come in one pair of opposite directions. False if not: the surface is open.
+// At every edge the triangles of each label come in one pair of opposite directions. False if not: the
+// surface is open.
 bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
     const EdgeTable edges = buildEdgeTable(boundary.triangles, point_count);
     for (std::size_t e = 0; e < edges.edges.size(); ++e)
@@ -68,8 +69,8 @@ bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
     return true;
 }
 
-double signedVolumeOf(const std::vector<int>& members, const std::vector<Triangle>& triangles, const std::vector<Vec3>& points,
-                      const Vec3& origin) {
+double signedVolumeOf(const std::vector<int>& members, const std::vector<Triangle>& triangles,
+                      const std::vector<Vec3>& points, const Vec3& origin) {
     double six_volumes = 0;
     for (int t : members) {
         const auto& [a, b, c] = triangles[t];
@@ -78,7 +79,8 @@ double signedVolumeOf(const std::vector<int>& members, const std::vector<Triangl
     return six_volumes / 6;
 }
 
-std::vector<Shell> collectShells(const Boundary& boundary, const std::vector<Vec3>& points, const Vec3& origin, UnionFind& sets) {
+std::vector<Shell> collectShells(const Boundary& boundary, const std::vector<Vec3>& points,
+                                 const Vec3& origin, UnionFind& sets) {
     std::vector<int> shell_of(boundary.triangles.size(), -1);
     std::vector<Shell> shells;
     for (int t = 0; t < static_cast<int>(boundary.triangles.size()); ++t) {
@@ -96,7 +98,8 @@ std::vector<Shell> collectShells(const Boundary& boundary, const std::vector<Vec
             shell.high = shell.high.cwiseMax(points[v]);
         }
     }
-    for (Shell& shell : shells) shell.volume = signedVolumeOf(shell.triangles, boundary.triangles, points, origin);
+    for (Shell& shell : shells)
+        shell.volume = signedVolumeOf(shell.triangles, boundary.triangles, points, origin);
     return shells;
 }
 
@@ -114,35 +117,42 @@ bool attachCavities(const Boundary& boundary, const std::vector<Vec3>& points, s
         const Vec3& x = points[boundary.triangles[cavity.triangles.front()][0]];
         Shell* around = nullptr;
         for (Shell& shell : shells)
-            if (shell.volume > 0 && shell.label == cavity.label && (!around || shell.volume < around->volume) &&
-                contains(shell, x, boundary, points))
+            if (shell.volume > 0 && shell.label == cavity.label &&
+                (!around || shell.volume < around->volume) && contains(shell, x, boundary, points))
                 around = &shell;
         if (!around) return false;
         around->triangles.insert(around->triangles.end(), cavity.triangles.begin(), cavity.triangles.end());
         around->volume += cavity.volume;
         cavity.triangles.clear();
     }
-    shells.erase(std::remove_if(shells.begin(), shells.end(), [](const Shell& s) { return s.triangles.empty(); }), shells.end());
+    shells.erase(
+        std::remove_if(shells.begin(), shells.end(), [](const Shell& s) { return s.triangles.empty(); }),
+        shells.end());
     return true;
 }
 
-// Whether a piece is a fragment of its own rather than a place where the smoothed labels reached across a gap.
-std::vector<char> findStrays(const std::vector<Shell>& shells, const Boundary& boundary, const std::vector<Vec3>& points,
-                             const Discretisation& solid, const FragmentLabels& labels) {
+// Whether a piece is a fragment of its own rather than a place where the smoothed labels reached across a
+// gap.
+std::vector<char> findStrays(const std::vector<Shell>& shells, const Boundary& boundary,
+                             const std::vector<Vec3>& points, const Discretisation& solid,
+                             const FragmentLabels& labels) {
     double mean_volume = 0;
-    for (const Particle& p : solid.particles) mean_volume += p.volume / static_cast<double>(solid.particles.size());
+    for (const Particle& p : solid.particles)
+        mean_volume += p.volume / static_cast<double>(solid.particles.size());
     std::map<int, std::vector<int>> of_label;
     for (int s = 0; s < static_cast<int>(shells.size()); ++s) of_label[shells[s].label].push_back(s);
     std::vector<char> is_stray(shells.size(), false);
     for (const auto& [label, members] : of_label) {
-        const int largest = *std::max_element(members.begin(), members.end(),
-                                              [&](int a, int b) { return shells[a].volume < shells[b].volume; });
+        const int largest = *std::max_element(members.begin(), members.end(), [&](int a, int b) {
+            return shells[a].volume < shells[b].volume;
+        });
         for (int s : members) {
             is_stray[s] = shells[s].volume < smallest_piece * mean_volume;
             if (is_stray[s] || s == largest) continue;
             bool holds_particle = false;
             for (std::size_t i = 0; i < solid.particles.size() && !holds_particle; ++i)
-                holds_particle = labels.of_particle[i] == label && contains(shells[s], solid.particles[i].position, boundary, points);
+                holds_particle = labels.of_particle[i] == label &&
+                                 contains(shells[s], solid.particles[i].position, boundary, points);
             is_stray[s] = !holds_particle;
         }
     }
@@ -158,15 +168,16 @@ std::vector<std::map<int, double>> contactAreas(const std::vector<Shell>& shells
     std::vector<std::map<int, double>> areas(shells.size());
     for (int t = boundary.body_count; t < static_cast<int>(boundary.triangles.size()); ++t) {
         const auto& [a, b, c] = boundary.triangles[t];
-        areas[piece_of[t]][piece_of[boundary.opposite(t)]] += (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
+        areas[piece_of[t]][piece_of[boundary.opposite(t)]] +=
+            (points[b] - points[a]).cross(points[c] - points[a]).norm() / 2;
     }
     return areas;
 }
 
-// Strays join their neighbours, the smallest first; the crack faces between them vanish. The result maps every shell to the
-// one it is part of.
-std::vector<int> mergeStrays(const std::vector<Shell>& shells, const Boundary& boundary, const std::vector<Vec3>& points,
-                             const std::vector<char>& is_stray) {
+// Strays join their neighbours, the smallest first; the crack faces between them vanish. The result maps
+// every shell to the one it is part of.
+std::vector<int> mergeStrays(const std::vector<Shell>& shells, const Boundary& boundary,
+                             const std::vector<Vec3>& points, const std::vector<char>& is_stray) {
     const auto areas = contactAreas(shells, boundary, points);
     std::vector<int> order;
     for (int s = 0; s < static_cast<int>(shells.size()); ++s)
@@ -191,8 +202,8 @@ std::vector<int> mergeStrays(const std::vector<Shell>& shells, const Boundary& b
     return joined;
 }
 
-FragmentSurface extract(const Shell& shell, const Boundary& boundary, const TriangleMesh& body, const CutFaces& faces,
-                        std::vector<int>& new_index) {
+FragmentSurface extract(const Shell& shell, const Boundary& boundary, const TriangleMesh& body,
+                        const CutFaces& faces, std::vector<int>& new_index) {
     FragmentSurface piece;
     piece.label = shell.label;
     for (int t : shell.triangles) {
@@ -207,7 +218,9 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
         const int parent = t < boundary.body_count ? faces.body_parent[t] : -1;
         piece.mesh.triangles.push_back(triangle);
         piece.parents.push_back(parent);
-        piece.mesh.kinds.push_back(parent < 0 ? SurfaceKind::crack : body.kinds.empty() ? SurfaceKind::original : body.kinds[parent]);
+        piece.mesh.kinds.push_back(parent < 0           ? SurfaceKind::crack
+                                   : body.kinds.empty() ? SurfaceKind::original
+                                                        : body.kinds[parent]);
     }
     for (int t : shell.triangles)
         for (int v : boundary.triangles[t]) new_index[v] = -1;
@@ -221,30 +234,39 @@ void applyMerges(const std::vector<int>& joined, const Boundary& boundary, std::
     for (std::size_t s = 0; s < shells.size(); ++s) {
         if (joined[s] == static_cast<int>(s)) continue;
         Shell& target = shells[joined[s]];
-        target.triangles.insert(target.triangles.end(), shells[s].triangles.begin(), shells[s].triangles.end());
+        target.triangles.insert(target.triangles.end(), shells[s].triangles.begin(),
+                                shells[s].triangles.end());
         target.volume += shells[s].volume;
         shells[s].triangles.clear();
     }
     for (Shell& shell : shells) {
-        const auto vanished = [&](int t) { return t >= boundary.body_count && piece_of[t] == piece_of[boundary.opposite(t)]; };
-        shell.triangles.erase(std::remove_if(shell.triangles.begin(), shell.triangles.end(), vanished), shell.triangles.end());
+        const auto vanished = [&](int t) {
+            return t >= boundary.body_count && piece_of[t] == piece_of[boundary.opposite(t)];
+        };
+        shell.triangles.erase(std::remove_if(shell.triangles.begin(), shell.triangles.end(), vanished),
+                              shell.triangles.end());
         std::sort(shell.triangles.begin(), shell.triangles.end());
     }
-    shells.erase(std::remove_if(shells.begin(), shells.end(), [](const Shell& s) { return s.triangles.empty(); }), shells.end());
+    shells.erase(
+        std::remove_if(shells.begin(), shells.end(), [](const Shell& s) { return s.triangles.empty(); }),
+        shells.end());
 }
 
 }  // namespace
 
 Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, const CutFaces& faces,
-                                                    const Discretisation& solid, const FragmentLabels& labels) {
+                                                    const Discretisation& solid,
+                                                    const FragmentLabels& labels) {
     const Boundary boundary = makeBoundary(faces);
     UnionFind sets(static_cast<int>(boundary.triangles.size()));
-    if (!connectShells(boundary, static_cast<int>(faces.points.size()), sets)) return Error{"a fragment would be open"};
+    if (!connectShells(boundary, static_cast<int>(faces.points.size()), sets))
+        return Error{"a fragment would be open"};
     const Vec3 origin = body.vertices.front();
     std::vector<Shell> shells = collectShells(boundary, faces.points, origin, sets);
     if (!attachCavities(boundary, faces.points, shells)) return Error{"a cavity has no fragment around it"};
-    applyMerges(mergeStrays(shells, boundary, faces.points, findStrays(shells, boundary, faces.points, solid, labels)), boundary,
-                shells);
+    applyMerges(mergeStrays(shells, boundary, faces.points,
+                            findStrays(shells, boundary, faces.points, solid, labels)),
+                boundary, shells);
 
     std::vector<FragmentSurface> pieces;
     std::vector<int> new_index(faces.points.size(), -1);
@@ -256,8 +278,10 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
         pieces.push_back(extract(shell, boundary, body, faces, new_index));
     }
     for (const auto& [a, b, c] : body.triangles)
-        whole += (body.vertices[a] - origin).cross(body.vertices[b] - origin).dot(body.vertices[c] - origin) / 6;
-    if (!(std::abs(sum - whole) <= volume_tolerance * whole)) return Error{"the volumes of the fragments do not add up"};
+        whole +=
+            (body.vertices[a] - origin).cross(body.vertices[b] - origin).dot(body.vertices[c] - origin) / 6;
+    if (!(std::abs(sum - whole) <= volume_tolerance * whole))
+        return Error{"the volumes of the fragments do not add up"};
     return pieces;
 }
 

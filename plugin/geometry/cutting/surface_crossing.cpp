@@ -11,12 +11,14 @@ namespace sherd {
 
 namespace {
 
-// Crossings nearer than this (relative to the triangle or edge) to a vertex or an edge would leave needles behind.
+// Crossings nearer than this (relative to the triangle or edge) to a vertex or an edge would leave needles
+// behind.
 constexpr double smallest_share = 1e-6;
 
 class Crossing {
   public:
-    Crossing(const TriangleMesh& body, const EdgeTable& body_edges, const CrackComplex& crack, const EdgeTable& crack_edges)
+    Crossing(const TriangleMesh& body, const EdgeTable& body_edges, const CrackComplex& crack,
+             const EdgeTable& crack_edges)
         : body_(body), body_edges_(body_edges), crack_(crack), crack_edges_(crack_edges) {
         result_.points = body.vertices;
         result_.first_crack_point = static_cast<int>(body.vertices.size());
@@ -41,7 +43,8 @@ class Crossing {
     }
 
   private:
-    static std::array<Vec3, 3> corners(int t, const std::vector<Vec3>& points, const std::vector<Triangle>& triangles) {
+    static std::array<Vec3, 3> corners(int t, const std::vector<Vec3>& points,
+                                       const std::vector<Triangle>& triangles) {
         return {points[triangles[t][0]], points[triangles[t][1]], points[triangles[t][2]]};
     }
 
@@ -52,7 +55,8 @@ class Crossing {
     }
 
     void crossPair(int b, int c) {
-        const auto x = corners(b, body_.vertices, body_.triangles), y = corners(c, crack_.points, crack_.triangles);
+        const auto x = corners(b, body_.vertices, body_.triangles),
+                   y = corners(c, crack_.points, crack_.triangles);
         int body_sign[3], crack_sign[3];
         if (!signsAgainst(y, x, body_sign) || !signsAgainst(x, y, crack_sign)) return;
         // twist[i][j]: on which side of body edge i crack edge j passes.
@@ -68,11 +72,15 @@ class Crossing {
         if (zero) return result_.degenerate.push_back(c);
         CutSegment segment = {-1, -1, b, c};
         for (int i = 0; i < 3; ++i)
-            if (body_sign[i] != body_sign[(i + 1) % 3] && twist[i][0] == twist[i][1] && twist[i][1] == twist[i][2])
-                (body_sign[i] > 0 ? segment.target : segment.source) = bodyEdgeCrossing(body_edges_.of_triangle[b][i], c);
+            if (body_sign[i] != body_sign[(i + 1) % 3] && twist[i][0] == twist[i][1] &&
+                twist[i][1] == twist[i][2])
+                (body_sign[i] > 0 ? segment.target : segment.source) =
+                    bodyEdgeCrossing(body_edges_.of_triangle[b][i], c);
         for (int j = 0; j < 3; ++j)
-            if (crack_sign[j] != crack_sign[(j + 1) % 3] && twist[0][j] == twist[1][j] && twist[1][j] == twist[2][j])
-                (crack_sign[j] > 0 ? segment.source : segment.target) = crackEdgeCrossing(crack_edges_.of_triangle[c][j], b, c);
+            if (crack_sign[j] != crack_sign[(j + 1) % 3] && twist[0][j] == twist[1][j] &&
+                twist[1][j] == twist[2][j])
+                (crack_sign[j] > 0 ? segment.source : segment.target) =
+                    crackEdgeCrossing(crack_edges_.of_triangle[c][j], b, c);
         if (segment.source >= 0 && segment.target >= 0) result_.segments.push_back(segment);
     }
 
@@ -80,8 +88,8 @@ class Crossing {
         const auto [entry, is_new] = body_edge_points_.try_emplace(key(edge, c), -1);
         if (is_new) {
             const auto [low, high] = body_edges_.edges[edge];
-            entry->second = addCrossing(result_.on_body_edges, edge, body_.vertices[low], body_.vertices[high],
-                                        corners(c, crack_.points, crack_.triangles), c);
+            entry->second = addCrossing(result_.on_body_edges, edge, body_.vertices[low],
+                                        body_.vertices[high], corners(c, crack_.points, crack_.triangles), c);
         }
         return entry->second;
     }
@@ -96,9 +104,10 @@ class Crossing {
         return entry->second;
     }
 
-    int addCrossing(std::vector<EdgeCrossing>& list, int edge, const Vec3& p, const Vec3& q, const std::array<Vec3, 3>& plane,
-                    int crack_triangle) {
-        const double at_p = signedVolume(plane[0], plane[1], plane[2], p), at_q = signedVolume(plane[0], plane[1], plane[2], q);
+    int addCrossing(std::vector<EdgeCrossing>& list, int edge, const Vec3& p, const Vec3& q,
+                    const std::array<Vec3, 3>& plane, int crack_triangle) {
+        const double at_p = signedVolume(plane[0], plane[1], plane[2], p),
+                     at_q = signedVolume(plane[0], plane[1], plane[2], q);
         const double t = at_p / (at_p - at_q);
         bool safe = t > smallest_share && t < 1 - smallest_share;
         double share[3], sum = 0;
@@ -106,7 +115,8 @@ class Crossing {
         for (double s : share) safe = safe && s / sum > smallest_share;
         if (!safe) result_.degenerate.push_back(crack_triangle);
         const int point = static_cast<int>(result_.points.size());
-        result_.points.push_back(t < 0.5 ? Vec3(p + t * (q - p)) : Vec3(q + (at_q / (at_q - at_p)) * (p - q)));
+        result_.points.push_back(t < 0.5 ? Vec3(p + t * (q - p))
+                                         : Vec3(q + (at_q / (at_q - at_p)) * (p - q)));
         list.push_back({edge, t, point, crack_triangle});
         return point;
     }
@@ -135,8 +145,8 @@ class Crossing {
 
 }  // namespace
 
-SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges, const CrackComplex& crack,
-                              const EdgeTable& crack_edges) {
+SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges,
+                              const CrackComplex& crack, const EdgeTable& crack_edges) {
     return Crossing(body, body_edges, crack, crack_edges).run();
 }
 

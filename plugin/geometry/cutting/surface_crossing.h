@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include <sherd/triangle_mesh.h>
+
+#include <vector>
 
 #include "geometry/cutting/crack_complex.h"
 
@@ -10,30 +10,32 @@ namespace sherd {
 
 /// Where an edge of one surface goes through a triangle of the other.
 struct EdgeCrossing {
-    int edge;    ///< in the edge table of the surface that the edge belongs to
-    double t;    ///< place on the edge, from its lower vertex
-    int point;   ///< in `SurfaceCrossing::points`
+    int edge;   ///< in the edge table of the surface that the edge belongs to
+    double t;   ///< place on the edge, from its lower vertex
+    int point;  ///< in `SurfaceCrossing::points`
     int crack_triangle;
 };
 
-/// A piece of the line in which a body triangle and a crack triangle cross, directed along (body normal) x (crack normal): in the
-/// body triangle the label below the crack is on its left, in the crack triangle the outside is on its left.
+/// A piece of the line in which a body triangle and a crack triangle cross, directed along (body normal) x
+/// (crack normal): in the body triangle the label below the crack is on its left, in the crack triangle the
+/// outside is on its left.
 struct CutSegment {
     int source, target;  ///< points
     int body_triangle, crack_triangle;
 };
 
-/// How the cracks cross a body's surface. Every decision is exact; every crossing point is made once and shared by all
-/// triangles that meet there.
+/// How the cracks cross a body's surface. Every decision is exact; every crossing point is made once and
+/// shared by all triangles that meet there.
 struct SurfaceCrossing {
     std::vector<Vec3> points;  ///< the body's vertices, then the crack's points, then the crossings, m
     int first_crack_point = 0;
     std::vector<EdgeCrossing> on_body_edges, on_crack_edges;  ///< by edge and place
     std::vector<CutSegment> segments;                         ///< by body triangle
-    std::vector<int> degenerate;  ///< crack triangles that pass through a vertex, along an edge, or too near to that
+    std::vector<int>
+        degenerate;  ///< crack triangles that pass through a vertex, along an edge, or too near to that
 };
 
-SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges, const CrackComplex& crack,
-                              const EdgeTable& crack_edges);
+SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges,
+                              const CrackComplex& crack, const EdgeTable& crack_edges);
 
 }  // namespace sherd

@@ -14,7 +14,8 @@ constexpr double largest_cell_count = 2e6;
 template <class Visit>
 void TriangleGrid::forEachCell(const Vec3& low, const Vec3& high, Visit visit) const {
     const Eigen::Vector3i first = ((low - origin_) / cell_).array().floor().max(0).min(1e9).cast<int>();
-    const Eigen::Vector3i last = ((high - origin_) / cell_).array().floor().max(-1).min(size_.array().cast<double>() - 1).cast<int>();
+    const Eigen::Vector3i last =
+        ((high - origin_) / cell_).array().floor().max(-1).min(size_.array().cast<double>() - 1).cast<int>();
     for (int k = first.z(); k <= last.z(); ++k)
         for (int j = first.y(); j <= last.y(); ++j)
             for (int i = first.x(); i <= last.x(); ++i) visit(i + size_.x() * (j + size_.y() * k));
@@ -36,7 +37,8 @@ TriangleGrid::TriangleGrid(const std::vector<Vec3>& points, const std::vector<Tr
     cell_ = std::max(mean_edge, std::cbrt(extent.prod() / largest_cell_count));
     size_ = (extent / cell_).array().ceil().cast<int>();
     first_.assign(size_.prod() + 1, 0);
-    for (std::size_t t = 0; t < triangles.size(); ++t) forEachCell(low_[t], high_[t], [&](int cell) { ++first_[cell + 1]; });
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        forEachCell(low_[t], high_[t], [&](int cell) { ++first_[cell + 1]; });
     for (std::size_t c = 1; c < first_.size(); ++c) first_[c] += first_[c - 1];
     entries_.resize(first_.back());
     std::vector<int> next(first_.begin(), first_.end() - 1);
@@ -50,7 +52,8 @@ void TriangleGrid::findNear(const Vec3& low, const Vec3& high, std::vector<int>&
     forEachCell(low, high, [&](int cell) {
         for (int e = first_[cell]; e < first_[cell + 1]; ++e) {
             const int t = entries_[e];
-            if ((low_[t].array() <= high.array()).all() && (high_[t].array() >= low.array()).all()) found.push_back(t);
+            if ((low_[t].array() <= high.array()).all() && (high_[t].array() >= low.array()).all())
+                found.push_back(t);
         }
     });
     std::sort(found.begin() + begin, found.end());

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include <sherd/types.h>
+
+#include <vector>
 
 #include "geometry/cutting/edge_table.h"
 

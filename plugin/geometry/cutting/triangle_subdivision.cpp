@@ -12,7 +12,8 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase =
-    CGAL::Triangulation_face_base_with_info_2<bool, Kernel, CGAL::Constrained_triangulation_face_base_2<Kernel>>;
+    CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
+                                              CGAL::Constrained_triangulation_face_base_2<Kernel>>;
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
@@ -66,20 +67,24 @@ struct TriangleSubdivision::Impl {
 };
 
 TriangleSubdivision::TriangleSubdivision() : impl_(new Impl) {}
-TriangleSubdivision::~TriangleSubdivision() { delete impl_; }
+TriangleSubdivision::~TriangleSubdivision() = default;
 
-bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
-                                const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out) {
+bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal,
+                                const std::vector<int>& loop,
+                                const std::vector<std::pair<int, int>>& segments,
+                                std::vector<Triangle>& out) {
     Triangulation& cdt = impl_->cdt;
     cdt.clear();
     impl_->vertices.clear();
     try {
         for (std::size_t i = 0; i < loop.size(); ++i) {
             const auto a = impl_->vertex(points, normal, loop[i]);
-            if (!impl_->constrain(a, impl_->vertex(points, normal, loop[(i + 1) % loop.size()]))) return false;
+            if (!impl_->constrain(a, impl_->vertex(points, normal, loop[(i + 1) % loop.size()])))
+                return false;
         }
         for (const auto& [a, b] : segments)
-            if (!impl_->constrain(impl_->vertex(points, normal, a), impl_->vertex(points, normal, b))) return false;
+            if (!impl_->constrain(impl_->vertex(points, normal, a), impl_->vertex(points, normal, b)))
+                return false;
     } catch (const std::exception&) {  // CGAL throws when constraints cross
         return false;
     }

@@ -1,29 +1,31 @@
 #pragma once
 
+#include <sherd/types.h>
+
+#include <memory>
 #include <utility>
 #include <vector>
-
-#include <sherd/types.h>
 
 #include "geometry/cutting/edge_table.h"
 
 namespace sherd {
 
-/// Splits triangles along segments: constrained Delaunay triangulation in the triangle's plane, without new points.
+/// Splits triangles along segments: constrained Delaunay triangulation in the triangle's plane, without new
+/// points.
 class TriangleSubdivision {
   public:
     TriangleSubdivision();
     ~TriangleSubdivision();
 
-    /// `loop`: the corners and the points on the edges, counter-clockwise about `normal`; `segments`: pairs of points of the loop
-    /// or inside it. Appends triangles of the same orientation. False, with nothing appended, if rounding makes the segments
-    /// cross or fold.
+    /// `loop`: the corners and the points on the edges, counter-clockwise about `normal`; `segments`: pairs
+    /// of points of the loop or inside it. Appends triangles of the same orientation. False, with nothing
+    /// appended, if rounding makes the segments cross or fold.
     bool split(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
                const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out);
 
   private:
     struct Impl;
-    Impl* impl_;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace sherd
