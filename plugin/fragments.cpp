@@ -49,7 +49,8 @@ int wantedClusters(const Body& body, const Damage& damage, const Discretisation&
         if (damage.damaged[i]) damaged_volume += solid.particles[i].volume;
     const ClusterBudget budget{fracture.energy_into_cracks * strain_energy_j,
                                body.material().fracture_energy_j_m2, body.wallThickness()};
-    return std::min(affordableClusters(budget, damaged_volume), fracture.largest_fragment_count);
+    const int room = static_cast<int>(std::clamp(damaged_volume / body.smallestFragment(), 1.0, 1e6));
+    return std::min({affordableClusters(budget, damaged_volume), room, fracture.largest_fragment_count});
 }
 
 double smallestCrackEnergy(const Body& body) {

@@ -25,9 +25,31 @@ struct Wedge {
     }
 };
 
+/// Leaves out what flew far from the rest, so that one chip does not make the whole scene small.
+std::vector<Vec3> withoutStrays(const std::vector<Vec3>& points) {
+    constexpr double most = 0.85, reach = 2;
+    Vec3 middle;
+    for (int axis = 0; axis < 3; ++axis) {
+        std::vector<double> values;
+        for (const Vec3& p : points) values.push_back(p[axis]);
+        std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
+        middle[axis] = values[values.size() / 2];
+    }
+    std::vector<double> distances;
+    for (const Vec3& p : points) distances.push_back((p - middle).norm());
+    std::vector<double> sorted = distances;
+    std::sort(sorted.begin(), sorted.end());
+    const double limit = reach * sorted[static_cast<std::size_t>(most * (sorted.size() - 1))];
+    std::vector<Vec3> kept;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (distances[i] <= limit) kept.push_back(points[i]);
+    return kept;
+}
+
 }  // namespace
 
-Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& points, double aspect) {
+Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& all, double aspect) {
+    const std::vector<Vec3> points = withoutStrays(all);
     const Vec3 along = camera.towards.normalized();
     const Vec3 right = along.cross(Vec3::UnitZ()).normalized();
     const Vec3 up = right.cross(along);

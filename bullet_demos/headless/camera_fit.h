@@ -16,8 +16,8 @@ struct Viewpoint {
     double width_deg = 30;
 };
 
-/// The nearest place, looking along the camera's direction, from which all points are in the picture with a
-/// margin. `aspect` is width over height.
+/// The nearest place, looking along the camera's direction, from which all points but far strays are in the
+/// picture with a margin. `aspect` is width over height.
 Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& points, double aspect);
 
 }  // namespace demo

@@ -61,8 +61,8 @@ struct FractureSettings {
     std::uint64_t seed = 1;
     int fragment_count =
         0;  ///< clusters that the damaged part is split into; 0: what the strain energy pays for
-    double energy_into_cracks = 0.1;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
-    int largest_fragment_count = 40;
+    double energy_into_cracks = 0.05;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
+    int largest_fragment_count = 36;
     double smallest_fragment_m3 = 0;   ///< smaller pieces never break again; 0: 1/200 of the first body
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 

@@ -136,9 +136,9 @@ void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_pt
         const btVector3 own_gravity = body.getGravity();
         world.addRigidBody(&body, group, mask);
         body.setGravity(own_gravity);  // adding a body gives it the world's
+        // Adding leaves out the margin for contacts and the way ahead.
         body.predictIntegratedTransform(time_step_s, body.getInterpolationWorldTransform());
-        world.updateSingleAabb(
-            &body);  // with the margin for contacts and the way ahead, which adding leaves out
+        world.updateSingleAabb(&body);
     }
 }
 

@@ -11,8 +11,8 @@ SolverDecorator::SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& l
       listener_(listener),
       inner_(world.getConstraintSolver()),
       world_owned_inner_(WorldInternals::ownsSolver(world)) {
-    WorldInternals::ownsSolver(world_) =
-        false;  // or setConstraintSolver would free the solver that we forward to
+    // Otherwise setConstraintSolver would free the solver that is to be forwarded to.
+    WorldInternals::ownsSolver(world_) = false;
     world_.setConstraintSolver(this);
 }
 

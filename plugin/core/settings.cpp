@@ -49,6 +49,8 @@ Status FractureSettings::validate() const {
         .require(largest_fragment_count >= 2, "largest_fragment_count", largest_fragment_count, "at least 2")
         .require(fragment_count <= largest_fragment_count, "fragment_count", fragment_count,
                  "at most largest_fragment_count")
+        .require(energy_into_cracks > 0 && energy_into_cracks <= 1, "energy_into_cracks", energy_into_cracks,
+                 "a fraction above 0 and at most 1")
         .require(isNotNegative(smallest_fragment_m3), "smallest_fragment_m3", smallest_fragment_m3,
                  "0 (1/200 of the first body) or positive, in m^3")
         .require(isNotNegative(rest_after_break_s), "rest_after_break_s", rest_after_break_s,

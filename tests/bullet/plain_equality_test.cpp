@@ -12,7 +12,7 @@ using namespace sherd::bullet_tests;
 struct Case {
     const char* name;
     WorldKind kind;
-    int solver_mode_off;  // bits taken out of the solver mode
+    int solver_mode_off;  // bits taken out of the solver mode in the middle of the run
     bool split_impulse;
 
     friend void PrintTo(const Case& self, std::ostream* out) { *out << self.name; }
@@ -22,7 +22,6 @@ class PlainEquality : public testing::TestWithParam<Case> {
   protected:
     static void set(TestWorld& scene) {
         scene.world->setGravity(btVector3(0, 0, -9.81f));
-        scene.world->getSolverInfo().m_solverMode &= ~GetParam().solver_mode_off;
         scene.world->getSolverInfo().m_splitImpulse = GetParam().split_impulse;
         scene.addFloor();
     }
@@ -49,6 +48,10 @@ class PlainEquality : public testing::TestWithParam<Case> {
         btRigidBody* ball = hooked.addBall(3, 0.1, btVector3(0, 0.3f, 0.4f), btVector3(0, -6, 0));
         btRigidBody* plain_ball = plain.addBall(3, 0.1, btVector3(0, 0.3f, 0.4f), btVector3(0, -6, 0));
         for (int i = 0; i < 480; ++i) {
+            if (i == 30) {  // in contact already, so that impulses of the other mode are about
+                hooked.world->getSolverInfo().m_solverMode &= ~GetParam().solver_mode_off;
+                plain.world->getSolverInfo().m_solverMode &= ~GetParam().solver_mode_off;
+            }
             hooked.step();
             plain.step();
             ASSERT_TRUE(sameState(*body, *twin.body)) << "plate, step " << i;

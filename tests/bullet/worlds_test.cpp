@@ -4,6 +4,7 @@
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 
+#include "bullet/world_internals.h"
 #include "support.h"
 
 namespace {
@@ -33,15 +34,14 @@ TEST_P(EveryWorld, HasItsOwnSolverBackAfterwards) {
     {
         FractureWorld fracture(scene.world.get());
         EXPECT_NE(scene.world->getConstraintSolver(), own);
-        if (own->getSolverType() != BT_MULTIBODY_SOLVER)
-            EXPECT_EQ(scene.world->getConstraintSolver()->getSolverType(), own->getSolverType());
-        else
-            EXPECT_NE(scene.world->getConstraintSolver()->getSolverType(), BT_MULTIBODY_SOLVER);
+        EXPECT_EQ(scene.world->getConstraintSolver()->getSolverType(), own->getSolverType());
+        EXPECT_FALSE(WorldInternals::ownsSolver(*scene.world));
         ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
         scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
         scene.step(20);
     }
     EXPECT_EQ(scene.world->getConstraintSolver(), own);
+    EXPECT_EQ(WorldInternals::ownsSolver(*scene.world), GetParam() == WorldKind::owns_its_solver);
     EXPECT_EQ(scene.world->getNumCollisionObjects(), 1) << "only the app's ball is left";
     scene.step(20);
 }
@@ -55,6 +55,28 @@ INSTANTIATE_TEST_SUITE_P(Kinds, EveryWorld,
                          testing::Values(WorldKind::plain, WorldKind::owns_its_solver, WorldKind::threaded,
                                          WorldKind::soft, WorldKind::multi_body),
                          nameOf);
+
+/// Says what it is, as solvers of apps may.
+class OutspokenSolver : public btMultiBodyConstraintSolver {
+  public:
+    btConstraintSolverType getSolverType() const override { return BT_MULTIBODY_SOLVER; }
+};
+
+TEST(MultiBodyWorld, IsNotToldThatTheHookIsAMultiBodySolver) {
+    TestWorld scene(WorldKind::multi_body);
+    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*scene.world);
+    OutspokenSolver solver;
+    world.setMultiBodyConstraintSolver(&solver);
+    {
+        FractureWorld fracture(&world);
+        EXPECT_NE(world.getConstraintSolver()->getSolverType(), BT_MULTIBODY_SOLVER)
+            << "the world would cast it";
+        scene.addBall(1, 0.1, btVector3(0, 0, 0));
+        scene.step(2);
+    }
+    EXPECT_EQ(world.getConstraintSolver(), &solver);
+    scene.step(2);
+}
 
 TEST(SoftWorld, ClothOnThePlateSurvivesTheBreak) {
     TestWorld scene(WorldKind::soft);

@@ -56,7 +56,7 @@ bool connected(const Discretisation& solid, const FragmentLabels& labels, int la
 TEST(Clusters, ADamagedBandLeavesTwoWholePartsAndItsClusters) {
     const Discretisation solid = sheet(20);
     const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() > 7.5 && x.x() < 11.5; });
-    const FragmentLabels labels = fragmentLabels(solid, damage, 5, 3);
+    const FragmentLabels labels = fragmentLabels(solid, damage, 5, 0, 3);
     EXPECT_EQ(labels.count, 7);
     EXPECT_EQ(labels.of_particle[0], labels.of_particle[20 * 19]);
     EXPECT_NE(labels.of_particle[0], labels.of_particle[19]);
@@ -67,9 +67,9 @@ TEST(Clusters, ADamagedBandLeavesTwoWholePartsAndItsClusters) {
 TEST(Clusters, SeedChangesTheClustersAndNothingElseDoes) {
     const Discretisation solid = sheet(16);
     const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
-    const auto first = fragmentLabels(solid, damage, 6, 1).of_particle;
-    EXPECT_EQ(first, fragmentLabels(solid, damage, 6, 1).of_particle);
-    EXPECT_NE(first, fragmentLabels(solid, damage, 6, 2).of_particle);
+    const auto first = fragmentLabels(solid, damage, 6, 0, 1).of_particle;
+    EXPECT_EQ(first, fragmentLabels(solid, damage, 6, 0, 1).of_particle);
+    EXPECT_NE(first, fragmentLabels(solid, damage, 6, 0, 2).of_particle);
 }
 
 TEST(Clusters, DenserWhereTheStressIsHigher) {
@@ -77,7 +77,7 @@ TEST(Clusters, DenserWhereTheStressIsHigher) {
     Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
     for (std::size_t i = 0; i < solid.particles.size(); ++i)
         damage.overstress[i] = solid.particles[i].position.x() < 20 ? 16 : 1;
-    const FragmentLabels labels = fragmentLabels(solid, damage, 30, 5);
+    const FragmentLabels labels = fragmentLabels(solid, damage, 30, 0, 5);
     std::set<int> left, right;
     for (int i = 0; i < 1600; ++i) (i % 40 < 20 ? left : right).insert(labels.of_particle[i]);
     EXPECT_GT(left.size(), 2 * right.size());
@@ -86,15 +86,23 @@ TEST(Clusters, DenserWhereTheStressIsHigher) {
 TEST(Clusters, SpecksJoinWhatSurroundsThem) {
     const Discretisation solid = sheet(12);
     const Damage dots = damageWhere(solid, [](const Vec3& x) { return x.x() == 5 && (x.y() == 5 || x.y() == 6); });
-    EXPECT_EQ(fragmentLabels(solid, dots, 4, 1).count, 1);
+    EXPECT_EQ(fragmentLabels(solid, dots, 4, 0, 1).count, 1);
     const Damage all_but_one = damageWhere(solid, [](const Vec3& x) { return !(x.x() == 5 && x.y() == 5); });
-    EXPECT_EQ(fragmentLabels(solid, all_but_one, 4, 1).count, 4);
+    EXPECT_EQ(fragmentLabels(solid, all_but_one, 4, 0, 1).count, 4);
+}
+
+TEST(Clusters, DamageReachesThroughTheWallAndNoFurther) {
+    const Discretisation solid = sheet(20);
+    const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() < 2.5; });
+    const auto labels = fragmentLabels(solid, damage, 1, 4, 1).of_particle;  // 0.75 walls of 4: three particles further
+    EXPECT_EQ(labels[0], labels[5]);
+    EXPECT_NE(labels[0], labels[6]);
 }
 
 TEST(Clusters, SeparateDamagedPartsGetSeedsEvenIfFewAreWanted) {
     const Discretisation solid = sheet(20);
     const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() < 4 || x.x() > 15; });
-    const FragmentLabels labels = fragmentLabels(solid, damage, 1, 1);
+    const FragmentLabels labels = fragmentLabels(solid, damage, 1, 0, 1);
     EXPECT_EQ(labels.count, 3);
 }
 

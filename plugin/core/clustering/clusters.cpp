@@ -11,6 +11,7 @@ namespace sherd {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double kAcrossWall = 0.75;  // of the wall, about the way between the outermost particles of two sides
 constexpr int kSpeck = 3;  // parts of fewer particles are no fragments
 
 /// Connected components of the particles with equal `state`, numbered by their first particle.
@@ -57,6 +58,33 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
         }
     }
     return state;
+}
+
+/// Takes in what lies within `reach` of damaged particles along the neighbour table: in a wall a crack that starts on one
+/// side runs through to the other, it does not turn and peel the wall.
+std::vector<char> spread(const Discretisation& solid, const std::vector<char>& damaged, double reach) {
+    using Entry = std::pair<double, int>;
+    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
+    std::vector<double> distance(damaged.size(), kFar);
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        if (!damaged[i]) continue;
+        distance[i] = 0;
+        front.push({0, static_cast<int>(i)});
+    }
+    std::vector<char> reached = damaged;
+    while (!front.empty()) {
+        const auto [d, i] = front.top();
+        front.pop();
+        if (d > distance[i]) continue;
+        reached[i] = 1;
+        for (int j : solid.neighbours[i]) {
+            const double further = d + (solid.particles[i].position - solid.particles[j].position).norm();
+            if (further >= distance[j] || further > reach) continue;
+            distance[j] = further;
+            front.push({further, j});
+        }
+    }
+    return reached;
 }
 
 /// Path lengths among the damaged particles, longer where the stress is higher, so that seeds lie denser
@@ -136,8 +164,10 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
 }
 
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              std::uint64_t seed) {
-    const std::vector<char> state = withoutSpecks(solid, damage.damaged);
+                              double wall_thickness_m, std::uint64_t seed) {
+    const std::vector<char> damaged =
+        spread(solid, withoutSpecks(solid, damage.damaged), kAcrossWall * wall_thickness_m);
+    const std::vector<char> state = withoutSpecks(solid, damaged);
     const Parts parts = connectedParts(solid, state);
     FragmentLabels labels;
     labels.of_particle.assign(state.size(), -1);

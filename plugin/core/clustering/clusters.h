@@ -24,9 +24,9 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3);
 
 /// Fragments (paper, sections 6.1 and 6.2): each connected undamaged part is one; damaged particles are
 /// clustered to seeds spread by farthest point along the neighbour table, denser where the stress is higher.
-/// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Count 1 means:
+/// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Damage on one side of a wall reaches through it. Count 1 means:
 /// nothing came off.
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              std::uint64_t seed);
+                              double wall_thickness_m, std::uint64_t seed);
 
 }  // namespace sherd

@@ -60,13 +60,17 @@ bool isFinite(const std::vector<Voigt>& stresses) {
 
 Result<StressField> StressSolver::Impl::solve(LoadVector loads, double load_magnitude,
                                               const std::vector<Vec3>& points) const {
+    const Stopwatch solve_watch;
     form->addInertia(loads);
     const Result<Displacement> solved = form->solve(loads.forces);
     if (!solved) return Error{solved.error()};
     const Displacement& displacement = solved.value();
 
     StressField field;
+    field.solve_ms = solve_watch.milliseconds();
+    const Stopwatch recovery_watch;
     recoverStress(displacement.cell_stresses, points, field);
+    field.recovery_ms = recovery_watch.milliseconds();
     field.strain_energy_j = 0.5 * displacement.unknowns.dot(loads.forces);
     field.residual_rel = displacement.residual_rel;
     if (load_magnitude > 0)
