@@ -2,6 +2,7 @@
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
+#include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 
 #include "bullet/world_internals.h"
@@ -153,6 +154,23 @@ TEST(MultiBodyWorld, MultiBodyThatBreaksThePlateGoesOnToo) {
     EXPECT_NEAR(momentum, -400, 0.01) << "plate of " << plate_mass << " kg";
     scene.step(60);
     EXPECT_LT(ball.multi_body->getBasePos().z(), -1);
+}
+
+TEST(MultiBodyWorld, ConstraintsOfMultiBodiesHoldInTheStepTakenAgain) {
+    TestWorld scene(WorldKind::multi_body);
+    auto& world = static_cast<btMultiBodyDynamicsWorld&>(*scene.world);
+    FractureWorld fracture(&world);
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    body->setLinearVelocity(btVector3(0, 0, 8));
+    MultiBodyBall ball(world, 2, 0.1f, btVector3(0, 0, 0.3f), btVector3(0, 0, 0));
+    btMultiBodyPoint2Point pin(ball.multi_body.get(), -1, nullptr, btVector3(0, 0, 0), btVector3(0, 0, 0.3f));
+    pin.setMaxAppliedImpulse(1e6f);
+    pin.finalizeMultiDof();
+    world.addMultiBodyConstraint(&pin);
+    const BreakEvent event = stepUntilBreak(scene, fracture);
+    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_LT(ball.multi_body->getBaseVel().length(), 0.5) << "the pin was left out";
+    world.removeMultiBodyConstraint(&pin);
 }
 
 TEST(MultiBodyWorld, ClosingSpeedOfAMultiBodyIsKnown) {

@@ -1,0 +1,148 @@
+// What a solved contact says about a blow, and how momentum and forces are shared out: by themselves, without
+// a break.
+
+#include "bullet/contact_collector.h"
+#include "bullet/conversions.h"
+#include "bullet/fragment_motion.h"
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+/// A box of 0.2 x 0.2 x 0.2 m and 4 kg above a floor, moving down, seen by a collector over one step.
+struct OneStep {
+    explicit OneStep(btScalar speed, btScalar gravity = -10) {
+        scene.world->setGravity(btVector3(0, 0, gravity));
+        body->setGravity(btVector3(0, 0, gravity));
+        body->setLinearVelocity(btVector3(0.02f, 0, -speed));
+        const auto asset =
+            BreakableAsset::fromMesh(shapes::box(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1)), crumbly());
+        auto breakable = std::make_unique<Breakable>(asset.value());
+        breakable->body = body;
+        registry.add(std::move(breakable));
+        before.take(*scene.world);
+        scene.step();
+        body->applyGravity();  // Bullet has cleared the forces that the solver saw
+    }
+    std::vector<StruckBreakable> struck(double time_s = 0) {
+        ContactCollector collector(registry, before, time_s, scene.world->getSolverInfo());
+        feedSolvedContacts(*scene.world, collector);
+        return collector.takeStruck();
+    }
+
+    TestWorld scene;
+    btRigidBody* floor = scene.addFloor();
+    btRigidBody* body = scene.addBox(4, btVector3(0.1f, 0.1f, 0.1f), btVector3(0, 0, 0.0999f));
+    BreakableRegistry registry;
+    StepSnapshot before;
+};
+
+TEST(Collector, SumsUpToTheImpulseThatStoppedTheBody) {
+    OneStep step(2);
+    const auto struck = step.struck();
+    ASSERT_EQ(struck.size(), 1u);
+    Vec3 impulse = Vec3::Zero();
+    for (const ContactImpulse& contact : struck[0].blow.contacts) {
+        impulse += contact.impulse;
+        EXPECT_NEAR(contact.approach_m_s, 2, 1e-5);
+        EXPECT_LT((contact.normal - Vec3::UnitZ()).norm(), 1e-5);
+        EXPECT_NEAR(contact.point.z(), -0.1, 1e-3);
+        // A corner of a cube: 1/m + (r x n) . J^-1 (r x n) with J = m a^2 / 6.
+        const double inverse = 1 / 4.0 + (2 * 0.1 * 0.1) / (4 * 0.2 * 0.2 / 6);
+        EXPECT_NEAR(contact.effective_mass_kg, 1 / inverse, 1e-3);
+    }
+    const btVector3 gained = step.body->getLinearVelocity() - btVector3(0.02f, 0, -2);
+    EXPECT_NEAR(impulse.z(), 4 * (gained.z() + 10.0 / 240), 1e-3);
+    EXPECT_NEAR(impulse.x(), 4 * gained.x(), 1e-3) << "friction";
+    EXPECT_LT(impulse.x(), 0);
+}
+
+TEST(Collector, SpeedOfAStepOrTwoOfFreeFallIsThatOfABodyAtRest) {
+    const auto approach = [](btScalar speed, btScalar gravity) {
+        OneStep step(speed, gravity);
+        return step.struck().at(0).blow.contacts.at(0).approach_m_s;
+    };
+    EXPECT_EQ(approach(10.f / 240, -10), 0);
+    EXPECT_NEAR(approach(30.f / 240, -10), 30.0 / 240, 1e-5);
+    EXPECT_NEAR(approach(10.f / 240, 0), 10.0 / 240, 1e-5) << "without gravity it is a blow";
+}
+
+TEST(Collector, SleepingBodiesKeepTheirImpulsesToThemselves) {
+    OneStep step(2);
+    ASSERT_FALSE(step.struck().empty());
+    step.body->forceActivationState(ISLAND_SLEEPING);
+    EXPECT_TRUE(step.struck().empty());
+}
+
+TEST(Collector, BodiesThatRestFromTheirBirthAreLeftAlone) {
+    OneStep step(2);
+    step.registry.find(step.body)->unbreakable_until_s = 1;
+    EXPECT_TRUE(step.struck(0.99).empty());
+    EXPECT_FALSE(step.struck(1.01).empty());
+}
+
+/// A dumbbell of two masses on the x axis, one metre from the middle each, and the two as pieces.
+struct Dumbbell {
+    Dumbbell() {
+        whole.setCenterOfMassTransform(at(0, 0, 0));
+        left.setCenterOfMassTransform(at(-1, 0, 0));
+        right.setCenterOfMassTransform(at(1, 0, 0));
+        for (btRigidBody* body : {&whole, &left, &right}) body->updateInertiaTensor();
+    }
+    btSphereShape shape{0.1f};
+    btRigidBody whole{2, nullptr, &shape, btVector3(0.02f, 2.02f, 2.02f)};
+    btRigidBody left{1, nullptr, &shape, btVector3(0.01f, 0.01f, 0.01f)};
+    btRigidBody right{1, nullptr, &shape, btVector3(0.01f, 0.01f, 0.01f)};
+};
+
+TEST(FragmentMotion, PiecesGoOnAsTheWholeDid) {
+    Dumbbell d;
+    d.whole.setLinearVelocity(btVector3(1, 2, 3));
+    d.whole.setAngularVelocity(btVector3(0, 0, 4));
+    shareMotion(d.whole, {&d.left, &d.right});
+    EXPECT_LT(d.right.getLinearVelocity().distance(btVector3(1, 6, 3)), 1e-5);
+    EXPECT_LT(d.left.getLinearVelocity().distance(btVector3(1, -2, 3)), 1e-5);
+    EXPECT_LT(d.right.getAngularVelocity().distance(btVector3(0, 0, 4)), 1e-5);
+    EXPECT_LT(momentumDifference(d.whole, {&d.left, &d.right}), 1e-6);
+    d.left.setLinearVelocity(btVector3(1, -2, 3.1f));
+    EXPECT_GT(momentumDifference(d.whole, {&d.left, &d.right}), 1e-3) << "the figure sees what is wrong";
+}
+
+TEST(FragmentMotion, MomentumIsKeptWhereTheAppsInertiaIsNotThatOfTheSolid) {
+    Dumbbell d;
+    d.whole.setMassProps(2, btVector3(1.01f, 1.01f, 1.01f));
+    d.whole.updateInertiaTensor();
+    d.whole.setAngularVelocity(btVector3(0, 0, 4));
+    shareMotion(d.whole, {&d.left, &d.right});
+    EXPECT_NEAR(d.right.getAngularVelocity().z(), 2, 1e-5) << "half the inertia: half the spin";
+    EXPECT_LT(momentumDifference(d.whole, {&d.left, &d.right}), 1e-6);
+}
+
+TEST(FragmentMotion, LockedAxesKeepTheirSpin) {
+    Dumbbell d;
+    d.whole.setMassProps(2, btVector3(0, 0, 0));
+    d.whole.setAngularVelocity(btVector3(0, 0, 4));
+    shareMotion(d.whole, {&d.left, &d.right});
+    EXPECT_EQ(d.right.getAngularVelocity().z(), 4);
+}
+
+TEST(FragmentMotion, ForcesAreSharedAsTheAccelerationOfTheWhole) {
+    Dumbbell d;
+    d.whole.applyCentralForce(btVector3(4, 0, 0));
+    d.whole.applyTorque(btVector3(0, 0, 2.02f));  // 1 rad/s^2
+    shareForces(d.whole, {&d.left, &d.right});
+    EXPECT_LT(d.right.getTotalForce().distance(btVector3(2, 1, 0)), 1e-5);
+    EXPECT_LT(d.left.getTotalForce().distance(btVector3(2, -1, 0)), 1e-5);
+    EXPECT_NEAR(d.left.getTotalTorque().z(), 0.01, 1e-6);
+}
+
+TEST(FragmentMotion, PiecesOfABodyThatSleptGetTheGravityThatItWasNotGiven) {
+    Dumbbell d;
+    d.whole.setGravity(btVector3(0, 0, -10));
+    shareForces(d.whole, {&d.left, &d.right});
+    EXPECT_LT(d.right.getTotalForce().distance(btVector3(0, 0, -10)), 1e-5);
+}
+
+}  // namespace

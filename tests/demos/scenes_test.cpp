@@ -1,0 +1,104 @@
+// What the two scenes promise to whoever runs them.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "geometry/piece_checks.h"
+#include "headless/scene_world.h"
+#include "scenes/scenes.h"
+
+namespace {
+
+using namespace demo;
+
+/// A scene with its assets, stepped by hand.
+struct Stage {
+    explicit Stage(const Scene& given) : scene(given) {
+        auto made = makeAssets(scene, SHERD_ASSETS);
+        EXPECT_TRUE(made.ok()) << made.error();
+        assets = made.value();
+        world = std::make_unique<SceneWorld>(scene, assets);
+    }
+    void run(double seconds) {
+        for (int i = 0; i < std::lround(seconds / scene.time_step_s); ++i) {
+            world->step();
+            for (const auto& event : world->fracture().events()) events.push_back(event);
+        }
+    }
+    std::size_t bodies() const { return world->fracture().bodies().size(); }
+
+    Scene scene;
+    std::vector<sherd::BreakableAsset> assets;
+    std::unique_ptr<SceneWorld> world;
+    std::vector<sherd::BreakEvent> events;
+};
+
+Scene uprightCup(double height) {
+    Scene scene = coffeeCup();
+    scene.bodies[0].turn_deg = Vec3::Zero();
+    scene.bodies[0].position.z() = height;
+    return scene;
+}
+
+/// Every piece is a closed, oriented surface without self-intersection, and together they are the whole.
+void expectSoundPieces(Stage& stage) {
+    double volume = 0, mass = 0;
+    int checked = 0;
+    for (const btRigidBody* body : stage.world->fracture().bodies()) {
+        const sherd::BreakableAsset* piece = stage.world->fracture().asset(body);
+        EXPECT_EQ(sherd::fragment_support::faultOf(piece->surface()), "");
+        volume += piece->volume();
+        mass += piece->mass();
+        ++checked;
+    }
+    EXPECT_NEAR(volume / stage.assets[0].volume(), 1, 1e-9);
+    EXPECT_NEAR(mass / stage.assets[0].mass(), 1, 1e-9);
+    for (const auto& event : stage.events) EXPECT_LT(event.momentum_error_rel, 1e-5);
+    std::cout << checked << " pieces checked\n";
+}
+
+TEST(CoffeeCup, DroppedFromAMetreBreaksIntoSoundPieces) {
+    Stage stage(coffeeCup());
+    stage.run(0.7);
+    EXPECT_GE(stage.bodies(), 4u);
+    expectSoundPieces(stage);
+}
+
+TEST(CoffeeCup, StandsForTenSecondsWithoutASolve) {
+    Stage stage(uprightCup(0));
+    stage.run(10);
+    EXPECT_EQ(stage.world->fracture().counts().solved, 0);
+    EXPECT_EQ(stage.bodies(), 1u);
+}
+
+TEST(CoffeeCup, DroppedFromTwoCentimetresHolds) {
+    Stage stage(uprightCup(0.02));
+    stage.run(1);
+    EXPECT_EQ(stage.bodies(), 1u);
+    EXPECT_GT(stage.world->fracture().counts().seen, 0);
+}
+
+TEST(PlasterWall, BreaksIntoSoundPieces) {
+    Stage stage(plasterWall());
+    stage.run(0.05);
+    EXPECT_EQ(stage.assets[0].particleCount(), 968);
+    EXPECT_GE(stage.bodies(), 4u);
+    expectSoundPieces(stage);
+}
+
+TEST(PlasterWall, BallGoesOnThroughAWallWithoutStrength) {
+    Scene scene = plasterWall();
+    scene.bodies[0].material.tensile_strength_pa = 1;
+    const double before = scene.balls[0].velocity.head<2>().norm();
+    Stage stage(scene);
+    stage.run(0.15);
+    const Vec3 from = stage.world->states().back().placed.translation();
+    stage.run(0.05);
+    const Vec3 travelled = stage.world->states().back().placed.translation() - from;
+    const double kept = travelled.dot(scene.balls[0].velocity.normalized()) / 0.05 / before;
+    std::cout << "the ball keeps " << 100 * kept << " % of its speed\n";
+    EXPECT_GT(kept, 0.6);
+}
+
+}  // namespace
