@@ -63,3 +63,6 @@ build_targets() {
   [ -t 2 ] && quiet=()
   ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
 }
+
+# Threads of OpenBLAS wait by spinning: on cores that others use as well, one thread is far faster than two.
+export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}

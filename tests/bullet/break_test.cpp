@@ -197,6 +197,25 @@ TEST(Break, TwoBodiesMayBreakInOneStep) {
     EXPECT_FALSE(inWorld(scene, b));
 }
 
+TEST(Break, EqualBodiesUnderEqualBlowsDoNotBreakIntoCopies) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const BreakableAsset asset = plate(crumbly());
+    std::vector<std::vector<double>> masses;
+    for (const btScalar x : {0.0f, 4.0f}) {
+        ASSERT_NE(fracture.add(asset, at(x, 0, 0)), nullptr);
+        scene.addBall(2, 0.1, btVector3(x + 0.05f, 0.02f, 0.2f), btVector3(0, 0, -8));
+    }
+    scene.step(30);
+    for (const BreakEvent& event : fracture.events()) {
+        if (event.outcome != kBroke) continue;
+        masses.emplace_back();
+        for (const btRigidBody* piece : event.fragments) masses.back().push_back(1.0 / piece->getInvMass());
+    }
+    ASSERT_EQ(masses.size(), 2u);
+    EXPECT_NE(masses[0], masses[1]);
+}
+
 TEST(Break, FragmentsBreakAgainAfterTheirRestAndNotBefore) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());

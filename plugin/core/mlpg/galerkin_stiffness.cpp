@@ -192,15 +192,13 @@ void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
     for (int unknown : unknowns) pinned[unknown] = 1;
     double largest = 0;
     for (double value : lower.values) largest = std::max(largest, std::abs(value));
+    // Any diagonal will do. A part's own may be zero: where a part is a single particle, values alone make no
+    // strain.
+    const double diagonal = largest > 0 ? largest : 1;
     for (int column = 0; column < lower.size; ++column)
         for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
             const int row = lower.indices[k];
-            if (!pinned[column] && !pinned[row]) continue;
-            // A part that cannot strain (one particle of mls) has no stiffness at all: any diagonal will do.
-            if (row != column)
-                lower.values[k] = 0;
-            else if (lower.values[k] <= 0)
-                lower.values[k] = largest > 0 ? largest : 1;
+            if (pinned[column] || pinned[row]) lower.values[k] = row == column ? diagonal : 0;
         }
 }
 

@@ -12,7 +12,7 @@ namespace sherd {
 SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
                                const Elasticity& elasticity);
 
-/// Holds unknowns at zero: their rows and columns vanish but for the diagonal.
+/// Holds unknowns at zero: their rows and columns vanish but for a positive diagonal.
 void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns);
 
 }  // namespace sherd
