@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sherd/types.h>
+
+#include <string>
+#include <variant>
+
+namespace sherd {
+
+/// The surface inside a ball.
+struct SphereRegion {
+    Vec3 centre = Vec3::Zero();  ///< m
+    double radius_m = 0;
+};
+
+/// The surface inside an axis-parallel box, which may be flat: then a face that lies in it.
+struct BoxRegion {
+    Vec3 lo = Vec3::Zero();  ///< m
+    Vec3 hi = Vec3::Zero();  ///< m
+};
+
+/// The triangles that lie on an endless cylinder: a bore or a shaft.
+struct CylinderRegion {
+    Vec3 point = Vec3::Zero();  ///< any point of the axis, m
+    Vec3 axis = Vec3::UnitZ();  ///< of any length
+    double radius_m = 0;
+};
+
+/// A part of a body's surface. Asset frame.
+using SurfaceRegion = std::variant<SphereRegion, BoxRegion, CylinderRegion>;
+
+/// What a region is, for sentences: "the sphere about (0, 0, 0.5) m of radius 0.08 m".
+std::string describe(const SurfaceRegion& region);
+
+/// A traction on a part of the surface: the total force and the pressure add up.
+struct SurfaceLoad {
+    SurfaceRegion region;
+    Vec3 force_n = Vec3::Zero();  ///< total, spread over the region's area as one traction vector
+    double pressure_pa = 0;       ///< along the inward normal
+};
+
+}  // namespace sherd

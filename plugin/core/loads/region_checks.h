@@ -1,0 +1,11 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/surface_region.h>
+
+namespace sherd {
+
+/// Says which figure of a region is not finite or describes no shape.
+Status checkRegion(const SurfaceRegion& region);
+
+}  // namespace sherd

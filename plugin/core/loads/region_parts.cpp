@@ -1,0 +1,131 @@
+#include "core/loads/region_parts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sherd {
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+constexpr double kTolerance = 1e-6;          // of the body's size: how far from a flat box a face may lie
+constexpr double kCylinderTolerance = 1e-3;  // of the radius
+constexpr int kDiscSides = 128;              // of the polygon that stands for a sphere cut by a plane
+
+using Triangle = std::array<Vec3, 3>;
+
+/// The points with normal . x <= offset.
+struct HalfSpace {
+    Vec3 normal;
+    double offset;
+};
+
+Triangle corners(const TriangleMesh& surface, std::size_t t) {
+    const auto& v = surface.triangles[t];
+    return {surface.vertices[v[0]], surface.vertices[v[1]], surface.vertices[v[2]]};
+}
+
+Vec3 areaVector(const Triangle& t) {
+    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
+}
+
+/// Sutherland and Hodgman's step for one plane.
+ConvexPolygon clipped(const ConvexPolygon& polygon, const HalfSpace& half) {
+    ConvexPolygon inside;
+    for (std::size_t i = 0; i < polygon.size(); ++i) {
+        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
+        const double above_a = half.normal.dot(a) - half.offset, above_b = half.normal.dot(b) - half.offset;
+        if (above_a <= 0) inside.push_back(a);
+        if ((above_a <= 0) != (above_b <= 0)) inside.push_back(a + (b - a) * (above_a / (above_a - above_b)));
+    }
+    return inside;
+}
+
+ConvexPolygon clipped(const Triangle& t, const std::vector<HalfSpace>& halves) {
+    ConvexPolygon polygon(t.begin(), t.end());
+    for (const HalfSpace& half : halves) {
+        polygon = clipped(polygon, half);
+        if (polygon.size() < 3) return {};
+    }
+    return polygon;
+}
+
+/// The sphere cuts the triangle's plane in a disc, which a regular polygon of the same area stands for. It
+/// depends on the plane alone, so the parts of a face that is cut into triangles tile that polygon.
+ConvexPolygon partInside(const SphereRegion& sphere, const Triangle& t, double) {
+    const Vec3 middle = (t[0] + t[1] + t[2]) / 3, normal = areaVector(t).normalized();
+    double reach = 0;
+    for (const Vec3& corner : t) reach = std::max(reach, (corner - middle).norm());
+    const double height = normal.dot(t[0] - sphere.centre);
+    const double squared = sphere.radius_m * sphere.radius_m - height * height;
+    if ((middle - sphere.centre).norm() > sphere.radius_m + reach || !(squared > 0)) return {};
+
+    const double apothem = std::sqrt(squared * kPi / (kDiscSides * std::tan(kPi / kDiscSides)));
+    const Vec3 centre = sphere.centre + height * normal;
+    if (std::all_of(t.begin(), t.end(), [&](const Vec3& c) { return (c - centre).norm() <= apothem; }))
+        return {t.begin(), t.end()};
+    const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
+    std::vector<HalfSpace> sides;
+    for (int i = 0; i < kDiscSides; ++i) {
+        const double angle = 2 * kPi * i / kDiscSides;
+        const Vec3 outward = std::cos(angle) * u + std::sin(angle) * v;
+        sides.push_back({outward, outward.dot(centre) + apothem});
+    }
+    return clipped(t, sides);
+}
+
+ConvexPolygon partInside(const BoxRegion& box, const Triangle& t, double tolerance) {
+    std::vector<HalfSpace> sides;
+    for (int axis = 0; axis < 3; ++axis) {
+        sides.push_back({Vec3::Unit(axis), box.hi[axis] + tolerance});
+        sides.push_back({-Vec3::Unit(axis), -box.lo[axis] + tolerance});
+    }
+    return clipped(t, sides);
+}
+
+/// All of a triangle with its corners on the cylinder, unless it is part of an end face.
+ConvexPolygon partInside(const CylinderRegion& cylinder, const Triangle& t, double tolerance) {
+    const Vec3 axis = cylinder.axis.normalized();
+    const auto radial = [&](const Vec3& x) {
+        const Vec3 arm = x - cylinder.point;
+        return Vec3(arm - axis * axis.dot(arm));
+    };
+    const double allowed = std::max(tolerance, kCylinderTolerance * cylinder.radius_m);
+    for (const Vec3& corner : t)
+        if (std::abs(radial(corner).norm() - cylinder.radius_m) > allowed) return {};
+    if (std::abs(axis.dot(areaVector(t).normalized())) > 0.5) return {};
+    return {t.begin(), t.end()};
+}
+
+/// A strip as narrow as the tolerance: what a flat box cuts from the faces beside its own.
+bool isSliver(const ConvexPolygon& polygon, double tolerance) {
+    double longest = 0;
+    for (const Vec3& p : polygon) longest = std::max(longest, (p - polygon[0]).norm());
+    return areaOf(polygon) <= 4 * tolerance * longest;
+}
+
+}  // namespace
+
+double areaOf(const ConvexPolygon& polygon) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+        sum += areaVector({polygon[0], polygon[i - 1], polygon[i]});
+    return sum.norm();
+}
+
+std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const SurfaceRegion& region) {
+    Eigen::AlignedBox3d bounds;
+    for (const Vec3& v : surface.vertices) bounds.extend(v);
+    const double tolerance = kTolerance * bounds.diagonal().norm();
+    std::vector<ConvexPolygon> parts;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const Triangle triangle = corners(surface, t);
+        ConvexPolygon part =
+            std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
+        if (!part.empty() && !isSliver(part, tolerance)) parts.push_back(std::move(part));
+    }
+    return parts;
+}
+
+}  // namespace sherd

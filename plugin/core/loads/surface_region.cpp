@@ -1,0 +1,102 @@
+#include "core/loads/surface_region.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "core/loads/region_checks.h"
+#include "core/loads/region_parts.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double kPointsAcross = 8;   // at least, over the root of a region's area
+constexpr double kMostPoints = 4000;  // about, of a flat region
+
+using Triangle = std::array<Vec3, 3>;
+
+BoxRegion boundingBox(const TriangleMesh& surface) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& v : surface.vertices) box.extend(v);
+    return {box.min(), box.max()};
+}
+
+/// Adds up points of the same cube of the grid that face alike.
+class MergingGrid {
+  public:
+    MergingGrid(const Vec3& origin, double size) : origin_(origin), size_(size) {}
+
+    double size() const { return size_; }
+
+    void add(const Vec3& position, const Vec3& area) {
+        const double a = area.norm();
+        if (!(a > 0)) return;
+        Key key;
+        for (int k = 0; k < 3; ++k) {
+            key[k] = static_cast<long long>(std::floor((position[k] - origin_[k]) / size_));
+            key[3 + k] = std::llround(2 * area[k] / a);
+        }
+        AreaPoint& sum = sums_[key];
+        sum.position += a * position;
+        sum.area += area;
+        sum.area_m2 += a;
+    }
+
+    std::vector<AreaPoint> points() const {
+        std::vector<AreaPoint> all;
+        for (const auto& [key, sum] : sums_)
+            all.push_back({sum.position / sum.area_m2, sum.area, sum.area_m2});
+        return all;
+    }
+
+  private:
+    using Key = std::array<long long, 6>;  // cube, and twice the normal, rounded
+    Vec3 origin_;
+    double size_;
+    std::map<Key, AreaPoint> sums_;
+};
+
+/// One point a triangle, halved at its longest edge until it is no longer than a cube of the grid.
+void addTriangle(const Triangle& t, MergingGrid& grid) {
+    int longest = 0;
+    const auto length = [&](int edge) { return (t[(edge + 1) % 3] - t[edge]).squaredNorm(); };
+    for (int edge = 1; edge < 3; ++edge)
+        if (length(edge) > length(longest)) longest = edge;
+    if (length(longest) <= grid.size() * grid.size())
+        return grid.add((t[0] + t[1] + t[2]) / 3, 0.5 * (t[1] - t[0]).cross(t[2] - t[0]));
+    const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
+    const Vec3 half = 0.5 * (a + b);
+    addTriangle({a, half, c}, grid);
+    addTriangle({half, b, c}, grid);
+}
+
+}  // namespace
+
+Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
+                                                double size) {
+    if (const Status sound = checkRegion(region); !sound) return Error{sound.error()};
+    const std::vector<ConvexPolygon> parts = partsInside(surface, region);
+    double area = 0;
+    for (const ConvexPolygon& part : parts) area += areaOf(part);
+    if (!(area > 0))
+        return Error{"No part of the surface lies in " + describe(region) + "; the body fills " +
+                     describe(boundingBox(surface)) + "."};
+    MergingGrid grid(boundingBox(surface).lo, std::max(std::min(size, std::sqrt(area) / kPointsAcross),
+                                                       std::sqrt(area / kMostPoints)));
+    for (const ConvexPolygon& part : parts)
+        for (std::size_t i = 2; i < part.size(); ++i) addTriangle({part[0], part[i - 1], part[i]}, grid);
+    return grid.points();
+}
+
+std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points) {
+    double area = 0;
+    for (const AreaPoint& p : points) area += p.area_m2;
+    std::vector<PointForce> forces;
+    for (const AreaPoint& p : points)
+        forces.push_back({p.position, load.force_n * (p.area_m2 / area) - load.pressure_pa * p.area});
+    return forces;
+}
+
+}  // namespace sherd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/surface_region.h>
+#include <sherd/triangle_mesh.h>
+
+#include <vector>
+
+namespace sherd {
+
+/// Distance of quadrature points that serves loads and supports, in particle spacings: shape functions are
+/// smooth over it.
+constexpr double kRegionQuadrature = 1.0 / 3;
+
+/// A quadrature point of a part of the surface.
+struct AreaPoint {
+    Vec3 position = Vec3::Zero();  ///< m
+    Vec3 area = Vec3::Zero();      ///< area times the outward unit normal, m^2
+    double area_m2 = 0;            ///< its norm, or a little more where points of a curved part were merged
+};
+
+/// Quadrature points of the part of `surface` that lies in `region`, about `size` apart (closer where the
+/// region is small, further where there would be thousands). Triangles across the region's border are
+/// clipped; the points add up to the region's area to 0.1 %, and integrate linear functions over it exactly.
+/// The error says that the region is malformed, or that it touches no surface.
+Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
+                                                double size);
+
+/// The forces of a load at the quadrature points of its region: with A = sum a, each F a / A - p a n.
+std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points);
+
+}  // namespace sherd
