@@ -13,6 +13,7 @@ struct SamplingSettings {
     int smallest_count = 200;         ///< particles of a compact body, at least, when the spacing is chosen
     int largest_count = 1500;         ///< about this many particles at most, when the spacing is chosen
     int cells_per_spacing = 2;        ///< integration cells per particle spacing and direction, 1 to 4
+    int moment_order = 4;             ///< of the cells' moments: twice the degree of spline functions; 0: none
     double smallest_fill = 0.25;      ///< a cell filled by less gets no particle of its own
 
     Status validate() const;
@@ -29,15 +30,17 @@ enum class TrialFunction {
     mls,   ///< moving least squares, paper Eq. 6-10: 3 unknowns a particle
     gmls,  ///< generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a
            ///< particle
+    spline,  ///< moving least squares with B-splines as weights on a complete lattice (Eq. 6-10): the shape
+             ///< functions are the B-splines themselves; degree 1, 2, 3 for basis linear, quadratic, cubic
 };
 
-enum class Basis { linear, quadratic };
+enum class Basis { linear, quadratic, cubic };
 
 /// How the stress problem is discretised.
 struct StressSettings {
     TestFunction test_function = TestFunction::galerkin;
-    TrialFunction trial_function = TrialFunction::gmls;
-    Basis basis = Basis::linear;
+    TrialFunction trial_function = TrialFunction::spline;
+    Basis basis = Basis::quadratic;
     double support_radius =
         0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
 

@@ -59,12 +59,31 @@ InertiaRelief InertiaRelief::galerkin(const Discretisation& solid, const Support
             relief.forces_.middleRows<3>(3 * function) += shapes.values[n] * total;
         }
     }
-    relief.masses_.resize(motions.components.count);
+    relief.sumResultants(motions);
+    return relief;
+}
+
+void InertiaRelief::sumResultants(const RigidMotions& motions) {
+    masses_.resize(motions.components.count);
     for (int motion = 0; motion < 6; ++motion) {
-        const auto sums = motions.resultants(relief.forces_.col(motion));
+        const auto sums = motions.resultants(forces_.col(motion));
         for (int component = 0; component < motions.components.count; ++component)
-            relief.masses_[component].col(motion) = sums.col(component);
+            masses_[component].col(motion) = sums.col(component);
     }
+}
+
+InertiaRelief InertiaRelief::splines(const Eigen::Matrix4Xd& body_moments, const RigidMotions& motions) {
+    InertiaRelief relief;
+    relief.forces_.setZero(motions.coefficients.rows(), 6);
+    for (long function = 0; function < body_moments.cols(); ++function) {
+        const double size = motions.size[motions.componentOfUnknown(3 * function)];
+        const Vec3 first = body_moments.col(function).tail<3>();
+        for (int k = 0; k < 3; ++k) {
+            relief.forces_(3 * function + k, k) = body_moments(0, function);
+            relief.forces_.block<3, 1>(3 * function, 3 + k) = Vec3::Unit(k).cross(first) / size;
+        }
+    }
+    relief.sumResultants(motions);
     return relief;
 }
 

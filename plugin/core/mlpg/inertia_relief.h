@@ -18,6 +18,10 @@ class InertiaRelief {
     /// Heaviside: the rows of sub-domain P get int_P b.
     static InertiaRelief heaviside(const Discretisation& solid, const RigidMotions& motions);
 
+    /// Splines: exact, from int phi_a (1, x - c) dV of every function, c the component's centre of mass
+    /// (4 x #functions, see splineBodyMoments).
+    static InertiaRelief splines(const Eigen::Matrix4Xd& body_moments, const RigidMotions& motions);
+
     /// Resultants of the six forces of a component, 6 x 6: its mass matrix at unit density.
     const Eigen::Matrix<double, 6, 6>& mass(int component) const {
         return masses_[static_cast<size_t>(component)];
@@ -29,6 +33,8 @@ class InertiaRelief {
                  const RigidMotions& motions) const;
 
   private:
+    void sumResultants(const RigidMotions& motions);
+
     using Mat6 = Eigen::Matrix<double, 6, 6>;
     Eigen::Matrix<double, Eigen::Dynamic, 6>
         forces_;                // #unknowns x 6: of unit density times each rigid motion

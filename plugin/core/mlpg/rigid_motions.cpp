@@ -27,6 +27,45 @@ std::vector<Moments> componentMoments(const Discretisation& solid, const Compone
     return moments;
 }
 
+/// Of one part, from its moments.
+Moments partMoments(const CellParts& solid, const CellPart& part) {
+    const Vec3 middle =
+        solid.origin + (part.cell.cast<double>() + Vec3::Constant(0.5)).cwiseProduct(solid.edges);
+    const double cell = solid.edges.prod();
+    if (part.moments.empty()) {
+        const Mat3 second = (solid.edges.cwiseAbs2() / 12).asDiagonal();
+        return {cell, middle, cell * second};
+    }
+    const int n = solid.order + 1;
+    const auto moment = [&](int a, int b, int c) { return part.moments[(c * n + b) * n + a]; };
+    const double fill = moment(0, 0, 0);
+    const Vec3 first = Vec3(moment(1, 0, 0), moment(0, 1, 0), moment(0, 0, 1)) / fill;
+    Mat3 second;
+    second << moment(2, 0, 0), moment(1, 1, 0), moment(1, 0, 1), moment(1, 1, 0), moment(0, 2, 0),
+        moment(0, 1, 1), moment(1, 0, 1), moment(0, 1, 1), moment(0, 0, 2);
+    second -= fill * first * first.transpose();
+    return {cell * fill, middle + first.cwiseProduct(solid.edges),
+            cell * (solid.edges.asDiagonal() * second * solid.edges.asDiagonal())};
+}
+
+std::vector<Moments> componentMoments(const CellParts& solid, const SplineSpace& space) {
+    std::vector<Moments> sums(space.component_count);
+    std::vector<Moments> parts;
+    for (size_t p = 0; p < solid.parts.size(); ++p) {
+        parts.push_back(partMoments(solid, solid.parts[p]));
+        Moments& sum = sums[space.component_of_part[p]];
+        sum.volume += parts[p].volume;
+        sum.centroid += parts[p].volume * parts[p].centroid;
+    }
+    for (Moments& sum : sums) sum.centroid /= sum.volume;
+    for (size_t p = 0; p < parts.size(); ++p) {
+        Moments& sum = sums[space.component_of_part[p]];
+        const Vec3 offset = parts[p].centroid - sum.centroid;
+        sum.second += parts[p].second + parts[p].volume * offset * offset.transpose();
+    }
+    return sums;
+}
+
 }  // namespace
 
 RigidMotions::RigidMotions(const Discretisation& solid, const TrialSpace& space)
@@ -46,6 +85,16 @@ RigidMotions::RigidMotions(const Discretisation& solid, const TrialSpace& space)
             coefficients.block<3, 3>(row + 3 + 3 * j, 3) =
                 -crossMatrix(Vec3::Unit(j)) * particle.spacing / size[component];
     }
+}
+
+RigidMotions::RigidMotions(const CellParts& solid, const SplineSpace& space)
+    : components{space.component, space.component_count},
+      moments(componentMoments(solid, space)),
+      unknowns_per_particle(3) {
+    for (const Moments& m : moments) size.push_back(std::sqrt(m.second.trace() / m.volume));
+    coefficients.setZero(3L * space.function_count, 6);
+    for (int f = 0; f < space.function_count; ++f)
+        coefficients.middleRows<3>(3L * f) = at(space.centres[f], components.of_particle[f]);
 }
 
 Eigen::Matrix<double, 3, 6> RigidMotions::at(const Vec3& x, int component) const {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mls/shape_functions.h"
+#include "core/mls/spline_space.h"
 
 namespace sherd {
 
@@ -18,6 +19,7 @@ struct RigidMotions {
     int unknowns_per_particle = 0;
 
     RigidMotions(const Discretisation& solid, const TrialSpace& space);
+    RigidMotions(const CellParts& solid, const SplineSpace& space);
 
     int componentOfUnknown(long unknown) const {
         return components.of_particle[static_cast<size_t>(unknown / unknowns_per_particle)];

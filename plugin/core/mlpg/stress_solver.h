@@ -22,13 +22,21 @@ struct StressSolverReport {
     std::vector<std::string> warnings;
 };
 
+/// One quadrature point of an anchored part of the surface: there the displacement is held at zero (paper,
+/// Eq. 3 and 15).
+struct SupportPoint {
+    Vec3 position = Vec3::Zero();  ///< m
+    double area_m2 = 0;
+};
+
 /// Quasi-static stress in a free body (paper, section 4): K assembled and factored once, then two triangular
 /// solves a blow. Loads are balanced by rigid acceleration (inertia relief) with the same quadrature that
 /// builds K.
 class StressSolver {
   public:
     static Result<StressSolver> build(std::shared_ptr<const Discretisation> solid, const Material& material,
-                                      const StressSettings& settings);
+                                      const StressSettings& settings,
+                                      const std::vector<SupportPoint>& supports = {});
 
     StressSolver(StressSolver&&) noexcept;
     StressSolver& operator=(StressSolver&&) noexcept;
@@ -36,8 +44,9 @@ class StressSolver {
 
     /// Stress under point forces (quadrature points of tractions) and the rigid acceleration that balances
     /// them; also at `points` in or on the solid, if any are given.
-    Result<StressField> solve(const std::vector<PointForce>& loads,
-                              const std::vector<Vec3>& points = {}) const;
+    /// A spin adds the inertia loads of a steady rotation about the centre of mass.
+    Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points = {},
+                              const Vec3& spin_rad_s = Vec3::Zero()) const;
 
     /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
     Result<StressField> solveTraction(
@@ -50,8 +59,9 @@ class StressSolver {
 
     const StressSolverReport& report() const;
 
-  private:
     struct Impl;
+
+  private:
     explicit StressSolver(std::unique_ptr<Impl> impl);
     std::unique_ptr<Impl> impl_;
 };

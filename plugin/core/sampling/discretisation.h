@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/sampling/cell_parts.h"
+
 namespace sherd {
 
 /// Volume, centroid and second moment of a piece of the solid, of unit density.
@@ -58,6 +60,7 @@ struct Discretisation {
         int cell = -1;          ///< the integration cell that it belongs to
         double fill = 0;        ///< part of it that is solid, 0 to 1
     };
+    CellParts parts;                  ///< the same solid, for trial functions that live on the grid
     Vec3 grid_origin = Vec3::Zero();  ///< corner of voxel (0, 0, 0), m
     std::vector<Voxel> voxels;        ///< in ascending order of (z, y, x)
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "core/sampling/cell_moments.h"
 #include "core/sampling/cut_cells.h"
 #include "core/sampling/sampling_grid.h"
 #include "core/sampling/solid_voxels.h"
@@ -78,6 +79,8 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
     result.surface_points = surfacePoints(grid, cut, solid, cells);
     result.particles = placeParticles(grid, cells, domains);
     result.neighbours = neighboursThroughSolid(cells, domains);
+    if (settings.moment_order > 0)
+        result.parts = measureCellParts(surface, grid, cut, solid, settings.moment_order);
     listVoxels(grid, solid, cells, result);
     listCells(std::move(cells), domains, result);
     return result;

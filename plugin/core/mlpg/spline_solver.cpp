@@ -1,0 +1,222 @@
+#include <cmath>
+#include <exception>
+
+#include "core/mlpg/inertia_relief.h"
+#include "core/mlpg/galerkin_stiffness.h"
+#include "core/mlpg/rigid_motions.h"
+#include "core/mlpg/spline_stiffness.h"
+#include "core/mlpg/stress_solver_impl.h"
+#include "stopwatch.h"
+
+namespace sherd {
+namespace {
+
+/// Stiffness of supports, in (lambda + 2 mu) / h: high against the body, low against rounding.
+constexpr double support_stiffness = 100;
+
+Eigen::Matrix3d spinGradient(const Vec3& w) {
+    return w * w.transpose() - w.squaredNorm() * Mat3::Identity();
+}
+
+/// Galerkin on splines. Bodies without supports have their rigid motions removed by holding six unknowns a
+/// component, which carries no reaction since loads are balanced.
+class SplineSolver : public StressSolver::Impl {
+  public:
+    SplineSolver(std::shared_ptr<const Discretisation> solid, const Material& material, int degree,
+                 const std::vector<SupportPoint>& supports)
+        : solid_(std::move(solid)),
+          parts_(solid_->parts),
+          elasticity_(material),
+          density_(material.density_kg_m3),
+          space_(parts_, degree),
+          motions_(parts_, space_),
+          supported_(space_.component_count, 0),
+          body_moments_(splineBodyMoments(parts_, space_, motions_.moments)),
+          inertia_(InertiaRelief::splines(body_moments_, motions_)) {
+        const double stiffness =
+            support_stiffness * (elasticity_.lambda_pa + 2 * elasticity_.mu_pa) / parts_.edges.maxCoeff();
+        for (const SupportPoint& support : supports) {
+            const int part = parts_.partAt(support.position);
+            if (part < 0) throw std::invalid_argument("a support lies beside the solid.");
+            supported_[space_.component_of_part[part]] = 1;
+            springs_.push_back({part, parts_.toCell(support.position, parts_.parts[part].cell),
+                                stiffness * support.area_m2});
+        }
+    }
+
+    Status factor() {
+        Stopwatch watch;
+        stiffness_ = splineStiffness(parts_, space_, elasticity_, springs_);
+        SparseMatrix held = stiffness_;
+        for (const int unknown : unknownsToPin(motions_))
+            if (!supported_[motions_.componentOfUnknown(unknown)]) pinned_.push_back(unknown);
+        pinUnknowns(held, pinned_);
+        report.assemble_ms = watch.milliseconds();
+        Stopwatch factor_watch;
+        Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(held, 3);
+        report.factor_ms = factor_watch.milliseconds();
+        if (!solver) return Error{solver.error()};
+        solver_ = std::move(solver).value();
+        report.unknowns = stiffness_.size;
+        report.factor_entries = solver_->factorEntries();
+        if (solver_->relativeShift() > 0)
+            report.warnings.push_back(
+                "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added to every "
+                "unknown; try another spacing.");
+        return success();
+    }
+
+    Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
+                              const Vec3& spin_rad_s) const override {
+        const Stopwatch watch;
+        Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, space_.raw_count);
+        std::vector<double> values;
+        double magnitude = 0;
+        for (const PointForce& load : loads) {
+            if (!load.force.allFinite() || !load.position.allFinite())
+                return Error{"A load on the body is not finite; check the contact that it came from."};
+            const int part = parts_.partAt(load.position);
+            if (part < 0)
+                return Error{
+                    "A load acts more than a particle spacing outside the body; give it in the asset's frame."};
+            splineValues(space_.degree, parts_.toCell(load.position, parts_.parts[part].cell), values);
+            const std::vector<int>& functions = space_.raw_of[part];
+            for (size_t a = 0; a < functions.size(); ++a) raw.col(functions[a]) += values[a] * load.force;
+            magnitude += load.force.norm();
+        }
+        Eigen::VectorXd forces = space_.gather(raw);
+        if (spin_rad_s.norm() > 0) magnitude += addSpin(spin_rad_s, forces);
+        return solveForces(std::move(forces), magnitude, points, watch);
+    }
+
+    Result<StressField> solveTraction(
+        const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+        const std::vector<Vec3>& points) const override {
+        std::vector<PointForce> loads;
+        for (const SurfacePoint& point : solid_->surface_points) {
+            const double area = point.area.norm();
+            if (area > 0) loads.push_back({point.position, area * traction(point.position, point.area / area)});
+        }
+        return solve(loads, points, Vec3::Zero());
+    }
+
+    StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
+                         const std::function<Mat3(const Vec3& x)>&) const override {
+        Eigen::VectorXd unknowns(stiffness_.size);
+        for (int f = 0; f < space_.function_count; ++f) unknowns.segment<3>(3L * f) = displacement(space_.centres[f]);
+        StressField field;
+        evaluate(unknowns, {}, field);
+        return field;
+    }
+
+  private:
+    /// Adds the inertia loads of a steady rotation, -rho w x (w x r).
+    double addSpin(const Vec3& spin, Eigen::VectorXd& forces) const {
+        const Mat3 gradient = -density_ * spinGradient(spin);
+        double magnitude = 0;
+        for (long f = 0; f < body_moments_.cols(); ++f) {
+            const Vec3 force = gradient * body_moments_.col(f).tail<3>();
+            forces.segment<3>(3 * f) += force;
+            magnitude += force.norm();
+        }
+        return magnitude;
+    }
+
+    Result<StressField> solveForces(Eigen::VectorXd forces, double magnitude, const std::vector<Vec3>& points,
+                                    const Stopwatch& watch) const {
+        Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = motions_.resultants(forces);
+        for (int component = 0; component < space_.component_count; ++component)
+            if (supported_[component]) resultants.col(component).setZero();
+        inertia_.balance(forces, resultants, motions_);
+
+        StressField field;
+        Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(forces.size());
+        const double scale = forces.norm();
+        if (scale > 0) {
+            const Status solved = solveRefined(forces, scale, unknowns, field.residual_rel);
+            if (!solved) return Error{solved.error()};
+        }
+        field.solve_ms = watch.milliseconds();
+        const Stopwatch recovery_watch;
+        evaluate(unknowns, points, field);
+        field.recovery_ms = recovery_watch.milliseconds();
+        field.strain_energy_j = 0.5 * unknowns.dot(forces);
+        if (magnitude > 0) {
+            Eigen::Matrix<double, 6, Eigen::Dynamic> left = motions_.resultants(forces);
+            for (int component = 0; component < space_.component_count; ++component)
+                if (supported_[component]) left.col(component).setZero();
+            field.imbalance_rel = left.cwiseAbs().maxCoeff() / magnitude;
+        }
+        field.warnings = report.warnings;
+        return finiteOrError(std::move(field));
+    }
+
+    /// Refinement mends what the factorisation lost to a shifted diagonal or a bad condition; mostly it never runs.
+    Status solveRefined(const Eigen::VectorXd& forces, double scale, Eigen::VectorXd& unknowns,
+                        double& residual_rel) const {
+        constexpr double good_residual = 1e-10;
+        constexpr int largest_refinements = 5;
+        residual_rel = 1;
+        Eigen::VectorXd residual = forces, correction;
+        for (int step = 0; step <= largest_refinements && residual_rel > good_residual; ++step) {
+            for (const int unknown : pinned_) residual[unknown] = 0;
+            if (!solver_->solve(residual, correction)) return Error{"The stress solve failed in the linear solver."};
+            const Eigen::VectorXd next = unknowns + correction;
+            residual = forces - symmetricProduct(stiffness_, next);
+            const double next_rel = residual.norm() / scale;
+            if (step > 0 && !(next_rel < residual_rel)) break;
+            unknowns = next;
+            residual_rel = next_rel;
+        }
+        return success();
+    }
+
+    void evaluate(const Eigen::VectorXd& unknowns, const std::vector<Vec3>& points, StressField& field) const {
+        const Eigen::Matrix3Xd raw = space_.expand(unknowns);
+        for (const Particle& particle : solid_->particles) field.particles.push_back(stressAt(raw, particle.position));
+        for (const SurfacePoint& point : solid_->surface_points)
+            field.surface.push_back(stressAt(raw, point.position));
+        for (const Vec3& point : points) field.points.push_back(stressAt(raw, point));
+    }
+
+    Voigt stressAt(const Eigen::Matrix3Xd& raw, const Vec3& x) const {
+        const int part = parts_.partAt(x);
+        if (part < 0) return Voigt::Zero();
+        thread_local std::vector<Vec3> gradients;
+        splineGradients(space_.degree, parts_.toCell(x, parts_.parts[part].cell), gradients);
+        Mat3 gradient = Mat3::Zero();
+        const std::vector<int>& functions = space_.raw_of[part];
+        for (size_t a = 0; a < functions.size(); ++a) gradient += raw.col(functions[a]) * gradients[a].transpose();
+        return toVoigt(elasticity_.stress(gradient * parts_.edges.cwiseInverse().asDiagonal()));
+    }
+
+    std::shared_ptr<const Discretisation> solid_;
+    const CellParts& parts_;
+    Elasticity elasticity_;
+    double density_;
+    SplineSpace space_;
+    RigidMotions motions_;
+    std::vector<char> supported_;  // per component
+    std::vector<PointSpring> springs_;
+    Eigen::Matrix4Xd body_moments_;
+    InertiaRelief inertia_;
+    SparseMatrix stiffness_;
+    std::vector<int> pinned_;
+    std::unique_ptr<SparseSolver> solver_;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
+    std::shared_ptr<const Discretisation> solid, const Material& material, const StressSettings& settings,
+    const std::vector<SupportPoint>& supports) {
+    const int degree = 1 + static_cast<int>(settings.basis);
+    if (solid->parts.order < 2 * degree)
+        return Error{"The solid was sampled with moments of order " + std::to_string(solid->parts.order) +
+                     "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) + "."};
+    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, supports);
+    if (const Status factored = solver->factor(); !factored) return Error{factored.error()};
+    return std::unique_ptr<Impl>(std::move(solver));
+}
+
+}  // namespace sherd

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "core/linear_algebra/sparse_solver.h"
+#include "core/mls/spline_space.h"
+#include "core/sampling/discretisation.h"
+#include "core/stress/elasticity.h"
+
+namespace sherd {
+
+/// Displacement held near zero at a point: stiffness (N/m) against u there.
+struct PointSpring {
+    int part = -1;
+    Vec3 xi = Vec3::Zero();  ///< in the part's cell, edges from its middle
+    double stiffness_n_m = 0;
+};
+
+/// Stiffness of the Galerkin form on a spline space, row (a, i), column (b, j):
+///     K_ab = int lambda grad phi_a grad phi_b^T + mu grad phi_b grad phi_a^T + mu (grad phi_a . grad phi_b) I dV
+///            + sum over springs k phi_a phi_b I,
+/// integrated exactly on every part of a cell by its moments; whole cells share one matrix. Columns; entries from the
+/// diagonal blocks (complete) downwards, in blocks of 3.
+SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
+                             const std::vector<PointSpring>& springs);
+
+/// Integrals of phi_a (1, x - c), 4 x #functions, c the centre of mass of the function's component.
+Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,
+                                   const std::vector<Moments>& components);
+
+/// A x of a symmetric matrix of which only the lower half is used; lines are columns.
+Eigen::VectorXd symmetricProduct(const SparseMatrix& lower, const Eigen::VectorXd& x);
+
+}  // namespace sherd

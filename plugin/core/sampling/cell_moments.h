@@ -1,0 +1,17 @@
+#pragma once
+
+#include <sherd/triangle_mesh.h>
+
+#include "core/sampling/cell_parts.h"
+#include "core/sampling/sampling_grid.h"
+#include "core/sampling/solid_voxels.h"
+
+namespace sherd {
+
+/// Groups the solid's voxels to parts of grid cells and integrates all monomials up to `order` a direction over
+/// each, by the divergence theorem with the flux along x. Exact to rounding for what linear displacements ask of
+/// splines of degree `order` / 2; for their products, the better the smaller the triangles.
+CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
+                           const SolidVoxels& solid, int order);
+
+}  // namespace sherd
