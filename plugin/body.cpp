@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/loads/surface_region.h"
 #include "core/sampling/sample_solid.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
@@ -28,16 +29,29 @@ double chosenSpacing(const SamplingSettings& sampling, double volume, double wal
                       spacing_for(sampling.smallest_count));
 }
 
+Result<std::vector<SupportPoint>> supportPoints(const TriangleMesh& surface,
+                                                const std::vector<SurfaceRegion>& regions, double spacing) {
+    std::vector<SupportPoint> supports;
+    for (const SurfaceRegion& region : regions) {
+        const auto points = regionQuadrature(surface, region, kRegionQuadrature * spacing);
+        if (!points) return Error{"A support cannot be placed. " + points.error()};
+        for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
+    }
+    return supports;
+}
+
 }  // namespace
 
 Result<std::shared_ptr<const Body>> Body::make(TriangleMesh surface, const Material& material,
-                                               const Settings& settings) {
+                                               const Settings& settings,
+                                               std::vector<SurfaceRegion> supports) {
     if (const Status valid = material.validate(); !valid) return Error{valid.error()};
     if (const Status valid = settings.validate(); !valid) return Error{valid.error()};
     std::shared_ptr<Body> body(new Body);
     body->surface_ = std::move(surface);
     body->material_ = material;
     body->settings_ = settings;
+    body->supports_ = std::move(supports);
     body->moments_ = solidMoments(body->surface_);
     const double volume = body->moments_.volume;
     body->wall_thickness_ = sherd::wallThickness(body->surface_);
@@ -83,7 +97,10 @@ Result<const StressSolver*> Body::stressSolver() const {
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (const auto sampled = solid(); !sampled) return Error{sampled.error()};
     if (!solver_ && trouble_.empty()) {
-        Result<StressSolver> built = StressSolver::build(solid_, material_, settings_.stress);
+        const auto supports = supportPoints(surface_, supports_, spacing_);
+        Result<StressSolver> built =
+            supports ? StressSolver::build(solid_, material_, settings_.stress, supports.value())
+                     : Error{supports.error()};
         if (built)
             solver_ = std::make_unique<StressSolver>(std::move(built).value());
         else

@@ -3,11 +3,13 @@
 #include <sherd/material.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
+#include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
 #include <memory>
 #include <mutex>
 #include <string>
+#include <vector>
 
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
@@ -19,9 +21,10 @@ namespace sherd {
 class Body {
   public:
     /// Makes a body of a surface that `checkSurface` accepts. The error says which constant or setting is out
-    /// of range.
+    /// of range. On `supports` the displacement is zero; a body without any is free.
     static Result<std::shared_ptr<const Body>> make(TriangleMesh surface, const Material& material,
-                                                    const Settings& settings);
+                                                    const Settings& settings,
+                                                    std::vector<SurfaceRegion> supports = {});
 
     const TriangleMesh& surface() const { return surface_; }
     const Material& material() const { return material_; }
@@ -53,6 +56,7 @@ class Body {
     TriangleMesh surface_;
     Material material_;
     Settings settings_;
+    std::vector<SurfaceRegion> supports_;
     Moments moments_;
     double wall_thickness_ = 0, bounding_radius_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
 

@@ -7,5 +7,7 @@
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/stress_field.h>
+#include <sherd/stress_model.h>
+#include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 #include <sherd/types.h>

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/settings.h>
+
+#include <string>
+
+namespace sherd::cli {
+
+/// What the command line asks for.
+struct Arguments {
+    std::string case_file;
+    std::string points;  ///< CSV of the points to evaluate; empty: particles and surface points
+    std::string out;     ///< CSV of the stresses
+    std::string report;  ///< JSON; empty: none
+    std::string vtk;     ///< .vtk or .vtu; empty: none
+    std::string quality = "game";
+    Settings settings;  ///< of the quality, with what other options change
+    std::string help;   ///< the text to show and leave, if asked for
+};
+
+/// Reads the command line; the error is a sentence with the choices there are.
+Result<Arguments> parseArguments(int argc, const char* const* argv);
+
+}  // namespace sherd::cli

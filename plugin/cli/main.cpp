@@ -1,0 +1,25 @@
+#include <exception>
+#include <iostream>
+
+#include "arguments.h"
+#include "stress_command.h"
+
+int main(int argc, char** argv) {
+    try {
+        const auto arguments = sherd::cli::parseArguments(argc, argv);
+        if (!arguments) {
+            std::cerr << arguments.error() << "\n";
+            return 2;
+        }
+        if (!arguments.value().help.empty()) {
+            std::cout << arguments.value().help;
+            return 0;
+        }
+        const sherd::Status done = sherd::cli::runStress(arguments.value());
+        if (!done) std::cerr << done.error() << "\n";
+        return done ? 0 : 1;
+    } catch (const std::exception& failure) {
+        std::cerr << "sherd stopped: " << failure.what() << "\n";
+        return 1;
+    }
+}

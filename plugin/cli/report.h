@@ -1,0 +1,18 @@
+#pragma once
+
+#include <sherd/stress_model.h>
+
+#include <nlohmann/json.hpp>
+
+#include "arguments.h"
+#include "case_file.h"
+
+namespace sherd::cli {
+
+/// The content of the report. Wall-clock times are inside `ms` and nowhere else.
+nlohmann::ordered_json makeReport(const Arguments& arguments, const StressCase& problem,
+                                  const StressModel& model, const StressField& field);
+
+Status writeReport(const nlohmann::ordered_json& report, const std::string& path);
+
+}  // namespace sherd::cli

@@ -1,0 +1,82 @@
+#include "stress_command.h"
+
+#include <sherd/stress_model.h>
+
+#include <iostream>
+
+#include "case_file.h"
+#include "csv_file.h"
+#include "report.h"
+#include "vtk_file.h"
+
+namespace sherd::cli {
+
+namespace {
+
+template <class T>
+void append(std::vector<T>& list, const std::vector<T>& more) {
+    list.insert(list.end(), more.begin(), more.end());
+}
+
+Result<StressModel> makeModel(const StressCase& problem, const Settings& settings) {
+    const Result<TriangleMesh> surface = readObj(problem.mesh);
+    if (!surface) return Error{surface.error()};
+    auto model = StressModel::make(surface.value(), problem.material, settings, problem.supports);
+    if (!model) return Error{problem.mesh + ": " + model.error()};
+    return model;
+}
+
+/// The wanted points, which were solved for first; without any, particles and surface points.
+StressTable tableOf(const StressModel& model, const StressField& field, const std::vector<Vec3>& wanted) {
+    if (!wanted.empty())
+        return {wanted, {field.points.begin(), field.points.begin() + std::ptrdiff_t(wanted.size())}, {}};
+    StressTable table{model.particlePositions(), field.particles, {}};
+    append(table.positions, model.surfacePositions());
+    append(table.stresses, field.surface);
+    table.kinds.assign(field.particles.size(), "particle");
+    table.kinds.resize(table.positions.size(), "surface");
+    return table;
+}
+
+/// The surface's vertices were solved for after the wanted points.
+StressPicture pictureOf(const StressModel& model, const StressField& field, std::size_t wanted) {
+    return {model.particlePositions(),
+            model.particleVolumes(),
+            field.particles,
+            model.surface(),
+            {field.points.begin() + std::ptrdiff_t(wanted), field.points.end()}};
+}
+
+Status writeAll(const Arguments& arguments, const StressCase& problem, const StressModel& model,
+                const StressField& field, const std::vector<Vec3>& wanted) {
+    Status status = writeStress(tableOf(model, field, wanted), arguments.out);
+    const auto report = makeReport(arguments, problem, model, field);
+    if (status && !arguments.report.empty()) status = writeReport(report, arguments.report);
+    if (status && !arguments.vtk.empty())
+        status = writeVtk(pictureOf(model, field, wanted.size()), arguments.vtk);
+    for (const std::string warning : report["warnings"]) std::cerr << "warning: " << warning << "\n";
+    return status;
+}
+
+}  // namespace
+
+Status runStress(const Arguments& arguments) {
+    const Result<StressCase> problem = readCase(arguments.case_file);
+    if (!problem) return Error{problem.error()};
+    std::vector<Vec3> wanted;
+    if (!arguments.points.empty()) {
+        auto points = readPoints(arguments.points);
+        if (!points) return Error{points.error()};
+        wanted = std::move(points).value();
+    }
+
+    const Result<StressModel> model = makeModel(problem.value(), arguments.settings);
+    if (!model) return Error{model.error()};
+    std::vector<Vec3> points = wanted;
+    if (!arguments.vtk.empty()) append(points, model.value().surface().vertices);
+    const auto field = model.value().solve(problem.value().loads, points, problem.value().spin_rad_s);
+    if (!field) return Error{arguments.case_file + ": " + field.error()};
+    return writeAll(arguments, problem.value(), model.value(), field.value(), wanted);
+}
+
+}  // namespace sherd::cli

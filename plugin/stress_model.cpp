@@ -1,0 +1,86 @@
+#include <sherd/stress_model.h>
+
+#include "body.h"
+#include "core/loads/surface_region.h"
+#include "geometry/surface_checks.h"
+
+namespace sherd {
+
+namespace {
+
+template <class Item, class Read>
+auto collected(const std::vector<Item>& items, const Read& read) {
+    std::vector<std::decay_t<decltype(read(items.front()))>> values;
+    values.reserve(items.size());
+    for (const Item& item : items) values.push_back(read(item));
+    return values;
+}
+
+/// Of a body whose solver is there.
+const Discretisation& solidOf(const Body& body) {
+    return *body.solid().value();
+}
+
+}  // namespace
+
+Result<StressModel> StressModel::make(const TriangleMesh& surface, const Material& material,
+                                      const Settings& settings, const std::vector<SurfaceRegion>& supports) {
+    if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
+    auto body = Body::make(surface, material, settings, supports);
+    if (!body) return Error{body.error()};
+    if (const auto solver = body.value()->stressSolver(); !solver) return Error{solver.error()};
+    return StressModel(std::move(body).value());
+}
+
+Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points,
+                                       const Vec3& spin_rad_s) const {
+    std::vector<PointForce> forces;
+    for (const SurfaceLoad& load : loads) {
+        const auto area = regionQuadrature(surface(), load.region, kRegionQuadrature * body_->spacing());
+        if (!area) return Error{"A load cannot be placed. " + area.error()};
+        const std::vector<PointForce> part = pointForces(load, area.value());
+        forces.insert(forces.end(), part.begin(), part.end());
+    }
+    return body_->stressSolver().value()->solve(forces, points, spin_rad_s);
+}
+
+const TriangleMesh& StressModel::surface() const {
+    return body_->surface();
+}
+const Settings& StressModel::settings() const {
+    return body_->settings();
+}
+
+StressModelReport StressModel::report() const {
+    const StressSolverReport& solver = body_->stressSolver().value()->report();
+    const Discretisation& solid = solidOf(*body_);
+    StressModelReport report;
+    report.particles = static_cast<int>(solid.particles.size());
+    report.surface_points = static_cast<int>(solid.surface_points.size());
+    report.unknowns = solver.unknowns;
+    report.factor_entries = solver.factor_entries;
+    report.factor_bytes = solver.factor_entries * static_cast<long long>(sizeof(double));
+    report.spacing_m = solid.spacing;
+    report.wall_thickness_m = body_->wallThickness();
+    report.sample_ms = body_->sampleMilliseconds();
+    report.assemble_ms = solver.assemble_ms;
+    report.factor_ms = solver.factor_ms;
+    report.warnings = solver.warnings;
+    return report;
+}
+
+std::vector<Vec3> StressModel::particlePositions() const {
+    return collected(solidOf(*body_).particles, [](const Particle& p) { return p.position; });
+}
+std::vector<double> StressModel::particleVolumes() const {
+    return collected(solidOf(*body_).particles, [](const Particle& p) { return p.volume; });
+}
+std::vector<Vec3> StressModel::surfacePositions() const {
+    return collected(solidOf(*body_).surface_points, [](const SurfacePoint& p) { return p.position; });
+}
+std::vector<Vec3> StressModel::surfaceNormals() const {
+    return collected(solidOf(*body_).surface_points,
+                     [](const SurfacePoint& p) { return Vec3(p.area.normalized()); });
+}
+
+}  // namespace sherd
