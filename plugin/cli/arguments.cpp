@@ -8,9 +8,10 @@ namespace sherd::cli {
 
 namespace {
 
-const std::map<std::string, Basis> bases = {{"linear", Basis::linear}, {"quadratic", Basis::quadratic}};
-const std::map<std::string, TrialFunction> trials = {{"mls", TrialFunction::mls},
-                                                     {"gmls", TrialFunction::gmls}};
+const std::map<std::string, Basis> bases = {
+    {"linear", Basis::linear}, {"quadratic", Basis::quadratic}, {"cubic", Basis::cubic}};
+const std::map<std::string, TrialFunction> trials = {
+    {"mls", TrialFunction::mls}, {"gmls", TrialFunction::gmls}, {"spline", TrialFunction::spline}};
 const std::map<std::string, TestFunction> tests = {{"heaviside", TestFunction::heaviside},
                                                    {"galerkin", TestFunction::galerkin}};
 const std::map<std::string, Settings> qualities = {{"preview", {}}, {"game", {}}, {"film", {}}};
@@ -38,7 +39,7 @@ struct Overrides {
             ->excludes(spacing);
         app.add_option("--basis", basis, "Polynomials that the trial functions reproduce")
             ->check(CLI::IsMember(namesOf(bases)));
-        app.add_option("--trial", trial, "Unknowns of a particle: displacement, or its gradient as well")
+        app.add_option("--trial", trial, "Trial functions; gmls has gradients as unknowns")
             ->check(CLI::IsMember(namesOf(trials)));
         app.add_option("--test-function", test_function, "Test function of the weak form")
             ->check(CLI::IsMember(namesOf(tests)));

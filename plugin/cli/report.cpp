@@ -8,6 +8,30 @@ namespace {
 
 using nlohmann::ordered_json;
 
+const char* word(TrialFunction trial) {
+    switch (trial) {
+        case TrialFunction::mls:
+            return "mls";
+        case TrialFunction::gmls:
+            return "gmls";
+        case TrialFunction::spline:
+            break;
+    }
+    return "spline";
+}
+
+const char* word(Basis basis) {
+    switch (basis) {
+        case Basis::linear:
+            return "linear";
+        case Basis::quadratic:
+            return "quadratic";
+        case Basis::cubic:
+            break;
+    }
+    return "cubic";
+}
+
 ordered_json describe(const Settings& settings) {
     const SamplingSettings& sampling = settings.sampling;
     const StressSettings& stress = settings.stress;
@@ -17,10 +41,11 @@ ordered_json describe(const Settings& settings) {
     used["smallest_count"] = sampling.smallest_count;
     used["largest_count"] = sampling.largest_count;
     used["cells_per_spacing"] = sampling.cells_per_spacing;
+    used["moment_order"] = sampling.moment_order;
     used["smallest_fill"] = sampling.smallest_fill;
     used["test_function"] = stress.test_function == TestFunction::heaviside ? "heaviside" : "galerkin";
-    used["trial_function"] = stress.trial_function == TrialFunction::gmls ? "gmls" : "mls";
-    used["basis"] = stress.basis == Basis::quadratic ? "quadratic" : "linear";
+    used["trial_function"] = word(stress.trial_function);
+    used["basis"] = word(stress.basis);
     used["support_radius"] = stress.support_radius;
     return used;
 }
