@@ -48,7 +48,7 @@ TEST(RegionQuadrature, DiscOnAFlatSlab) {
 TEST(RegionQuadrature, CapOfASphere) {
     const double area = kPi * 0.08 * 0.08;
     const auto points = quadrature(caseSurface("sphere_squeezed"), SphereRegion{{0, 0, 0.5}, 0.08}, 0.02);
-    EXPECT_NEAR(areaOf(points), area, 2e-3 * area);  // of which the facets' own error is about half
+    EXPECT_NEAR(areaOf(points), area, 1e-3 * area);
 }
 
 TEST(RegionQuadrature, BoreOfACylinder) {
