@@ -41,6 +41,9 @@ struct StressSettings {
     TestFunction test_function = TestFunction::galerkin;
     TrialFunction trial_function = TrialFunction::spline;
     Basis basis = Basis::quadratic;
+    /// How often the grid is made finer around loads that it is too coarse for (paper, section 5), 0 to 4. Splines only.
+    int resampling_rounds = 0;
+    double resampling_margin = 2;  ///< of the finer grid beyond the loads, in cells of the coarser one, at least
     double support_radius =
         0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
 

@@ -110,7 +110,7 @@ InertiaRelief InertiaRelief::heaviside(const Discretisation& solid, const RigidM
     return relief;
 }
 
-void InertiaRelief::balance(Eigen::VectorXd& forces,
+Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::balance(Eigen::VectorXd& forces,
                             const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
                             const RigidMotions& motions) const {
     Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration(6, resultants.cols());
@@ -120,6 +120,7 @@ void InertiaRelief::balance(Eigen::VectorXd& forces,
                 -resultants.col(component));
     for (long unknown = 0; unknown < forces.size(); ++unknown)
         forces[unknown] += forces_.row(unknown).dot(acceleration.col(motions.componentOfUnknown(unknown)));
+    return acceleration;
 }
 
 }  // namespace sherd

@@ -29,7 +29,8 @@ class InertiaRelief {
 
     /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances
     /// them.
-    void balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+    /// Returns the factors of the six motions, 6 x #components.
+    Eigen::Matrix<double, 6, Eigen::Dynamic> balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
                  const RigidMotions& motions) const;
 
   private:

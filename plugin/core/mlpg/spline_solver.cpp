@@ -6,6 +6,7 @@
 #include "core/mlpg/rigid_motions.h"
 #include "core/mlpg/spline_stiffness.h"
 #include "core/mlpg/stress_solver_impl.h"
+#include "core/resampling/zoom.h"
 #include "stopwatch.h"
 
 namespace sherd {
@@ -23,25 +24,27 @@ Eigen::Matrix3d spinGradient(const Vec3& w) {
 class SplineSolver : public StressSolver::Impl {
   public:
     SplineSolver(std::shared_ptr<const Discretisation> solid, const Material& material, int degree,
-                 const std::vector<SupportPoint>& supports)
+                 const StressSettings& settings, const std::vector<SupportPoint>& supports)
         : solid_(std::move(solid)),
           parts_(solid_->parts),
           elasticity_(material),
           density_(material.density_kg_m3),
-          space_(parts_, degree),
+          space_pointer_(std::make_shared<SplineSpace>(parts_, degree)),
+          space_(*space_pointer_),
           motions_(parts_, space_),
           supported_(space_.component_count, 0),
-          body_moments_(splineBodyMoments(parts_, space_, motions_.moments)),
+          rounds_(settings.resampling_rounds),
+          zoom_margin_(settings.resampling_margin),
+          body_moments_(gatherMoments()),
           inertia_(InertiaRelief::splines(body_moments_, motions_)) {
         const double stiffness =
             support_stiffness * (elasticity_.lambda_pa + 2 * elasticity_.mu_pa) / parts_.edges.maxCoeff();
         for (const SupportPoint& support : supports) {
-            const int part = parts_.partAt(support.position);
-            if (part < 0) throw std::invalid_argument("a support lies beside the solid.");
-            supported_[space_.component_of_part[part]] = 1;
-            springs_.push_back({part, parts_.toCell(support.position, parts_.parts[part].cell),
-                                stiffness * support.area_m2});
+            if (parts_.partAt(support.position) < 0) throw std::invalid_argument("a support lies beside the solid.");
+            supports_.push_back({support.position, stiffness * support.area_m2});
         }
+        springs_ = springsOf(parts_, supports_);
+        for (const PointSpring& spring : springs_) supported_[space_.component_of_part[spring.part]] = 1;
     }
 
     Status factor() {
@@ -86,7 +89,7 @@ class SplineSolver : public StressSolver::Impl {
         }
         Eigen::VectorXd forces = space_.gather(raw);
         if (spin_rad_s.norm() > 0) magnitude += addSpin(spin_rad_s, forces);
-        return solveForces(std::move(forces), magnitude, points, watch);
+        return solveForces(std::move(forces), magnitude, points, watch, loads, spin_rad_s);
     }
 
     Result<StressField> solveTraction(
@@ -105,11 +108,59 @@ class SplineSolver : public StressSolver::Impl {
         Eigen::VectorXd unknowns(stiffness_.size);
         for (int f = 0; f < space_.function_count; ++f) unknowns.segment<3>(3L * f) = displacement(space_.centres[f]);
         StressField field;
-        evaluate(unknowns, {}, field);
+        evaluate({parts_, space_pointer_, space_.expand(unknowns)}, {}, {}, field);
         return field;
     }
 
   private:
+    Eigen::Matrix4Xd gatherMoments() const {
+        std::vector<Vec3> origins;
+        for (const int component : space_.component_of_part) origins.push_back(motions_.moments[component].centroid);
+        const Eigen::Matrix4Xd raw = splineBodyMoments(parts_, space_, origins);
+        Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, space_.function_count);
+        for (int r = 0; r < space_.raw_count; ++r)
+            for (int k = space_.term_starts[r]; k < space_.term_starts[r + 1]; ++k)
+                sums.col(space_.terms[k].function) += space_.terms[k].factor * raw.col(r);
+        return sums;
+    }
+
+    /// The forces of rigid acceleration and spin, per part.
+    std::vector<AffineForce> bodyForces(const Eigen::Matrix<double, 6, Eigen::Dynamic>& acceleration,
+                                        const Vec3& spin) const {
+        std::vector<AffineForce> forces;
+        for (const int component : space_.component_of_part) {
+            AffineForce force;
+            const Vec3 angular = acceleration.col(component).tail<3>() / motions_.size[component];
+            force.value = acceleration.col(component).head<3>();
+            for (int j = 0; j < 3; ++j) force.gradient.col(j) = angular.cross(Vec3::Unit(j));
+            force.gradient -= density_ * spinGradient(spin);
+            force.about = motions_.moments[component].centroid;
+            forces.push_back(force);
+        }
+        return forces;
+    }
+
+    /// Finer and finer grids around the loads, coarser ones first.
+    Result<std::vector<Zoom>> resample(const SplineField& whole, const BodyLoads& loads) const {
+        std::vector<Zoom> zooms;
+        size_t begin = 0;  // of the zooms of the round before
+        for (int round = 0; round < rounds_; ++round) {
+            const size_t end = zooms.size();
+            for (size_t parent = begin; parent < (round == 0 ? 1 : end); ++parent) {
+                const BodyLoads acting = round == 0 ? loads : zooms[parent].loads;
+                const CellParts& grid = round == 0 ? whole.parts : zooms[parent].field.parts;
+                for (const CellBox& box : boxesAroundLoads(grid, acting.forces, zoom_margin_)) {
+                    Result<Zoom> zoom = zoomIn(*solid_->surface, round == 0 ? whole : zooms[parent].field, box,
+                                               elasticity_, acting, supports_);
+                    if (!zoom) return Error{zoom.error()};
+                    zooms.push_back(std::move(zoom).value());
+                }
+            }
+            begin = end;
+        }
+        return zooms;
+    }
+
     /// Adds the inertia loads of a steady rotation, -rho w x (w x r).
     double addSpin(const Vec3& spin, Eigen::VectorXd& forces) const {
         const Mat3 gradient = -density_ * spinGradient(spin);
@@ -123,11 +174,12 @@ class SplineSolver : public StressSolver::Impl {
     }
 
     Result<StressField> solveForces(Eigen::VectorXd forces, double magnitude, const std::vector<Vec3>& points,
-                                    const Stopwatch& watch) const {
+                                    const Stopwatch& watch, const std::vector<PointForce>& loads,
+                                    const Vec3& spin) const {
         Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = motions_.resultants(forces);
         for (int component = 0; component < space_.component_count; ++component)
             if (supported_[component]) resultants.col(component).setZero();
-        inertia_.balance(forces, resultants, motions_);
+        const auto acceleration = inertia_.balance(forces, resultants, motions_);
 
         StressField field;
         Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(forces.size());
@@ -136,9 +188,13 @@ class SplineSolver : public StressSolver::Impl {
             const Status solved = solveRefined(forces, scale, unknowns, field.residual_rel);
             if (!solved) return Error{solved.error()};
         }
+        const SplineField whole{parts_, space_pointer_, space_.expand(unknowns)};
+        const Result<std::vector<Zoom>> zooms = resample(whole, {loads, bodyForces(acceleration, spin)});
+        if (!zooms) return Error{zooms.error()};
+        for (const Zoom& zoom : zooms.value()) field.resampling_factor_entries += zoom.factor_entries;
         field.solve_ms = watch.milliseconds();
         const Stopwatch recovery_watch;
-        evaluate(unknowns, points, field);
+        evaluate(whole, points, zooms.value(), field);
         field.recovery_ms = recovery_watch.milliseconds();
         field.strain_energy_j = 0.5 * unknowns.dot(forces);
         if (magnitude > 0) {
@@ -171,33 +227,33 @@ class SplineSolver : public StressSolver::Impl {
         return success();
     }
 
-    void evaluate(const Eigen::VectorXd& unknowns, const std::vector<Vec3>& points, StressField& field) const {
-        const Eigen::Matrix3Xd raw = space_.expand(unknowns);
-        for (const Particle& particle : solid_->particles) field.particles.push_back(stressAt(raw, particle.position));
-        for (const SurfacePoint& point : solid_->surface_points)
-            field.surface.push_back(stressAt(raw, point.position));
-        for (const Vec3& point : points) field.points.push_back(stressAt(raw, point));
-    }
-
-    Voigt stressAt(const Eigen::Matrix3Xd& raw, const Vec3& x) const {
-        const int part = parts_.partAt(x);
-        if (part < 0) return Voigt::Zero();
-        thread_local std::vector<Vec3> gradients;
-        splineGradients(space_.degree, parts_.toCell(x, parts_.parts[part].cell), gradients);
-        Mat3 gradient = Mat3::Zero();
-        const std::vector<int>& functions = space_.raw_of[part];
-        for (size_t a = 0; a < functions.size(); ++a) gradient += raw.col(functions[a]) * gradients[a].transpose();
-        return toVoigt(elasticity_.stress(gradient * parts_.edges.cwiseInverse().asDiagonal()));
+    void evaluate(const SplineField& whole, const std::vector<Vec3>& points, const std::vector<Zoom>& zooms,
+                  StressField& field) const {
+        const auto stress_at = [&](const Vec3& x) -> Voigt {
+            Mat3 gradient;
+            for (size_t z = zooms.size(); z-- > 0;)
+                if (displacementGradient(zooms[z].field, x, gradient))
+                    return toVoigt(elasticity_.stress(gradient));
+            if (!displacementGradient(whole, x, gradient)) return Voigt::Zero();
+            return toVoigt(elasticity_.stress(gradient));
+        };
+        for (const Particle& particle : solid_->particles) field.particles.push_back(stress_at(particle.position));
+        for (const SurfacePoint& point : solid_->surface_points) field.surface.push_back(stress_at(point.position));
+        for (const Vec3& point : points) field.points.push_back(stress_at(point));
     }
 
     std::shared_ptr<const Discretisation> solid_;
     const CellParts& parts_;
     Elasticity elasticity_;
     double density_;
-    SplineSpace space_;
+    std::shared_ptr<const SplineSpace> space_pointer_;
+    const SplineSpace& space_;
     RigidMotions motions_;
     std::vector<char> supported_;  // per component
+    std::vector<SupportSpring> supports_;
     std::vector<PointSpring> springs_;
+    int rounds_;
+    double zoom_margin_;
     Eigen::Matrix4Xd body_moments_;
     InertiaRelief inertia_;
     SparseMatrix stiffness_;
@@ -214,7 +270,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     if (solid->parts.order < 2 * degree)
         return Error{"The solid was sampled with moments of order " + std::to_string(solid->parts.order) +
                      "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) + "."};
-    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, supports);
+    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, settings, supports);
     if (const Status factored = solver->factor(); !factored) return Error{factored.error()};
     return std::unique_ptr<Impl>(std::move(solver));
 }

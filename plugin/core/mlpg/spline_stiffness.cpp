@@ -69,6 +69,23 @@ class PartIntegrator {
         return affine * (cell_volume_ * weights).asDiagonal() * values_;
     }
 
+    /// int sigma(u) grad phi_a dV over a part, 3 x #functions, for its own coefficients u.
+    Eigen::Matrix3Xd internalForces(const CellPart& part, const Elasticity& elasticity, const Eigen::Matrix3Xd& u) const {
+        const Eigen::VectorXd weights =
+            cell_volume_ * (part.moments.empty() ? whole_weights_ : weightsOf(part.moments));
+        Eigen::MatrixX3d slopes[3];  // column i of slopes[j]: du_i/dx_j at the points
+        for (int j = 0; j < 3; ++j) slopes[j].noalias() = gradients_[j] * u.transpose();
+        for (long q = 0; q < weights.size(); ++q) {
+            Mat3 gradient;
+            for (int j = 0; j < 3; ++j) gradient.col(j) = slopes[j].row(q).transpose();
+            const Mat3 stress = weights[q] * elasticity.stress(gradient);
+            for (int j = 0; j < 3; ++j) slopes[j].row(q) = stress.row(j);
+        }
+        Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, u.cols());
+        for (int j = 0; j < 3; ++j) forces.noalias() += slopes[j].transpose() * gradients_[j];
+        return forces;
+    }
+
   private:
     /// The inverse of the powers at the points, direction by direction.
     Eigen::VectorXd weightsOf(const std::vector<double>& moments) const {
@@ -187,6 +204,16 @@ void scatter(const PartMatrix& part, const Elasticity& elasticity, const std::ve
 
 }  // namespace
 
+std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<SupportSpring>& supports) {
+    std::vector<PointSpring> springs;
+    for (const SupportSpring& support : supports) {
+        const int part = solid.partAt(support.position);
+        if (part >= 0)
+            springs.push_back({part, solid.toCell(support.position, solid.parts[part].cell), support.stiffness_n_m});
+    }
+    return springs;
+}
+
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                              const std::vector<PointSpring>& springs) {
     const int part_count = static_cast<int>(solid.parts.size());
@@ -225,23 +252,46 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
     return matrix;
 }
 
+Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
+                                      const std::vector<PointSpring>& springs, const Eigen::Matrix3Xd& displacement) {
+    const PartIntegrator integrator(space.degree, solid.edges);
+    const int part_count = static_cast<int>(solid.parts.size());
+    std::vector<Eigen::Matrix3Xd> own(part_count);
+    forEachChunk(chunk_count, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunk_count, part_count);
+        Eigen::Matrix3Xd u(3, space.perPart());
+        for (int p = chunkBegin(chunk, chunk_count, part_count); p < end; ++p) {
+            for (int a = 0; a < space.perPart(); ++a) u.col(a) = displacement.col(space.raw_of[p][a]);
+            own[p] = integrator.internalForces(solid.parts[p], elasticity, u);
+        }
+    });
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, space.raw_count);
+    for (int p = 0; p < part_count; ++p)
+        for (int a = 0; a < space.perPart(); ++a) forces.col(space.raw_of[p][a]) += own[p].col(a);
+    std::vector<double> values;
+    for (const PointSpring& spring : springs) {
+        splineValues(space.degree, spring.xi, values);
+        const std::vector<int>& functions = space.raw_of[spring.part];
+        Vec3 force = Vec3::Zero();
+        for (size_t a = 0; a < functions.size(); ++a) force += values[a] * displacement.col(functions[a]);
+        force *= spring.stiffness_n_m;
+        for (size_t a = 0; a < functions.size(); ++a) forces.col(functions[a]) += values[a] * force;
+    }
+    return forces;
+}
+
 Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,
-                                   const std::vector<Moments>& components) {
+                                   const std::vector<Vec3>& origins) {
     const PartIntegrator integrator(space.degree, solid.edges);
     Eigen::Matrix4Xd raw = Eigen::Matrix4Xd::Zero(4, space.raw_count);
     for (size_t p = 0; p < solid.parts.size(); ++p) {
         const CellPart& part = solid.parts[p];
         const Vec3 middle =
-            solid.origin + (part.cell.cast<double>() + Vec3::Constant(0.5)).cwiseProduct(solid.edges) -
-            components[space.component_of_part[p]].centroid;
-        const Eigen::Matrix4Xd own = integrator.bodyMoments(part, middle);
+            solid.origin + (part.cell.cast<double>() + Vec3::Constant(0.5)).cwiseProduct(solid.edges);
+        const Eigen::Matrix4Xd own = integrator.bodyMoments(part, middle - origins[p]);
         for (int a = 0; a < space.perPart(); ++a) raw.col(space.raw_of[p][a]) += own.col(a);
     }
-    Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, space.function_count);
-    for (int r = 0; r < space.raw_count; ++r)
-        for (int k = space.term_starts[r]; k < space.term_starts[r + 1]; ++k)
-            sums.col(space.terms[k].function) += space.terms[k].factor * raw.col(r);
-    return sums;
+    return raw;
 }
 
 Eigen::VectorXd symmetricProduct(const SparseMatrix& lower, const Eigen::VectorXd& x) {

@@ -14,6 +14,14 @@ struct PointSpring {
     double stiffness_n_m = 0;
 };
 
+/// The same, given by its place.
+struct SupportSpring {
+    Vec3 position = Vec3::Zero();  ///< m
+    double stiffness_n_m = 0;
+};
+/// Those that lie on the parts of a grid.
+std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<SupportSpring>& supports);
+
 /// Stiffness of the Galerkin form on a spline space, row (a, i), column (b, j):
 ///     K_ab = int lambda grad phi_a grad phi_b^T + mu grad phi_b grad phi_a^T + mu (grad phi_a . grad phi_b) I dV
 ///            + sum over springs k phi_a phi_b I,
@@ -22,9 +30,14 @@ struct PointSpring {
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                              const std::vector<PointSpring>& springs);
 
-/// Integrals of phi_a (1, x - c), 4 x #functions, c the centre of mass of the function's component.
+/// The same stiffness between raw functions, without its matrix: forces (3 x raw_count, N) that balance the stresses
+/// which raw coefficients `displacement` (m) make.
+Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
+                                      const std::vector<PointSpring>& springs, const Eigen::Matrix3Xd& displacement);
+
+/// Integrals of phi_a (1, x - origin) of every raw function, 4 x raw_count; `origins` per part.
 Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,
-                                   const std::vector<Moments>& components);
+                                   const std::vector<Vec3>& origins);
 
 /// A x of a symmetric matrix of which only the lower half is used; lines are columns.
 Eigen::VectorXd symmetricProduct(const SparseMatrix& lower, const Eigen::VectorXd& x);

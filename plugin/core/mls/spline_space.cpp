@@ -177,6 +177,7 @@ class Builder {
             const Vec3 shift = Vec3::Constant((1 - space_.degree) / 2.0);
             space_.centres.push_back(solid_.origin +
                                      (points_[raw].cast<double>() + shift).cwiseProduct(solid_.edges));
+            space_.points.push_back(points_[raw]);
             space_.component.push_back(space_.component_of_part[support[0]]);
         }
         space_.term_starts.assign(1, 0);

@@ -21,6 +21,7 @@ struct SplineSpace {
     int degree = 2;
     int function_count = 0;                ///< that carry unknowns
     std::vector<Vec3> centres;             ///< per function: where a linear field is read for its coefficient, m
+    std::vector<Eigen::Vector3i> points;   ///< per function: its lattice point, the highest cell of its support
     std::vector<int> component;            ///< per function: connected part of the solid
     std::vector<int> component_of_part;    ///< #parts
     int component_count = 0;

@@ -83,16 +83,10 @@ std::vector<MomentFlux> surfaceFlux(const TriangleMesh& surface, const SamplingG
     std::vector<MomentFlux> flux(cut.voxels.size(),
                                  {std::vector<double>(n * n * n, 0.0), std::vector<double>(n * n, 0.0)});
     const FluxSum sum(order);
-    const auto addPiece = [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+    forEachVoxelPiece(surface, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
         const Vec3 centre = (voxel / per_cell).cast<double>() * per_cell + Vec3::Constant(0.5 * per_cell);
         sum.add(polygon, centre, 1.0 / per_cell, flux[cut.cut_voxel_at[grid.indexOf(voxel)]]);
-    };
-    for (const auto& [a, b, c] : surface.triangles) {
-        Polygon triangle;
-        for (const int v : {a, b, c}) triangle.add(grid.toGrid(surface.vertices[v]));
-        triangle.close();
-        forEachCellPiece(triangle, addPiece);
-    }
+    });
     return flux;
 }
 
@@ -204,8 +198,11 @@ std::vector<int> connectedInCell(const SolidVoxels& solid, const std::vector<lon
 
 }  // namespace
 
-CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
-                           const SolidVoxels& solid, int order) {
+namespace {
+
+/// Only the cells from `first_column` to below `last_column` along x.
+CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
+                         const SolidVoxels& solid, int order, int first_column, int last_column) {
     CellParts result;
     const int per_cell = grid.cells_per_spacing;
     result.origin = grid.origin;
@@ -225,8 +222,10 @@ CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid
     std::vector<std::vector<int>> voxels_of(voxel_count);
     for (int v = 0; v < voxel_count; ++v) voxels_of[root[v]].push_back(v);
     std::vector<int> order_of_roots;
-    for (int v = 0; v < voxel_count; ++v)
-        if (root[v] == v) order_of_roots.push_back(v);
+    for (int v = 0; v < voxel_count; ++v) {
+        const int column = grid.voxelAt(solid.index[v]).x() / per_cell;
+        if (root[v] == v && column >= first_column && column < last_column) order_of_roots.push_back(v);
+    }
     std::stable_sort(order_of_roots.begin(), order_of_roots.end(),
                      [&](int a, int b) { return cell_of[a] < cell_of[b]; });
 
@@ -283,6 +282,32 @@ CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
     return result;
+}
+
+}  // namespace
+
+CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
+                           const SolidVoxels& solid, int order) {
+    return measureColumns(surface, grid, cut, solid, order, 0, grid.count.x());
+}
+
+Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& coarse,
+                                  const Eigen::Vector3i& lower, const Eigen::Vector3i& upper) {
+    constexpr int voxels_per_cell = 2;
+    SamplingGrid grid;
+    grid.window = true;
+    grid.cells_per_spacing = voxels_per_cell;
+    grid.cell_size = coarse.edges / (2 * voxels_per_cell);
+    const int first = std::min(0, lower.x()), last = std::max(coarse.count.x(), upper.x());
+    const Eigen::Vector3i corner(first, lower.y(), lower.z());
+    grid.origin = coarse.origin + corner.cast<double>().cwiseProduct(coarse.edges);
+    grid.particle_cells = 2 * Eigen::Vector3i(last - first, upper.y() - lower.y(), upper.z() - lower.z());
+    grid.count = voxels_per_cell * grid.particle_cells + Eigen::Vector3i::UnitX();
+    const CutSurface cut = cutSurface(surface, grid);
+    const Result<SolidVoxels> solid = fillVoxels(grid, cut);
+    if (!solid) return Error{solid.error()};
+    return measureColumns(surface, grid, cut, solid.value(), coarse.order, 2 * (lower.x() - first),
+                          2 * (upper.x() - first));
 }
 
 }  // namespace sherd

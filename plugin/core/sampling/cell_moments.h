@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sherd/result.h>
 #include <sherd/triangle_mesh.h>
 
 #include "core/sampling/cell_parts.h"
@@ -13,5 +14,10 @@ namespace sherd {
 /// splines of degree `order` / 2; for their products, the better the smaller the triangles.
 CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
                            const SolidVoxels& solid, int order);
+
+/// The part of a solid inside a box of cells of a coarser grid, sampled anew with cells half as long. `lower` and
+/// `upper` (exclusive) may reach beyond the coarse grid.
+Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& coarse,
+                                  const Eigen::Vector3i& lower, const Eigen::Vector3i& upper);
 
 }  // namespace sherd

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <sherd/triangle_mesh.h>
 #include <sherd/types.h>
 
+#include <memory>
 #include <vector>
 
 #include "core/sampling/cell_parts.h"
@@ -60,6 +62,7 @@ struct Discretisation {
         int cell = -1;          ///< the integration cell that it belongs to
         double fill = 0;        ///< part of it that is solid, 0 to 1
     };
+    std::shared_ptr<const TriangleMesh> surface;  ///< that was sampled
     CellParts parts;                  ///< the same solid, for trial functions that live on the grid
     Vec3 grid_origin = Vec3::Zero();  ///< corner of voxel (0, 0, 0), m
     std::vector<Voxel> voxels;        ///< in ascending order of (z, y, x)

@@ -74,6 +74,7 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
 
     Discretisation result;
     result.spacing = spacing_m;
+    result.surface = std::make_shared<const TriangleMesh>(surface);
     result.cell_size = grid.cell_size;
     result.grid_origin = grid.origin;
     result.surface_points = surfacePoints(grid, cut, solid, cells);

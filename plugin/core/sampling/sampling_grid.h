@@ -4,6 +4,8 @@
 #include <sherd/triangle_mesh.h>
 #include <sherd/types.h>
 
+#include <algorithm>
+
 namespace sherd {
 
 /// The integration grid over a solid's bounding box. Grid coordinates u = (x - origin) / cell_size make every
@@ -16,6 +18,8 @@ struct SamplingGrid {
         Eigen::Vector3i::Zero();  ///< voxels, with one empty layer above for what lies on the top plane
     Eigen::Vector3i particle_cells = Eigen::Vector3i::Zero();  ///< cells of `cells_per_spacing`^3 voxels
     int cells_per_spacing = 1;
+    /// Whether the grid covers the whole solid, or all of it along x but only a range of rows along y and z.
+    bool window = false;
 
     double voxelVolume() const { return cell_size.prod(); }
     long long voxelCount() const { return 1LL * count.x() * count.y() * count.z(); }
@@ -26,7 +30,10 @@ struct SamplingGrid {
         return {int(index % count.x()), int(index / count.x() % count.y()),
                 int(index / count.x() / count.y())};
     }
-    Vec3 toGrid(const Vec3& x) const { return (x - origin).cwiseQuotient(cell_size).cwiseMax(0.0); }
+    Vec3 toGrid(const Vec3& x) const {
+        const Vec3 u = (x - origin).cwiseQuotient(cell_size);
+        return window ? Vec3(std::max(0.0, u.x()), u.y(), u.z()) : Vec3(u.cwiseMax(0.0));
+    }
     Vec3 toWorld(const Vec3& u) const { return origin + u.cwiseProduct(cell_size); }
 
     /// Index of the particle cell that a voxel lies in, ascending in (z, y, x).

@@ -109,18 +109,43 @@ Result<std::vector<RawMoments>> measureVoxels(const SamplingGrid& grid, const Cu
     return moments;
 }
 
+/// The solid part of the face above the top of a row that ends inside the solid: what the first voxel without a surface
+/// asks for, or where there is none, about as much as the top voxel holds.
+FaceMoments faceAboveRow(const Row& row, const CutSurface& surface, const std::vector<int>& state,
+                         const std::vector<RawMoments>& fills, int axis) {
+    FaceMoments flux{};
+    for (int i = row.count - 1; i >= 0; --i) {
+        const int voxel = state[std::size_t(row.at(i))];
+        if (voxel >= 0) {
+            add(flux, surface.flux[std::size_t(voxel)].face[std::size_t(axis)]);
+            continue;
+        }
+        FaceMoments face = voxel == full_voxel ? full_face : FaceMoments{};
+        for (int k = 0; k < 6; ++k) face[std::size_t(k)] -= flux[std::size_t(k)];
+        return face;
+    }
+    const int top = state[std::size_t(row.at(row.count - 1))];
+    FaceMoments face{};
+    face[0] = std::min(1.0, std::max(0.0, fills[std::size_t(top)].volume));
+    return face;
+}
+
 /// Walks the rows along an axis: the solid part of every face across it.
 Status measureFaces(const SamplingGrid& grid, const CutSurface& surface, const std::vector<int>& state,
-                    const std::vector<int>& number, int axis, std::vector<VoxelFace>& faces) {
+                    const std::vector<int>& number, const std::vector<RawMoments>& fills, int axis,
+                    std::vector<VoxelFace>& faces) {
+    const bool open = grid.window && axis > 0;  // rows may begin and end inside the solid
     return forEachRow(grid, axis, [&](const Row& row) -> Status {
         FaceMoments sum{};
+        if (open) sum = faceAboveRow(row, surface, state, fills, axis);
         for (int i = row.count - 1; i >= 0; --i) {
             const std::size_t here = std::size_t(row.at(i));
             if (state[here] >= 0) {
                 add(sum, surface.flux[std::size_t(state[here])].face[std::size_t(axis)]);
             } else {
                 const double filled = state[here] == full_voxel ? 1 : 0;
-                if (std::abs(sum[0] - filled) > closing_tolerance) return notClosed(grid, row.at(i), sum[0]);
+                if (!open && std::abs(sum[0] - filled) > closing_tolerance)
+                    return notClosed(grid, row.at(i), sum[0]);
                 sum = filled == 1 ? full_face : FaceMoments{};
             }
             if (i == 0) break;
@@ -135,7 +160,8 @@ Status measureFaces(const SamplingGrid& grid, const CutSurface& surface, const s
                              inside(face[1] / face[0]),
                              inside(face[2] / face[0])});
         }
-        return std::abs(sum[0]) > closing_tolerance ? Status(notClosed(grid, row.at(0), sum[0])) : success();
+        return !open && std::abs(sum[0]) > closing_tolerance ? Status(notClosed(grid, row.at(0), sum[0]))
+                                                             : success();
     });
 }
 
@@ -176,7 +202,7 @@ Result<SolidVoxels> fillVoxels(const SamplingGrid& grid, const CutSurface& surfa
         if (state[v] >= 0) solid.of_cut_voxel[std::size_t(state[v])] = number[v];
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const Status status = measureFaces(grid, surface, state, number, axis, solid.faces);
+        const Status status = measureFaces(grid, surface, state, number, cut_moments.value(), axis, solid.faces);
         if (!status) return Error{status.error()};
     }
     return solid;

@@ -65,15 +65,30 @@ SurfaceFlux& SurfaceFlux::operator+=(const SurfaceFlux& other) {
     return *this;
 }
 
+void forEachVoxelPiece(const TriangleMesh& surface, const SamplingGrid& grid,
+                       const std::function<void(const Eigen::Vector3i&, const Polygon&)>& visit) {
+    std::vector<Vec3> points(surface.vertices.size());
+    for (std::size_t v = 0; v < points.size(); ++v) points[v] = grid.toGrid(surface.vertices[v]);
+    Polygon triangle, rest;
+    for (const auto& [a, b, c] : surface.triangles) {
+        triangle.count = 0;
+        for (const int v : {a, b, c}) triangle.add(points[std::size_t(v)]);
+        triangle.close();
+        for (int axis = 1; grid.window && axis < 3; ++axis) {
+            Polygon below, above;
+            cutPolygon(triangle, axis, 0, below, above);
+            cutPolygon(above, axis, grid.count[axis], below, rest);
+            triangle.assign(below);
+        }
+        forEachCellPiece(triangle, visit);
+    }
+}
+
 CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
     CutSurface cut;
     cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
-    std::vector<Vec3> points(surface.vertices.size());
-    for (std::size_t v = 0; v < points.size(); ++v) points[v] = grid.toGrid(surface.vertices[v]);
-
     cut.pieces.reserve(2 * surface.triangles.size());
-
-    const auto addPiece = [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+    forEachVoxelPiece(surface, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
         int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
         if (index < 0) {
             index = int(cut.voxels.size());
@@ -83,13 +98,7 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
         const Vec3 centre = voxel.cast<double>() + Vec3::Constant(0.5);
         cut.pieces.push_back(measure(polygon, centre, cut.flux[std::size_t(index)]));
         cut.pieces.back().cut_voxel = index;
-    };
-    for (const auto& [a, b, c] : surface.triangles) {
-        Polygon triangle;
-        for (const int v : {a, b, c}) triangle.add(points[std::size_t(v)]);
-        triangle.close();
-        forEachCellPiece(triangle, addPiece);
-    }
+    });
     return cut;
 }
 

@@ -3,8 +3,10 @@
 #include <sherd/triangle_mesh.h>
 
 #include <array>
+#include <functional>
 #include <vector>
 
+#include "core/sampling/polygon_clipping.h"
 #include "core/sampling/sampling_grid.h"
 
 namespace sherd {
@@ -36,6 +38,11 @@ struct CutSurface {
     std::vector<SurfacePiece> pieces;  ///< ordered by triangle
     std::vector<int> cut_voxel_at;     ///< #voxels of the grid: index of the cut voxel, or -1
 };
+
+/// Calls visit(voxel, polygon) for the part of every triangle inside every voxel of the grid, in the order of the
+/// triangles; polygons in grid coordinates.
+void forEachVoxelPiece(const TriangleMesh& surface, const SamplingGrid& grid,
+                       const std::function<void(const Eigen::Vector3i&, const Polygon&)>& visit);
 
 CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid);
 
