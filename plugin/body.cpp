@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/loads/surface_region.h"
+#include "core/mlpg/spacing_choice.h"
 #include "core/sampling/sample_solid.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
@@ -22,18 +23,37 @@ double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
     return std::sqrt(squared);
 }
 
-double chosenSpacing(const SamplingSettings& sampling, double volume, double wall_thickness) {
+/// From the wall thickness and the limits on counts; a given spacing is taken as it is.
+double wishedSpacing(const SamplingSettings& sampling, double volume, double wall_thickness) {
     const auto spacing_for = [&](double count) { return std::cbrt(volume / count); };
     if (sampling.spacing_m > 0) return std::min(sampling.spacing_m, spacing_for(1));
-    return std::clamp(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.largest_count),
-                      spacing_for(sampling.smallest_count));
+    return std::max(std::min(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.smallest_count)),
+                    spacing_for(sampling.largest_count));
+}
+
+/// The same, made coarser until the factor of the stiffness matrix is as small as is wished.
+Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume,
+                             double wall_thickness) {
+    const double wished = wishedSpacing(settings.sampling, volume, wall_thickness);
+    if (settings.sampling.spacing_m > 0 || settings.stress.trial_function != TrialFunction::spline) return wished;
+    constexpr double million = 1e6;
+    return chooseSpacing(surface,
+                         {wished, wall_thickness, splineDegree(settings.stress.basis),
+                          million * settings.sampling.largest_factor_millions,
+                          million * settings.sampling.largest_factor_if_thin_millions},
+                         settings.sampling.cells_per_spacing);
+}
+
+/// Spline functions are integrated with moments of twice their degree; other forms need none.
+int momentOrder(const StressSettings& stress) {
+    return stress.trial_function == TrialFunction::spline ? 2 * splineDegree(stress.basis) : 0;
 }
 
 Result<std::vector<SupportPoint>> supportPoints(const TriangleMesh& surface,
                                                 const std::vector<SurfaceRegion>& regions, double spacing) {
     std::vector<SupportPoint> supports;
     for (const SurfaceRegion& region : regions) {
-        const auto points = regionQuadrature(surface, region, kRegionQuadrature * spacing);
+        const auto points = regionQuadrature(surface, region, spacing);
         if (!points) return Error{"A support cannot be placed. " + points.error()};
         for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
     }
@@ -56,7 +76,10 @@ Result<std::shared_ptr<const Body>> Body::make(TriangleMesh surface, const Mater
     const double volume = body->moments_.volume;
     body->wall_thickness_ = sherd::wallThickness(body->surface_);
     body->bounding_radius_ = boundingRadiusAbout(body->moments_.centroid, body->surface_);
-    body->spacing_ = chosenSpacing(settings.sampling, volume, body->wall_thickness_);
+    const Result<double> spacing = chosenSpacing(body->surface_, settings, volume, body->wall_thickness_);
+    if (!spacing) return Error{spacing.error()};
+    body->spacing_ = spacing.value();
+    body->settings_.sampling.moment_order = momentOrder(settings.stress);
     const double given = settings.fracture.smallest_fragment_m3;
     body->smallest_fragment_m3_ = given > 0 ? given : kSmallestFragment * volume;
     return std::shared_ptr<const Body>(body);
@@ -71,9 +94,10 @@ std::shared_ptr<const Body> Body::makeFragment(TriangleMesh surface) const {
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->bounding_radius_ = boundingRadiusAbout(piece->moments_.centroid, piece->surface_);
+    // As fine as the whole, or finer where that would leave it too few particles.
     SamplingSettings sampling = settings_.sampling;
-    if (volume < kFewestInFragment * std::pow(sampling.spacing_m, 3)) sampling.spacing_m = 0;
-    piece->spacing_ = chosenSpacing(sampling, volume, piece->wall_thickness_);
+    sampling.spacing_m = std::min(spacing_, std::cbrt(volume / kFewestInFragment));
+    piece->spacing_ = wishedSpacing(sampling, volume, piece->wall_thickness_);
     piece->smallest_fragment_m3_ = smallest_fragment_m3_;
     return piece;
 }
@@ -97,7 +121,7 @@ Result<const StressSolver*> Body::stressSolver() const {
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (const auto sampled = solid(); !sampled) return Error{sampled.error()};
     if (!solver_ && trouble_.empty()) {
-        const auto supports = supportPoints(surface_, supports_, spacing_);
+        const auto supports = supportPoints(surface_, supports_, quadratureSpacing());
         Result<StressSolver> built =
             supports ? StressSolver::build(solid_, material_, settings_.stress, supports.value())
                      : Error{supports.error()};
@@ -108,6 +132,11 @@ Result<const StressSolver*> Body::stressSolver() const {
     }
     if (!solver_) return Error{trouble_};
     return static_cast<const StressSolver*>(solver_.get());
+}
+
+double Body::quadratureSpacing() const {
+    constexpr double of_finest_cell = 1.0 / 3;
+    return of_finest_cell * spacing_ / std::pow(2, settings_.stress.resampling_rounds);
 }
 
 bool Body::prepared() const {

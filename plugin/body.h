@@ -35,6 +35,8 @@ class Body {
     double boundingRadius() const { return bounding_radius_; }
     /// Particle spacing: the one given, or chosen from wall thickness and the limits of the settings.
     double spacing() const { return spacing_; }
+    /// Between the points that stand for loads and supports on a part of the surface.
+    double quadratureSpacing() const;
     /// Fragments of fragments stop here, m^3.
     double smallestFragment() const { return smallest_fragment_m3_; }
 

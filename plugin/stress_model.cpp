@@ -36,7 +36,7 @@ Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, co
                                        const Vec3& spin_rad_s) const {
     std::vector<PointForce> forces;
     for (const SurfaceLoad& load : loads) {
-        const auto area = regionQuadrature(surface(), load.region, kRegionQuadrature * body_->spacing());
+        const auto area = regionQuadrature(surface(), load.region, body_->quadratureSpacing());
         if (!area) return Error{"A load cannot be placed. " + area.error()};
         const std::vector<PointForce> part = pointForces(load, area.value());
         forces.insert(forces.end(), part.begin(), part.end());

@@ -9,11 +9,15 @@ namespace sherd {
 /// How finely a solid is sampled.
 struct SamplingSettings {
     double spacing_m = 0;  ///< distance between particles; 0: from the wall thickness and the limits below
-    double layers_across_wall = 1.5;  ///< particles across the thinnest wall, when the spacing is chosen
-    int smallest_count = 200;         ///< particles of a compact body, at least, when the spacing is chosen
-    int largest_count = 1500;         ///< about this many particles at most, when the spacing is chosen
+    double layers_across_wall = 4;  ///< particles across a wall, at most, when the spacing is chosen
+    int smallest_count = 600;       ///< particles of a compact body, at least, when the spacing is chosen
+    int largest_count = 20000;      ///< about this many particles at most, when the spacing is chosen
+    /// Millions of numbers that the factor of the stiffness matrix may store, when the spacing is chosen: each takes
+    /// 8 bytes, and a solve reads all of them twice. Splines only.
+    double largest_factor_millions = 9;
+    double largest_factor_if_thin_millions = 30;  ///< the same where walls would get less than one particle across
     int cells_per_spacing = 2;        ///< integration cells per particle spacing and direction, 1 to 4
-    int moment_order = 4;             ///< of the cells' moments: twice the degree of spline functions; 0: none
+    int moment_order = 4;         ///< of the cells' moments; an asset sets it to twice the degree of its splines
     double smallest_fill = 0.25;      ///< a cell filled by less gets no particle of its own
 
     Status validate() const;
@@ -35,6 +39,9 @@ enum class TrialFunction {
 };
 
 enum class Basis { linear, quadratic, cubic };
+inline int splineDegree(Basis basis) {
+    return 1 + static_cast<int>(basis);
+}
 
 /// How the stress problem is discretised.
 struct StressSettings {
@@ -42,7 +49,7 @@ struct StressSettings {
     TrialFunction trial_function = TrialFunction::spline;
     Basis basis = Basis::quadratic;
     /// How often the grid is made finer around loads that it is too coarse for (paper, section 5), 0 to 4. Splines only.
-    int resampling_rounds = 0;
+    int resampling_rounds = 2;
     double resampling_margin = 2;  ///< of the finer grid beyond the loads, in cells of the coarser one, at least
     double support_radius =
         0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
@@ -75,7 +82,17 @@ struct FractureSettings {
     Status validate() const;
 };
 
+/// How much accuracy a scene needs; the README shows what each costs.
+enum class Quality {
+    preview,  ///< which parts are loaded, and about how much
+    game,     ///< the defaults
+    film,     ///< as right as fine finite elements
+};
+
 struct Settings {
+    /// The defaults with the sampling and the stress solve of a quality.
+    static Settings forQuality(Quality quality);
+
     SamplingSettings sampling;
     StressSettings stress;
     ContactSettings contact;

@@ -14,7 +14,10 @@ const std::map<std::string, TrialFunction> trials = {
     {"mls", TrialFunction::mls}, {"gmls", TrialFunction::gmls}, {"spline", TrialFunction::spline}};
 const std::map<std::string, TestFunction> tests = {{"heaviside", TestFunction::heaviside},
                                                    {"galerkin", TestFunction::galerkin}};
-const std::map<std::string, Settings> qualities = {{"preview", {}}, {"game", {}}, {"film", {}}};
+const std::map<std::string, Quality> qualities = {
+    {"preview", Quality::preview}, {"game", Quality::game}, {"film", Quality::film}};
+
+constexpr double unlimited_millions = 1e6;  // of factor entries: what is asked for is done
 
 template <class Value>
 std::vector<std::string> namesOf(const std::map<std::string, Value>& choices) {
@@ -26,7 +29,7 @@ std::vector<std::string> namesOf(const std::map<std::string, Value>& choices) {
 /// The options that change single settings; those not given leave what the quality says.
 struct Overrides {
     std::optional<double> spacing_m, support_radius;
-    std::optional<int> particles, integration;
+    std::optional<int> particles, integration, rounds;
     std::optional<std::string> basis, trial, test_function;
 
     void addTo(CLI::App& app) {
@@ -46,6 +49,9 @@ struct Overrides {
         app.add_option("--integration", integration, "Integration cells per spacing and direction")
             ->check(CLI::Range(1, 4))
             ->type_name("N");
+        app.add_option("--rounds", rounds, "How often the grid is made finer around loads")
+            ->check(CLI::Range(0, 4))
+            ->type_name("N");
         app.add_option("--support-radius", support_radius, "Radius of the supports, in spacings")
             ->check(CLI::PositiveNumber)
             ->type_name("R");
@@ -57,12 +63,14 @@ struct Overrides {
         if (particles) {
             sampling.spacing_m = 0;
             sampling.smallest_count = sampling.largest_count = *particles;
+            sampling.largest_factor_millions = sampling.largest_factor_if_thin_millions = unlimited_millions;
         }
         if (integration) sampling.cells_per_spacing = *integration;
         StressSettings& stress = settings.stress;
         if (basis) stress.basis = bases.at(*basis);
         if (trial) stress.trial_function = trials.at(*trial);
         if (test_function) stress.test_function = tests.at(*test_function);
+        if (rounds) stress.resampling_rounds = *rounds;
         if (support_radius) stress.support_radius = *support_radius;
     }
 };
@@ -103,7 +111,7 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return Error{std::string(error.what()) + " (see --help)"};
     }
-    arguments.settings = qualities.at(arguments.quality);
+    arguments.settings = Settings::forQuality(qualities.at(arguments.quality));
     overrides.applyTo(arguments.settings);
     return arguments;
 }

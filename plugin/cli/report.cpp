@@ -47,6 +47,10 @@ ordered_json describe(const Settings& settings) {
     used["trial_function"] = word(stress.trial_function);
     used["basis"] = word(stress.basis);
     used["support_radius"] = stress.support_radius;
+    used["resampling_rounds"] = stress.resampling_rounds;
+    used["resampling_margin"] = stress.resampling_margin;
+    used["largest_factor_millions"] = sampling.largest_factor_millions;
+    used["largest_factor_if_thin_millions"] = sampling.largest_factor_if_thin_millions;
     return used;
 }
 
@@ -69,7 +73,9 @@ ordered_json makeReport(const Arguments& arguments, const StressCase& problem, c
     report["particles"] = made.particles;
     report["surface_points"] = made.surface_points;
     report["unknowns"] = made.unknowns;
-    report["factor_entries"] = made.factor_entries;
+    report["factor_entries"] = made.factor_entries + field.resampling_factor_entries;
+    report["factor_entries_of_body"] = made.factor_entries;
+    report["factor_entries_of_resampling"] = field.resampling_factor_entries;
     report["factor_bytes"] = made.factor_bytes;
     report["spacing_m"] = made.spacing_m;
     report["wall_thickness_m"] = made.wall_thickness_m;

@@ -12,6 +12,11 @@ Status SamplingSettings::validate() const {
                  "between 0.5 and 20")
         .require(smallest_count >= 1, "smallest_count", smallest_count, "at least 1")
         .require(largest_count >= smallest_count, "largest_count", largest_count, "at least smallest_count")
+        .require(isPositive(largest_factor_millions), "largest_factor_millions", largest_factor_millions, "positive")
+        .require(largest_factor_if_thin_millions >= largest_factor_millions, "largest_factor_if_thin_millions",
+                 largest_factor_if_thin_millions, "at least largest_factor_millions")
+        .require(moment_order >= 0 && moment_order <= 6 && moment_order % 2 == 0, "moment_order", moment_order,
+                 "0, 2, 4 or 6")
         .require(isWithin(cells_per_spacing, 1, 4), "cells_per_spacing", cells_per_spacing, "between 1 and 4")
         .require(isWithin(smallest_fill, 0, 0.9), "smallest_fill", smallest_fill, "between 0 and 0.9")
         .status();
@@ -23,6 +28,9 @@ Status StressSettings::validate() const {
     return RangeChecks("StressSettings")
         .require(support_radius == 0 || isWithin(support_radius, 1.05, 4), "support_radius", support_radius,
                  "0 (the form's own default) or between 1.05 and 4 particle spacings")
+        .require(isWithin(resampling_rounds, 0, 4), "resampling_rounds", resampling_rounds, "between 0 and 4")
+        .require(isWithin(resampling_margin, 1, 6), "resampling_margin", resampling_margin,
+                 "between 1 and 6 cells")
         .status();
 }
 
@@ -56,6 +64,34 @@ Status FractureSettings::validate() const {
         .require(isNotNegative(rest_after_break_s), "rest_after_break_s", rest_after_break_s,
                  "0 or positive, in s")
         .status();
+}
+
+Settings Settings::forQuality(Quality quality) {
+    Settings settings;
+    SamplingSettings& sampling = settings.sampling;
+    StressSettings& stress = settings.stress;
+    switch (quality) {
+        case Quality::preview:
+            sampling.layers_across_wall = 2;
+            sampling.smallest_count = 80;
+            sampling.largest_factor_millions = 1.3;
+            sampling.largest_factor_if_thin_millions = 5;
+            stress.resampling_margin = 1;
+            break;
+        case Quality::game:
+            break;
+        case Quality::film:
+            sampling.layers_across_wall = 6;
+            sampling.smallest_count = 2000;
+            sampling.largest_factor_millions = 90;
+            sampling.largest_factor_if_thin_millions = 150;
+            sampling.moment_order = 6;
+            stress.basis = Basis::cubic;
+            stress.resampling_rounds = 3;
+            stress.resampling_margin = 3;
+            break;
+    }
+    return settings;
 }
 
 Status Settings::validate() const {

@@ -148,4 +148,20 @@ Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, 
     return std::unique_ptr<SparseSolver>(std::move(solver));
 }
 
+Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size) {
+    cholmod_common common;
+    cholmod_start(&common);
+    common.print = 0;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_METIS;
+    cholmod_sparse pattern = viewOf(blocks.size, blocks.starts, blocks.indices, nullptr);
+    cholmod_factor* analysed = cholmod_analyze(&pattern, &common);
+    const double entries = common.lnz * block_size * block_size;
+    const bool done = analysed != nullptr;
+    cholmod_free_factor(&analysed, &common);
+    cholmod_finish(&common);
+    if (!done) return Error{"The stiffness matrix could not be analysed; is there enough memory?"};
+    return entries;
+}
+
 }  // namespace sherd

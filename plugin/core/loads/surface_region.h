@@ -8,10 +8,6 @@
 
 namespace sherd {
 
-/// Distance of quadrature points that serves loads and supports, in particle spacings: shape functions are
-/// smooth over it.
-constexpr double kRegionQuadrature = 1.0 / 3;
-
 /// A quadrature point of a part of the surface.
 struct AreaPoint {
     Vec3 position = Vec3::Zero();  ///< m

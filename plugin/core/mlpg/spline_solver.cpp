@@ -266,7 +266,7 @@ class SplineSolver : public StressSolver::Impl {
 Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     std::shared_ptr<const Discretisation> solid, const Material& material, const StressSettings& settings,
     const std::vector<SupportPoint>& supports) {
-    const int degree = 1 + static_cast<int>(settings.basis);
+    const int degree = splineDegree(settings.basis);
     if (solid->parts.order < 2 * degree)
         return Error{"The solid was sampled with moments of order " + std::to_string(solid->parts.order) +
                      "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) + "."};

@@ -4,8 +4,8 @@
 #include <array>
 #include <cmath>
 
-#include "core/linear_algebra/gauss_legendre.h"
 #include "core/linear_algebra/parallel_chunks.h"
+#include "core/mls/part_integrals.h"
 
 namespace sherd {
 namespace {
@@ -13,113 +13,11 @@ namespace {
 constexpr int batch_size = 128;  // parts whose matrices are held at a time
 constexpr int chunk_count = 16;
 
-/// Gram matrices of gradients: gram[3 i + j](a, b) = int d_i phi_a d_j phi_b dV, for i <= j; the rest is transposed.
-/// With `mass(a, b)` = sum over springs k phi_a phi_b.
+/// What one part adds to K between the unknown functions that reach it.
 struct PartMatrix {
     std::vector<int> functions;  // ascending
-    std::array<Eigen::MatrixXd, 9> gram;
-    Eigen::MatrixXd springs;  // empty if there are none
-};
-
-/// Integrates products of a cell's functions over parts of the cell. The products are polynomials of degree 2 p a
-/// direction; so 2 p + 1 points a direction with weights that integrate all these exactly serve for any part. The
-/// weights are signed where the part is not whole, and harmless since the sum is exact.
-class PartIntegrator {
-  public:
-    PartIntegrator(int degree, const Vec3& edges) : points_(2 * degree + 1) {
-        const GaussRule rule = gaussLegendre(points_);
-        Eigen::MatrixXd powers(points_, points_);
-        for (int k = 0; k < points_; ++k)
-            for (int q = 0; q < points_; ++q) powers(k, q) = std::pow(rule.points[q], k);
-        weights_of_moments_ = powers.inverse();
-        const int functions = (degree + 1) * (degree + 1) * (degree + 1), count = points_ * points_ * points_;
-        for (Eigen::MatrixXd& g : gradients_) g.resize(count, functions);
-        values_.resize(count, functions);
-        positions_.resize(3, count);
-        std::vector<Vec3> at;
-        std::vector<double> values;
-        for (int q = 0; q < count; ++q) {
-            const Vec3 xi(rule.points[q % points_], rule.points[q / points_ % points_],
-                          rule.points[q / points_ / points_]);
-            splineGradients(degree, xi, at);
-            for (int a = 0; a < functions; ++a)
-                for (int d = 0; d < 3; ++d) gradients_[d](q, a) = at[a][d] / edges[d];
-            splineValues(degree, xi, values);
-            values_.row(q) = Eigen::Map<const Eigen::RowVectorXd>(values.data(), functions);
-            positions_.col(q) = xi.cwiseProduct(edges);
-        }
-        cell_volume_ = edges.prod();
-        whole_weights_.resize(count);
-        for (int q = 0; q < count; ++q)
-            whole_weights_[q] = rule.weights[q % points_] * rule.weights[q / points_ % points_] *
-                       rule.weights[q / points_ / points_];
-        whole_ = withWeights(whole_weights_);
-    }
-
-    std::array<Eigen::MatrixXd, 9> integrate(const CellPart& part) const {
-        return part.moments.empty() ? whole_ : withWeights(weightsOf(part.moments));
-    }
-
-    /// int phi_a (1, x - c) dV over a part, 4 x #functions; `middle` of the cell from c, m.
-    Eigen::Matrix4Xd bodyMoments(const CellPart& part, const Vec3& middle) const {
-        const Eigen::VectorXd weights = part.moments.empty() ? whole_weights_ : weightsOf(part.moments);
-        Eigen::Matrix4Xd affine(4, weights.size());
-        for (long q = 0; q < weights.size(); ++q)
-            affine.col(q) << 1, middle + positions_.col(q);
-        return affine * (cell_volume_ * weights).asDiagonal() * values_;
-    }
-
-    /// int sigma(u) grad phi_a dV over a part, 3 x #functions, for its own coefficients u.
-    Eigen::Matrix3Xd internalForces(const CellPart& part, const Elasticity& elasticity, const Eigen::Matrix3Xd& u) const {
-        const Eigen::VectorXd weights =
-            cell_volume_ * (part.moments.empty() ? whole_weights_ : weightsOf(part.moments));
-        Eigen::MatrixX3d slopes[3];  // column i of slopes[j]: du_i/dx_j at the points
-        for (int j = 0; j < 3; ++j) slopes[j].noalias() = gradients_[j] * u.transpose();
-        for (long q = 0; q < weights.size(); ++q) {
-            Mat3 gradient;
-            for (int j = 0; j < 3; ++j) gradient.col(j) = slopes[j].row(q).transpose();
-            const Mat3 stress = weights[q] * elasticity.stress(gradient);
-            for (int j = 0; j < 3; ++j) slopes[j].row(q) = stress.row(j);
-        }
-        Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, u.cols());
-        for (int j = 0; j < 3; ++j) forces.noalias() += slopes[j].transpose() * gradients_[j];
-        return forces;
-    }
-
-  private:
-    /// The inverse of the powers at the points, direction by direction.
-    Eigen::VectorXd weightsOf(const std::vector<double>& moments) const {
-        Eigen::VectorXd from = Eigen::Map<const Eigen::VectorXd>(moments.data(), moments.size()), to;
-        // Each pass turns one index and moves it to the end, so that three passes restore the order.
-        for (int pass = 0; pass < 3; ++pass) {
-            const Eigen::Map<const Eigen::MatrixXd> in(from.data(), points_, points_ * points_);
-            to.resize(from.size());
-            Eigen::Map<Eigen::MatrixXd>(to.data(), points_ * points_, points_).noalias() =
-                (weights_of_moments_ * in).transpose();
-            from.swap(to);
-        }
-        return from;
-    }
-
-    std::array<Eigen::MatrixXd, 9> withWeights(const Eigen::VectorXd& weights) const {
-        std::array<Eigen::MatrixXd, 9> gram;
-        for (int j = 0; j < 3; ++j) {
-            const Eigen::MatrixXd weighted = (cell_volume_ * weights).asDiagonal() * gradients_[j];
-            for (int i = 0; i <= j; ++i) gram[3 * i + j].noalias() = gradients_[i].transpose() * weighted;
-        }
-        for (int j = 0; j < 3; ++j)
-            for (int i = 0; i < j; ++i) gram[3 * j + i] = gram[3 * i + j].transpose();
-        return gram;
-    }
-
-    int points_;
-    double cell_volume_ = 1;
-    Eigen::MatrixXd weights_of_moments_;
-    std::array<Eigen::MatrixXd, 3> gradients_;  // #points x #functions, 1/m
-    Eigen::MatrixXd values_;                    // #points x #functions
-    Eigen::Matrix3Xd positions_;                // from the middle of the cell, m
-    Eigen::VectorXd whole_weights_;
-    std::array<Eigen::MatrixXd, 9> whole_;
+    PartIntegrals::Gram gram;    // of gradients, for i <= j
+    Eigen::MatrixXd springs;     // sum over springs k phi_a phi_b; empty if there are none
 };
 
 /// The unknown functions that reach a part, ascending.
@@ -133,18 +31,62 @@ std::vector<int> functionsOf(const SplineSpace& space, int part) {
     return list;
 }
 
-/// From a part's own functions to the unknown ones: gram becomes T^T gram T.
-void tie(const SplineSpace& space, int part, PartMatrix& matrix) {
-    const std::vector<int>& raws = space.raw_of[part];
-    Eigen::MatrixXd ties = Eigen::MatrixXd::Zero(raws.size(), matrix.functions.size());
-    for (size_t a = 0; a < raws.size(); ++a)
-        for (int k = space.term_starts[raws[a]]; k < space.term_starts[raws[a] + 1]; ++k) {
-            const auto place = std::lower_bound(matrix.functions.begin(), matrix.functions.end(),
-                                                space.terms[k].function);
-            ties(a, place - matrix.functions.begin()) += space.terms[k].factor;
+/// Columns of a part's own functions as columns of the unknown ones that they are tied to.
+class Ties {
+  public:
+    Ties(const SplineSpace& space, int part, const std::vector<int>& functions) : count_(functions.size()) {
+        const std::vector<int>& raws = space.raw_of[part];
+        for (size_t a = 0; a < raws.size(); ++a)
+            for (int k = space.term_starts[raws[a]]; k < space.term_starts[raws[a] + 1]; ++k) {
+                const auto place = std::lower_bound(functions.begin(), functions.end(), space.terms[k].function);
+                terms_.push_back({static_cast<int>(a), static_cast<int>(place - functions.begin()),
+                                  space.terms[k].factor});
+                trivial_ = trivial_ && terms_.back().own == terms_.back().unknown && space.terms[k].factor == 1;
+            }
+        trivial_ = trivial_ && functions.size() == raws.size();
+    }
+
+    /// T^T matrix T.
+    void apply(Eigen::MatrixXd& matrix) const {
+        if (trivial_) return;
+        matrix = columns(columns(matrix).transpose()).transpose().eval();
+    }
+
+  private:
+    struct Term {
+        int own, unknown;
+        double factor;
+    };
+    Eigen::MatrixXd columns(const Eigen::MatrixXd& matrix) const {
+        Eigen::MatrixXd result = Eigen::MatrixXd::Zero(matrix.rows(), static_cast<long>(count_));
+        for (const Term& term : terms_) result.col(term.unknown) += term.factor * matrix.col(term.own);
+        return result;
+    }
+
+    size_t count_;
+    bool trivial_ = true;
+    std::vector<Term> terms_;
+};
+
+/// int sigma(u) grad phi_a dV over a part, 3 x #functions, for its own coefficients u.
+Eigen::Matrix3Xd internalForces(const PartIntegrals& integrals, const CellPart& part, const Elasticity& elasticity,
+                                const Eigen::Matrix3Xd& u) {
+    const PartIntegrals::Gram own = part.moments.empty() ? PartIntegrals::Gram{} : integrals.gradientProducts(part);
+    const PartIntegrals::Gram& gram = part.moments.empty() ? integrals.wholeCell() : own;
+    Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, u.cols());
+    for (int j = 0; j < 3; ++j)
+        for (int i = 0; i <= j; ++i) {
+            const Eigen::MatrixXd& g = gram[3 * i + j];
+            forces.row(i) += elasticity.lambda_pa * u.row(j) * g.transpose();
+            forces.row(j) += elasticity.mu_pa * u.row(i) * g.transpose();
+            if (i == j) {
+                forces += elasticity.mu_pa * u * g.transpose();
+                continue;
+            }
+            forces.row(j) += elasticity.lambda_pa * u.row(i) * g;
+            forces.row(i) += elasticity.mu_pa * u.row(j) * g;
         }
-    for (Eigen::MatrixXd& gram : matrix.gram) gram = ties.transpose() * gram * ties;
-    if (matrix.springs.size() > 0) matrix.springs = ties.transpose() * matrix.springs * ties;
+    return forces;
 }
 
 std::vector<std::vector<int>> blockPattern(const SplineSpace& space, const std::vector<std::vector<int>>& reach) {
@@ -191,11 +133,14 @@ void scatter(const PartMatrix& part, const Elasticity& elasticity, const std::ve
         for (int a = b; a < count; ++a) {
             while (rows[position] != part.functions[a]) ++position;
             double isotropic = mu * (part.gram[0](a, b) + part.gram[4](a, b) + part.gram[8](a, b));
+            const auto gram = [&](int i, int j) {
+                return i <= j ? part.gram[3 * i + j](a, b) : part.gram[3 * j + i](b, a);
+            };
             if (part.springs.size() > 0) isotropic += part.springs(a, b);
             for (int j = 0; j < 3; ++j) {
                 double* target = matrix.values.data() + matrix.starts[3 * part.functions[b] + j] + 3 * position;
                 for (int i = 0; i < 3; ++i)
-                    target[i] += lambda * part.gram[3 * i + j](a, b) + mu * part.gram[3 * j + i](a, b);
+                    target[i] += lambda * gram(i, j) + mu * gram(j, i);
                 target[j] += isotropic;
             }
         }
@@ -224,7 +169,7 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
 
     const std::vector<std::vector<int>> pattern = blockPattern(space, reach);
     SparseMatrix matrix = allocate(pattern);
-    const PartIntegrator integrator(space.degree, solid.edges);
+    const PartIntegrals integrals(space.degree, solid.edges);
     std::vector<PartMatrix> batch(batch_size);
     for (int first = 0; first < part_count; first += batch_size) {
         const int size = std::min(batch_size, part_count - first);
@@ -234,7 +179,7 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
                 const int part = first + n;
                 PartMatrix& own = batch[n];
                 own.functions = reach[part];
-                own.gram = integrator.integrate(solid.parts[part]);
+                own.gram = integrals.gradientProducts(solid.parts[part]);
                 own.springs.resize(0, 0);
                 if (!springs.empty() && !springs_of[part].empty()) {
                     own.springs.setZero(space.perPart(), space.perPart());
@@ -244,7 +189,10 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
                         own.springs += springs[s].stiffness_n_m * phi * phi.transpose();
                     }
                 }
-                tie(space, part, own);
+                const Ties ties(space, part, own.functions);
+                for (int j = 0; j < 3; ++j)
+                    for (int i = 0; i <= j; ++i) ties.apply(own.gram[3 * i + j]);
+                if (own.springs.size() > 0) ties.apply(own.springs);
             }
         });
         for (int n = 0; n < size; ++n) scatter(batch[n], elasticity, pattern, matrix);
@@ -252,9 +200,22 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
     return matrix;
 }
 
+SparseMatrix splinePattern(const CellParts& solid, const SplineSpace& space) {
+    std::vector<std::vector<int>> reach(solid.parts.size());
+    for (size_t part = 0; part < reach.size(); ++part) reach[part] = functionsOf(space, static_cast<int>(part));
+    SparseMatrix blocks;
+    blocks.size = space.function_count;
+    blocks.starts.assign(1, 0);
+    for (const std::vector<int>& rows : blockPattern(space, reach)) {
+        blocks.indices.insert(blocks.indices.end(), rows.begin(), rows.end());
+        blocks.starts.push_back(static_cast<int>(blocks.indices.size()));
+    }
+    return blocks;
+}
+
 Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                                       const std::vector<PointSpring>& springs, const Eigen::Matrix3Xd& displacement) {
-    const PartIntegrator integrator(space.degree, solid.edges);
+    const PartIntegrals integrals(space.degree, solid.edges);
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<Eigen::Matrix3Xd> own(part_count);
     forEachChunk(chunk_count, [&](int chunk) {
@@ -262,7 +223,7 @@ Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace&
         Eigen::Matrix3Xd u(3, space.perPart());
         for (int p = chunkBegin(chunk, chunk_count, part_count); p < end; ++p) {
             for (int a = 0; a < space.perPart(); ++a) u.col(a) = displacement.col(space.raw_of[p][a]);
-            own[p] = integrator.internalForces(solid.parts[p], elasticity, u);
+            own[p] = internalForces(integrals, solid.parts[p], elasticity, u);
         }
     });
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, space.raw_count);
@@ -282,13 +243,13 @@ Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace&
 
 Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,
                                    const std::vector<Vec3>& origins) {
-    const PartIntegrator integrator(space.degree, solid.edges);
+    const PartIntegrals integrals(space.degree, solid.edges);
     Eigen::Matrix4Xd raw = Eigen::Matrix4Xd::Zero(4, space.raw_count);
     for (size_t p = 0; p < solid.parts.size(); ++p) {
         const CellPart& part = solid.parts[p];
         const Vec3 middle =
             solid.origin + (part.cell.cast<double>() + Vec3::Constant(0.5)).cwiseProduct(solid.edges);
-        const Eigen::Matrix4Xd own = integrator.bodyMoments(part, middle - origins[p]);
+        const Eigen::Matrix4Xd own = integrals.bodyMoments(part, middle - origins[p]);
         for (int a = 0; a < space.perPart(); ++a) raw.col(space.raw_of[p][a]) += own.col(a);
     }
     return raw;

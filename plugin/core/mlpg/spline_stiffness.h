@@ -30,6 +30,9 @@ std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<Sup
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                              const std::vector<PointSpring>& springs);
 
+/// The pattern alone, a line for each column of 3 x 3 blocks; no values.
+SparseMatrix splinePattern(const CellParts& solid, const SplineSpace& space);
+
 /// The same stiffness between raw functions, without its matrix: forces (3 x raw_count, N) that balance the stresses
 /// which raw coefficients `displacement` (m) make.
 Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,

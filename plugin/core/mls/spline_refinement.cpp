@@ -18,25 +18,6 @@ double polarPower(int k, int n, double t, double s) {
     return e[k] / binomial;
 }
 
-/// Coefficients of the pieces of B-splines on a cell as a polynomial, in powers of the position from the middle of the
-/// cell, in edges: powers(k, a) of piece a.
-Eigen::MatrixXd piecePowers(int degree) {
-    Eigen::MatrixXd at(degree + 1, degree + 1), vandermonde(degree + 1, degree + 1);
-    std::vector<double> values;
-    for (int q = 0; q <= degree; ++q) {
-        const double t = q / static_cast<double>(degree) - 0.5;
-        splineValues(degree, Vec3(t, 0, 0), values);
-        // Values along y and z add up to 1 over their pieces.
-        for (int a = 0; a <= degree; ++a) {
-            double sum = 0;
-            for (size_t n = a; n < values.size(); n += degree + 1) sum += values[n];
-            at(q, a) = sum;
-        }
-        for (int k = 0; k <= degree; ++k) vandermonde(q, k) = std::pow(t, k);
-    }
-    return vandermonde.inverse() * at;
-}
-
 /// One direction: from a coarse cell's coefficients to those of a fine cell half as long whose middle lies at `middle`
 /// (coarse edges from the middle of the coarse cell). The coefficient of a B-spline of degree p is the polar form of
 /// the polynomial at its p inner knots.
@@ -69,7 +50,7 @@ Eigen::Matrix3Xd refinedCoefficients(const CellParts& coarse, const SplineSpace&
                                      const Eigen::Matrix3Xd& coarse_raw, const CellParts& fine,
                                      const SplineSpace& fine_space, const std::vector<int>& parents) {
     const int degree = fine_space.degree, width = degree + 1, per_part = fine_space.perPart();
-    const Eigen::MatrixXd powers = piecePowers(degree);
+    const Eigen::MatrixXd powers = splinePowers(degree);
     Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, fine_space.raw_count);
     std::vector<char> done(fine_space.raw_count, 0);
     Eigen::Matrix3Xd own(3, per_part), turned(3, per_part);

@@ -1,5 +1,6 @@
 #include "core/mls/spline_space.h"
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -252,6 +253,18 @@ void splineGradients(int degree, const Vec3& xi, std::vector<Vec3>& gradients) {
                 gradients.emplace_back(slope[0][i] * value[1][j] * value[2][k],
                                        value[0][i] * slope[1][j] * value[2][k],
                                        value[0][i] * value[1][j] * slope[2][k]);
+}
+
+Eigen::MatrixXd splinePowers(int degree) {
+    Eigen::MatrixXd at(degree + 1, degree + 1), vandermonde(degree + 1, degree + 1);
+    for (int q = 0; q <= degree; ++q) {
+        const double t = q / static_cast<double>(degree) - 0.5;
+        Pieces value, slope;
+        pieces(degree, t, value, slope);
+        for (int a = 0; a <= degree; ++a) at(q, a) = value[a];
+        for (int k = 0; k <= degree; ++k) vandermonde(q, k) = std::pow(t, k);
+    }
+    return vandermonde.inverse() * at;
 }
 
 }  // namespace sherd

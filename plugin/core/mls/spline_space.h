@@ -51,4 +51,7 @@ struct SplineSpace {
 void splineValues(int degree, const Vec3& xi, std::vector<double>& values);
 void splineGradients(int degree, const Vec3& xi, std::vector<Vec3>& gradients);
 
+/// The p + 1 pieces of B-splines on a cell in one direction as polynomials: (k, a) is the factor of xi^k in piece a.
+Eigen::MatrixXd splinePowers(int degree);
+
 }  // namespace sherd

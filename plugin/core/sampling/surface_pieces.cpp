@@ -65,14 +65,12 @@ SurfaceFlux& SurfaceFlux::operator+=(const SurfaceFlux& other) {
     return *this;
 }
 
-void forEachVoxelPiece(const TriangleMesh& surface, const SamplingGrid& grid,
+void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
                        const std::function<void(const Eigen::Vector3i&, const Polygon&)>& visit) {
-    std::vector<Vec3> points(surface.vertices.size());
-    for (std::size_t v = 0; v < points.size(); ++v) points[v] = grid.toGrid(surface.vertices[v]);
     Polygon triangle, rest;
-    for (const auto& [a, b, c] : surface.triangles) {
+    for (int t = first; t < last; ++t) {
         triangle.count = 0;
-        for (const int v : {a, b, c}) triangle.add(points[std::size_t(v)]);
+        for (const int v : surface.triangles[std::size_t(t)]) triangle.add(grid.toGrid(surface.vertices[std::size_t(v)]));
         triangle.close();
         for (int axis = 1; grid.window && axis < 3; ++axis) {
             Polygon below, above;
@@ -88,7 +86,7 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
     CutSurface cut;
     cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
     cut.pieces.reserve(2 * surface.triangles.size());
-    forEachVoxelPiece(surface, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+    forEachVoxelPiece(surface, 0, int(surface.triangles.size()), grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
         int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
         if (index < 0) {
             index = int(cut.voxels.size());

@@ -40,8 +40,8 @@ struct CutSurface {
 };
 
 /// Calls visit(voxel, polygon) for the part of every triangle inside every voxel of the grid, in the order of the
-/// triangles; polygons in grid coordinates.
-void forEachVoxelPiece(const TriangleMesh& surface, const SamplingGrid& grid,
+/// triangles from `first` to below `last`; polygons in grid coordinates.
+void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
                        const std::function<void(const Eigen::Vector3i&, const Polygon&)>& visit);
 
 CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid);

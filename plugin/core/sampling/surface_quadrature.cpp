@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-std::vector<AreaPoint> surfaceQuadrature(const TriangleMesh& surface, const CellParts& grid, int points) {
+std::vector<SurfaceNode> surfaceQuadrature(const TriangleMesh& surface, const CellParts& grid, int points) {
     const GaussRule rule = gaussLegendre(points);
-    std::vector<AreaPoint> result;
+    std::vector<SurfaceNode> result;
     const auto toWorld = [&](const Vec3& u) { return Vec3(grid.origin + u.cwiseProduct(grid.edges)); };
     const auto addTriangle = [&](const Vec3& a, const Vec3& b, const Vec3& c) {
         const Vec3 area = (b - a).cross(c - a);

@@ -1,0 +1,74 @@
+#include "core/mlpg/spacing_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/linear_algebra/sparse_solver.h"
+#include "core/mlpg/spline_stiffness.h"
+#include "core/sampling/cell_moments.h"
+
+namespace sherd {
+namespace {
+
+constexpr int attempts = 6;
+constexpr double good_use = 0.6;  // of the entries that are allowed; closer is not worth another attempt
+constexpr double entries_power = 3;  // entries grow about as h^-3, from h^-2.5 of sheets to h^-4 of compact bodies
+
+Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree, int cells_per_spacing) {
+    const Result<SamplingGrid> grid = makeGrid(surface, spacing, cells_per_spacing);
+    if (!grid) return Error{grid.error()};
+    const CutSurface cut = cutSurface(surface, grid.value());
+    const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
+    if (!solid) return Error{solid.error()};
+    const CellParts parts = measureCellParts(surface, grid.value(), cut, solid.value(), 0);
+    return factorEntriesOf(splinePattern(parts, SplineSpace(parts, degree)), 3);
+}
+
+/// Where the search starts: a grid cell for so many entries.
+double firstGuess(const TriangleMesh& surface, double entries) {
+    constexpr double entries_per_cell = 4000;
+    double six_volumes = 0, area = 0;
+    const Vec3 origin = surface.vertices[surface.triangles[0][0]];
+    for (const auto& [a, b, c] : surface.triangles) {
+        const Vec3 p = surface.vertices[a] - origin, q = surface.vertices[b] - origin, r = surface.vertices[c] - origin;
+        six_volumes += p.dot(q.cross(r));
+        area += (q - p).cross(r - p).norm() / 2;
+    }
+    // Cells at spacing h: those inside, and half of those that the surface cuts.
+    const double volume = std::abs(six_volumes) / 6, cells = entries / entries_per_cell;
+    double spacing = std::cbrt(volume / cells);
+    for (int i = 0; i < 20; ++i) spacing = std::cbrt((volume + 0.5 * area * spacing) / cells);
+    return spacing;
+}
+
+}  // namespace
+
+Result<double> chooseSpacing(const TriangleMesh& surface, const SpacingWish& wish, int cells_per_spacing) {
+    const auto allowed = [&](double spacing) {
+        return spacing > wish.wall_m ? wish.largest_if_thin : wish.largest_factor_entries;
+    };
+    double spacing = std::max(wish.finest_m, firstGuess(surface, wish.largest_factor_entries));
+    double too_fine = 0;  // the coarsest spacing known to need too much
+    double good = 0;      // the finest one known to do
+    for (int attempt = 0; attempt < attempts; ++attempt) {
+        const Result<double> entries =
+            factorEntriesAt(surface, spacing, wish.spline_degree, cells_per_spacing);
+        // A grid that is too large to be laid is too fine as well.
+        const double excess = entries ? entries.value() / allowed(spacing) : 1000;
+        if (excess <= 1) {
+            good = good > 0 ? std::min(good, spacing) : spacing;
+            if (spacing <= wish.finest_m || excess > good_use) return good;
+        } else {
+            too_fine = std::max(too_fine, spacing);
+        }
+        const double next = spacing * std::pow(excess / 0.9, 1 / entries_power);
+        if (good > 0)
+            spacing = std::clamp(next, std::max(wish.finest_m, 1.001 * too_fine), 0.999 * good);
+        else
+            spacing = std::max(next, 1.03 * too_fine);
+        if (good > 0 && too_fine > 0.97 * good) return good;
+    }
+    return good > 0 ? good : spacing;
+}
+
+}  // namespace sherd
