@@ -15,7 +15,7 @@ struct StressField {
     double strain_energy_j = 0;
     double residual_rel = 0;   ///< |K u - f| / |f| of the linear solve
     double imbalance_rel = 0;  ///< net force and moment left after inertia relief, over those of the loads
-    long long resampling_factor_entries = 0;  ///< numbers stored in the factors of finer grids around the loads
+    long long resampling_entries = 0;  ///< numbers stored for the finer grids around the loads
     double solve_ms = 0;       ///< load vector, triangular solves and residual
     double recovery_ms = 0;    ///< stress from displacements
     std::vector<std::string> warnings;  ///< what limits trust in these figures, with the remedy

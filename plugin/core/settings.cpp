@@ -76,7 +76,6 @@ Settings Settings::forQuality(Quality quality) {
             sampling.smallest_count = 80;
             sampling.largest_factor_millions = 1.3;
             sampling.largest_factor_if_thin_millions = 5;
-            stress.resampling_margin = 1;
             break;
         case Quality::game:
             break;

@@ -15,6 +15,9 @@ namespace {
 /// Stiffness of supports, in (lambda + 2 mu) / h: high against the body, low against rounding.
 constexpr double support_stiffness = 100;
 
+/// A load over a larger part of the body than that is not a contact; the grid resolves it.
+constexpr double of_body = 0.2;
+
 Eigen::Matrix3d spinGradient(const Vec3& w) {
     return w * w.transpose() - w.squaredNorm() * Mat3::Identity();
 }
@@ -142,6 +145,7 @@ class SplineSolver : public StressSolver::Impl {
 
     /// Finer and finer grids around the loads, coarser ones first.
     Result<std::vector<Zoom>> resample(const SplineField& whole, const BodyLoads& loads) const {
+        const double largest_patch = of_body * parts_.count.cast<double>().cwiseProduct(parts_.edges).norm();
         std::vector<Zoom> zooms;
         size_t begin = 0;  // of the zooms of the round before
         for (int round = 0; round < rounds_; ++round) {
@@ -149,7 +153,7 @@ class SplineSolver : public StressSolver::Impl {
             for (size_t parent = begin; parent < (round == 0 ? 1 : end); ++parent) {
                 const BodyLoads acting = round == 0 ? loads : zooms[parent].loads;
                 const CellParts& grid = round == 0 ? whole.parts : zooms[parent].field.parts;
-                for (const CellBox& box : boxesAroundLoads(grid, acting.forces, zoom_margin_)) {
+                for (const CellBox& box : boxesAroundLoads(grid, acting.forces, largest_patch, zoom_margin_)) {
                     Result<Zoom> zoom = zoomIn(*solid_->surface, round == 0 ? whole : zooms[parent].field, box,
                                                elasticity_, acting, supports_);
                     if (!zoom) return Error{zoom.error()};
@@ -191,7 +195,7 @@ class SplineSolver : public StressSolver::Impl {
         const SplineField whole{parts_, space_pointer_, space_.expand(unknowns)};
         const Result<std::vector<Zoom>> zooms = resample(whole, {loads, bodyForces(acceleration, spin)});
         if (!zooms) return Error{zooms.error()};
-        for (const Zoom& zoom : zooms.value()) field.resampling_factor_entries += zoom.factor_entries;
+        for (const Zoom& zoom : zooms.value()) field.resampling_entries += zoom.stiffness_entries;
         field.solve_ms = watch.milliseconds();
         const Stopwatch recovery_watch;
         evaluate(whole, points, zooms.value(), field);

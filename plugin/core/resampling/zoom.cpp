@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "core/linear_algebra/sparse_solver.h"
+#include "core/linear_algebra/conjugate_gradients.h"
 #include "core/mlpg/galerkin_stiffness.h"
 #include "core/mlpg/rigid_motions.h"
 #include "core/mls/spline_refinement.h"
@@ -122,10 +122,11 @@ std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, c
 }  // namespace
 
 std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
-                                      double margin) {
+                                      double largest_patch, double margin) {
     std::vector<CellBox> boxes;
     for (const PatchBounds& patch : loadPatches(grid, loads)) {
-        if ((patch.upper - patch.lower).maxCoeff() >= cells_across_patch) continue;
+        const Vec3 extent = patch.upper - patch.lower;
+        if (extent.maxCoeff() >= cells_across_patch || extent.cwiseProduct(grid.edges).norm() > largest_patch) continue;
         const Vec3 border = Vec3::Constant(margin);
         boxes.push_back({(patch.lower - border).array().floor().cast<int>(),
                          (patch.upper + border).array().ceil().cast<int>()});
@@ -167,12 +168,11 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     pinUnknowns(stiffness, held);
     for (const int unknown : held) residual[unknown] = 0;
 
-    const Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(stiffness, 3);
-    if (!solver) return Error{solver.error()};
-    Eigen::VectorXd correction;
-    if (!solver.value()->solve(residual, correction)) return Error{"The stress solve failed in the linear solver."};
-    field.raw += space->expand(correction);
-    zoom.factor_entries = solver.value()->factorEntries();
+    constexpr double tolerance = 1e-5;  // far below what the grid resolves
+    const Result<Eigen::VectorXd> correction = solveByConjugateGradients(stiffness, residual, tolerance);
+    if (!correction) return Error{correction.error()};
+    field.raw += space->expand(correction.value());
+    zoom.stiffness_entries = static_cast<long long>(stiffness.values.size());
     return zoom;
 }
 

@@ -39,14 +39,16 @@ struct CellBox {
 };
 
 /// Boxes around those loads that act on a patch of fewer than four cells across: there stress diverges as the grid gets
-/// finer, and the coarse grid only sees the resultant. At least `margin` cells beyond the loads.
-std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads, double margin);
+/// finer, and the coarse grid only sees the resultant. Patches above `largest_patch` (m) are left alone. At least `margin`
+/// cells beyond the loads.
+std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
+                                      double largest_patch, double margin);
 
 /// A finer grid around loads that the coarser one does not resolve.
 struct Zoom {
     SplineField field;
     BodyLoads loads;  ///< what acts on it
-    long long factor_entries = 0;
+    long long stiffness_entries = 0;  ///< numbers stored for its solve, which needs no factor
 };
 
 /// Resampling (paper, section 5) as a local zoom: cells half as long inside the box. The fine displacement is the coarse

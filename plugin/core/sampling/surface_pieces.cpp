@@ -56,6 +56,19 @@ SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& fl
     return piece;
 }
 
+/// Whether a polygon lies outside the rows of a window.
+bool isBeside(const Polygon& polygon, const SamplingGrid& grid) {
+    for (int axis = 1; axis < 3; ++axis) {
+        bool below = true, above = true;
+        for (int i = 0; i < polygon.count; ++i) {
+            below = below && polygon.points[i][axis] < 0;
+            above = above && polygon.points[i][axis] > grid.count[axis];
+        }
+        if (below || above) return true;
+    }
+    return false;
+}
+
 }  // namespace
 
 SurfaceFlux& SurfaceFlux::operator+=(const SurfaceFlux& other) {
@@ -72,6 +85,7 @@ void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const S
         triangle.count = 0;
         for (const int v : surface.triangles[std::size_t(t)]) triangle.add(grid.toGrid(surface.vertices[std::size_t(v)]));
         triangle.close();
+        if (grid.window && isBeside(triangle, grid)) continue;
         for (int axis = 1; grid.window && axis < 3; ++axis) {
             Polygon below, above;
             cutPolygon(triangle, axis, 0, below, above);
