@@ -15,7 +15,7 @@ struct SamplingSettings {
     /// Millions of numbers that the factor of the stiffness matrix may store, when the spacing is chosen: each takes
     /// 8 bytes, and a solve reads all of them twice. Splines only.
     double largest_factor_millions = 9;
-    double largest_factor_if_thin_millions = 30;  ///< the same where walls would get less than one particle across
+    double largest_factor_if_thin_millions = 14;  ///< the same where walls would get less than one particle across
     int cells_per_spacing = 2;        ///< integration cells per particle spacing and direction, 1 to 4
     int moment_order = 4;         ///< of the cells' moments; an asset sets it to twice the degree of its splines
     double smallest_fill = 0.25;      ///< a cell filled by less gets no particle of its own

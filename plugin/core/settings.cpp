@@ -74,8 +74,8 @@ Settings Settings::forQuality(Quality quality) {
         case Quality::preview:
             sampling.layers_across_wall = 2;
             sampling.smallest_count = 80;
-            sampling.largest_factor_millions = 1.3;
-            sampling.largest_factor_if_thin_millions = 5;
+            sampling.largest_factor_millions = 1.5;
+            sampling.largest_factor_if_thin_millions = 6;
             break;
         case Quality::game:
             break;
@@ -83,7 +83,7 @@ Settings Settings::forQuality(Quality quality) {
             sampling.layers_across_wall = 6;
             sampling.smallest_count = 2000;
             sampling.largest_factor_millions = 90;
-            sampling.largest_factor_if_thin_millions = 150;
+            sampling.largest_factor_if_thin_millions = 140;
             sampling.moment_order = 6;
             stress.basis = Basis::cubic;
             stress.resampling_rounds = 3;

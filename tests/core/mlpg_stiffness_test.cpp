@@ -23,6 +23,7 @@ Discretisation cutBlock() {
 StressProblem problemOf(const Discretisation& solid, TrialFunction trial) {
     StressSettings settings;
     settings.trial_function = trial;
+    settings.basis = Basis::linear;
     Material material;
     material.youngs_modulus_pa = 1;
     material.poisson_ratio = 0.3;

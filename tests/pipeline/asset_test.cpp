@@ -55,11 +55,19 @@ TEST(Asset, SpacingGivenIsSpacingUsed) {
 }
 
 TEST(Asset, SpacingFollowsTheWall) {
-    const auto thin = BreakableAsset::fromMesh(shapes::box(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02)), Material::glass());
-    ASSERT_TRUE(thin.ok());
-    const SamplingSettings defaults;
-    EXPECT_NEAR(thin.value().particleCount(), std::pow(0.2 / (0.02 / defaults.layers_across_wall), 2) * defaults.layers_across_wall,
-                0.5 * thin.value().particleCount());
+    Settings settings;
+    settings.sampling.layers_across_wall = 2;
+    const TriangleMesh plate = shapes::box(Vec3(-0.1, -0.1, 0), Vec3(0.1, 0.1, 0.02));
+    const auto two_across = BreakableAsset::fromMesh(plate, Material::glass(), settings);
+    ASSERT_TRUE(two_across.ok());
+    EXPECT_EQ(two_across.value().particleCount(), 20 * 20 * 2);
+
+    // No finer than its factor may be large.
+    settings.sampling.largest_factor_millions = settings.sampling.largest_factor_if_thin_millions = 1;
+    const auto cheap = BreakableAsset::fromMesh(plate, Material::glass(), settings);
+    ASSERT_TRUE(cheap.ok());
+    EXPECT_LT(cheap.value().particleCount(), 400);
+    EXPECT_GT(cheap.value().particleCount(), 50);
 }
 
 }  // namespace

@@ -44,34 +44,40 @@ double firstGuess(const TriangleMesh& surface, double entries) {
     return spacing;
 }
 
-}  // namespace
-
-Result<double> chooseSpacing(const TriangleMesh& surface, const SpacingWish& wish, int cells_per_spacing) {
-    const auto allowed = [&](double spacing) {
-        return spacing > wish.wall_m ? wish.largest_if_thin : wish.largest_factor_entries;
-    };
-    double spacing = std::max(wish.finest_m, firstGuess(surface, wish.largest_factor_entries));
+/// The finest spacing from `finest` up with no more than `largest` entries, or one with at least `good_use` of them.
+template <class EntriesAt>
+double finestWithin(const EntriesAt& entries_at, double finest, double largest, double guess) {
+    double spacing = std::max(finest, guess);
     double too_fine = 0;  // the coarsest spacing known to need too much
     double good = 0;      // the finest one known to do
     for (int attempt = 0; attempt < attempts; ++attempt) {
-        const Result<double> entries =
-            factorEntriesAt(surface, spacing, wish.spline_degree, cells_per_spacing);
+        const Result<double> entries = entries_at(spacing);
         // A grid that is too large to be laid is too fine as well.
-        const double excess = entries ? entries.value() / allowed(spacing) : 1000;
+        const double excess = entries ? entries.value() / largest : 1000;
         if (excess <= 1) {
             good = good > 0 ? std::min(good, spacing) : spacing;
-            if (spacing <= wish.finest_m || excess > good_use) return good;
+            if (spacing <= finest || excess > good_use) return good;
         } else {
             too_fine = std::max(too_fine, spacing);
         }
-        const double next = spacing * std::pow(excess / 0.9, 1 / entries_power);
-        if (good > 0)
-            spacing = std::clamp(next, std::max(wish.finest_m, 1.001 * too_fine), 0.999 * good);
-        else
-            spacing = std::max(next, 1.03 * too_fine);
         if (good > 0 && too_fine > 0.97 * good) return good;
+        const double next = spacing * std::pow(excess / 0.85, 1 / entries_power);
+        spacing = good > 0 ? std::clamp(next, std::max(finest, 1.001 * too_fine), 0.999 * good)
+                           : std::max(next, 1.03 * too_fine);
     }
     return good > 0 ? good : spacing;
+}
+
+}  // namespace
+
+Result<double> chooseSpacing(const TriangleMesh& surface, const SpacingWish& wish, int cells_per_spacing) {
+    const auto entries_at = [&](double spacing) {
+        return factorEntriesAt(surface, spacing, wish.spline_degree, cells_per_spacing);
+    };
+    const double guess = firstGuess(surface, wish.largest_factor_entries);
+    const double spacing = finestWithin(entries_at, wish.finest_m, wish.largest_factor_entries, guess);
+    if (spacing <= wish.wall_m) return spacing;
+    return finestWithin(entries_at, std::max(wish.wall_m, wish.finest_m), wish.largest_if_thin, spacing);
 }
 
 }  // namespace sherd

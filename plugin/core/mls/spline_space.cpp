@@ -131,8 +131,9 @@ class Builder {
     void chooseGoodParts() {
         good_.assign(part_count_, 0);
         for (int part = 0; part < part_count_; ++part) good_[part] = solid_.parts[part].fill >= well_filled;
-        for (const std::vector<int>& support : supports_) {
-            if (nearestGood(support) >= 0) continue;
+        for (int raw = 0; raw < space_.raw_count; ++raw) {
+            if (nearestGood(raw) >= 0) continue;
+            const std::vector<int>& support = supports_[raw];
             int best = support[0];
             for (const int part : support)
                 if (solid_.parts[part].fill > solid_.parts[best].fill ||
@@ -142,8 +143,21 @@ class Builder {
         }
     }
 
-    /// Of the good parts in the fewest steps along neighbours, the one whose fill is largest; -1 if none is near.
-    int nearestGood(const std::vector<int>& from) {
+    /// Of the good parts in the fewest steps along neighbours, the one nearest to the middle of the function's support;
+    /// -1 if none is near.
+    int nearestGood(int raw) {
+        const std::vector<int>& from = supports_[raw];
+        // Twice the distance to the middle of a cell, in cells, squared.
+        const auto distance = [&](int part) {
+            const Eigen::Vector3i twice =
+                2 * (points_[raw] - solid_.parts[part].cell) - Eigen::Vector3i::Constant(space_.degree);
+            return twice.squaredNorm();
+        };
+        const auto better = [&](int a, int b) {
+            if (distance(a) != distance(b)) return distance(a) < distance(b);
+            if (solid_.parts[a].fill != solid_.parts[b].fill) return solid_.parts[a].fill > solid_.parts[b].fill;
+            return a < b;
+        };
         std::vector<int>& layer = layer_;
         layer = from;
         if (static_cast<int>(mark_.size()) != part_count_) mark_.assign(part_count_, -1);
@@ -152,9 +166,7 @@ class Builder {
         for (int step = 0; step <= search_layers; ++step) {
             int best = -1;
             for (const int part : layer)
-                if (good_[part] && (best < 0 || solid_.parts[part].fill > solid_.parts[best].fill ||
-                                    (solid_.parts[part].fill == solid_.parts[best].fill && part < best)))
-                    best = part;
+                if (good_[part] && (best < 0 || better(part, best))) best = part;
             if (best >= 0) return best;
             next_.clear();
             for (const int part : layer)
@@ -186,7 +198,7 @@ class Builder {
             if (number[raw] >= 0)
                 space_.terms.push_back({number[raw], 1});
             else
-                extrapolate(raw, nearestGood(supports_[raw]), number);
+                extrapolate(raw, nearestGood(raw), number);
             space_.term_starts.push_back(static_cast<int>(space_.terms.size()));
         }
     }

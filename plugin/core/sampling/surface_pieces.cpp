@@ -92,7 +92,14 @@ void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const S
             cutPolygon(above, axis, grid.count[axis], below, rest);
             triangle.assign(below);
         }
-        forEachCellPiece(triangle, visit);
+        if (!grid.window) {
+            forEachCellPiece(triangle, visit);
+            continue;
+        }
+        // What touches the window's border from inside leaves pieces without area beyond it.
+        forEachCellPiece(triangle, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+            if ((voxel.array() < grid.count.array()).all()) visit(voxel, polygon);
+        });
     }
 }
 
