@@ -122,8 +122,10 @@ Result<const StressSolver*> Body::stressSolver() const {
     if (const auto sampled = solid(); !sampled) return Error{sampled.error()};
     if (!solver_ && trouble_.empty()) {
         const auto supports = supportPoints(surface_, supports_, quadratureSpacing());
+        StressSettings stress = settings_.stress;
+        if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;
         Result<StressSolver> built =
-            supports ? StressSolver::build(solid_, material_, settings_.stress, supports.value())
+            supports ? StressSolver::build(solid_, material_, stress, supports.value())
                      : Error{supports.error()};
         if (built)
             solver_ = std::make_unique<StressSolver>(std::move(built).value());

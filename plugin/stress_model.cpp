@@ -26,7 +26,9 @@ const Discretisation& solidOf(const Body& body) {
 Result<StressModel> StressModel::make(const TriangleMesh& surface, const Material& material,
                                       const Settings& settings, const std::vector<SurfaceRegion>& supports) {
     if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
-    auto body = Body::make(surface, material, settings, supports);
+    Settings resampled = settings;
+    resampled.fracture.resample_contacts = true;
+    auto body = Body::make(surface, material, resampled, supports);
     if (!body) return Error{body.error()};
     if (const auto solver = body.value()->stressSolver(); !solver) return Error{solver.error()};
     return StressModel(std::move(body).value());

@@ -72,6 +72,9 @@ struct ContactSettings {
 /// How damaged material becomes fragments.
 struct FractureSettings {
     std::uint64_t seed = 1;
+    /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens the stress
+    /// right at the contact only, and takes longer than the rest of a blow.
+    bool resample_contacts = false;
     int fragment_count =
         0;  ///< clusters that the damaged part is split into; 0: what the strain energy pays for
     double energy_into_cracks = 0.05;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
