@@ -176,16 +176,20 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     return zoom;
 }
 
-bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient) {
-    const int part = field.parts.partAt(x);
-    if (part < 0) return false;
+Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi) {
     thread_local std::vector<Vec3> gradients;
-    splineGradients(field.space->degree, field.parts.toCell(x, field.parts.parts[part].cell), gradients);
-    gradient.setZero();
+    splineGradients(field.space->degree, xi, gradients);
+    Mat3 gradient = Mat3::Zero();
     const std::vector<int>& functions = field.space->raw_of[part];
     for (size_t a = 0; a < functions.size(); ++a)
         gradient += field.raw.col(functions[a]) * gradients[a].transpose();
-    gradient = gradient * field.parts.edges.cwiseInverse().asDiagonal();
+    return gradient * field.parts.edges.cwiseInverse().asDiagonal();
+}
+
+bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient) {
+    const int part = field.parts.partAt(x);
+    if (part < 0) return false;
+    gradient = gradientOn(field, part, field.parts.toCell(x, field.parts.parts[part].cell));
     return true;
 }
 

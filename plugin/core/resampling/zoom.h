@@ -17,6 +17,9 @@ struct SplineField {
     Eigen::Matrix3Xd raw;  ///< coefficients of all functions, 3 x raw_count, m
 };
 
+/// Displacement gradient of a field on a part, `xi` in its cell, edges from the middle.
+Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi);
+
 /// Displacement gradient of a field at x; false if x is not near its parts.
 bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient);
 
