@@ -13,20 +13,20 @@ Eigen::RowVectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, i
     return c;
 }
 
-/// sum over (a, b, c) of x(i, a) y(j, b) z(k, c) moments[a, b, c], i fastest. Each pass contracts the first index and
-/// moves its successor to the end, so that three passes restore the order.
+/// Contracts the first index of an array with the second of `factor`, and moves it to the end.
+Eigen::VectorXd contractFirst(const Eigen::MatrixXd& factor, const Eigen::VectorXd& array) {
+    const long rest = array.size() / factor.cols();
+    const Eigen::Map<const Eigen::MatrixXd> in(array.data(), factor.cols(), rest);
+    Eigen::VectorXd result(rest * factor.rows());
+    Eigen::Map<Eigen::MatrixXd>(result.data(), rest, factor.rows()).noalias() =
+        in.transpose().lazyProduct(factor.transpose());
+    return result;
+}
+
+/// sum over (a, b, c) of x(i, a) y(j, b) z(k, c) moments[a, b, c], i fastest.
 Eigen::VectorXd contract(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::MatrixXd& z,
                          const Eigen::VectorXd& moments) {
-    Eigen::VectorXd from = moments, to;
-    for (const Eigen::MatrixXd* factor : {&x, &y, &z}) {
-        const long rest = from.size() / factor->cols();
-        const Eigen::Map<const Eigen::MatrixXd> in(from.data(), factor->cols(), rest);
-        to.resize(rest * factor->rows());
-        Eigen::Map<Eigen::MatrixXd>(to.data(), rest, factor->rows()).noalias() =
-            in.transpose().lazyProduct(factor->transpose());
-        from.swap(to);
-    }
-    return from;
+    return contractFirst(z, contractFirst(y, contractFirst(x, moments)));
 }
 
 }  // namespace
