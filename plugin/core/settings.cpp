@@ -74,7 +74,7 @@ Settings Settings::forQuality(Quality quality) {
         case Quality::preview:
             sampling.layers_across_wall = 2;
             sampling.smallest_count = 80;
-            sampling.largest_factor_millions = 1.5;
+            sampling.largest_factor_millions = 1.85;
             sampling.largest_factor_if_thin_millions = 6;
             break;
         case Quality::game:
