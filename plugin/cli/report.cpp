@@ -73,9 +73,8 @@ ordered_json makeReport(const Arguments& arguments, const StressCase& problem, c
     report["particles"] = made.particles;
     report["surface_points"] = made.surface_points;
     report["unknowns"] = made.unknowns;
-    report["factor_entries"] = made.factor_entries + field.resampling_entries;
-    report["factor_entries_of_body"] = made.factor_entries;
-    report["factor_entries_of_resampling"] = field.resampling_entries;
+    report["factor_entries"] = made.factor_entries;
+    report["resampling_entries"] = field.resampling_entries;
     report["factor_bytes"] = made.factor_bytes;
     report["spacing_m"] = made.spacing_m;
     report["wall_thickness_m"] = made.wall_thickness_m;
