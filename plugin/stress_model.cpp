@@ -1,5 +1,7 @@
 #include <sherd/stress_model.h>
 
+#include <sstream>
+
 #include "body.h"
 #include "core/loads/surface_region.h"
 #include "geometry/surface_checks.h"
@@ -14,6 +16,14 @@ auto collected(const std::vector<Item>& items, const Read& read) {
     values.reserve(items.size());
     for (const Item& item : items) values.push_back(read(item));
     return values;
+}
+
+std::string coarseForWalls(double spacing, double wall) {
+    std::ostringstream text;
+    text.precision(3);
+    text << "The particle spacing of " << spacing << " m is larger than the thinnest walls, " << wall
+         << " m: stress in them may be off by a third; use a higher quality or a smaller spacing.";
+    return text.str();
 }
 
 /// Of a body whose solver is there.
@@ -68,6 +78,7 @@ StressModelReport StressModel::report() const {
     report.assemble_ms = solver.assemble_ms;
     report.factor_ms = solver.factor_ms;
     report.warnings = solver.warnings;
+    if (solid.spacing > body_->wallThickness()) report.warnings.push_back(coarseForWalls(solid.spacing, body_->wallThickness()));
     return report;
 }
 
