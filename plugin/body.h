@@ -30,6 +30,7 @@ class Body {
     const Material& material() const { return material_; }
     const Settings& settings() const { return settings_; }
     const Moments& moments() const { return moments_; }
+    const std::vector<SurfaceRegion>& supports() const { return supports_; }
     double mass() const { return material_.density_kg_m3 * moments_.volume; }
     double wallThickness() const { return wall_thickness_; }
     double boundingRadius() const { return bounding_radius_; }

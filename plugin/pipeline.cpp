@@ -8,6 +8,7 @@
 #include "core/damage/damage.h"
 #include "core/loads/contact_loads.h"
 #include "core/loads/contact_pulse.h"
+#include "core/stress/surface_traction.h"
 #include "fragments.h"
 #include "geometry/fragment_surfaces.h"
 #include "stopwatch.h"
@@ -61,7 +62,8 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     const Discretisation& solid = *require(body.solid());
 
     const ContactLoads loads = contactLoads(struck, blow, settings.contact);
-    const StressField unit_stress = require(solver.solve(loads.unit));
+    StressField unit_stress = require(solver.solve(loads.unit));
+    freeSurface(solid, loads.unit, Elasticity(material), unit_stress.surface);
     const ContactPulse pulse =
         contactPulse(loads.hertz_force_n, unit_stress.strain_energy_j, loads.mass_kg, loads.speed_m_s,
                      settings.contact.shortest_contact_s, settings.contact.longest_contact_s);

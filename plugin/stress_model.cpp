@@ -1,10 +1,13 @@
 #include <sherd/stress_model.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "body.h"
 #include "core/loads/surface_region.h"
+#include "core/stress/surface_traction.h"
 #include "geometry/surface_checks.h"
+#include "geometry/surface_normals.h"
 
 namespace sherd {
 
@@ -24,6 +27,30 @@ std::string coarseForWalls(double spacing, double wall) {
     text << "The particle spacing of " << spacing << " m is larger than the thinnest walls, " << wall
          << " m: stress in them may be off by a third; use a higher quality or a smaller spacing.";
     return text.str();
+}
+
+/// A load as it acts on a body's surface.
+struct ActingLoad {
+    SurfaceLoad load;
+    double area_m2 = 0;
+
+    Vec3 traction(const Vec3& normal) const { return load.force_n / area_m2 - load.pressure_pa * normal; }
+};
+
+/// The stresses at `points`, where the surface has the given normals (zero: none), with the tractions that act there;
+/// those on supports are not known.
+void imposeTractions(const std::vector<ActingLoad>& loads, const Body& body, const std::vector<Vec3>& points,
+                     const std::vector<Vec3>& normals, std::vector<Voigt>& stresses) {
+    const Elasticity elasticity(body.material());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const Vec3& normal = normals[i];
+        const auto isOn = [&](const SurfaceRegion& region) { return contains(region, points[i], normal); };
+        if (normal.isZero() || std::any_of(body.supports().begin(), body.supports().end(), isOn)) continue;
+        Vec3 traction = Vec3::Zero();
+        for (const ActingLoad& acting : loads)
+            if (isOn(acting.load.region)) traction += acting.traction(normal);
+        stresses[i] = withTraction(stresses[i], normal, traction, elasticity);
+    }
 }
 
 /// Of a body whose solver is there.
@@ -47,13 +74,23 @@ Result<StressModel> StressModel::make(const TriangleMesh& surface, const Materia
 Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points,
                                        const Vec3& spin_rad_s) const {
     std::vector<PointForce> forces;
+    std::vector<ActingLoad> acting;
     for (const SurfaceLoad& load : loads) {
         const auto area = regionQuadrature(surface(), load.region, body_->quadratureSpacing());
         if (!area) return Error{"A load cannot be placed. " + area.error()};
         const std::vector<PointForce> part = pointForces(load, area.value());
         forces.insert(forces.end(), part.begin(), part.end());
+        acting.push_back({load, 0});
+        for (const AreaPoint& point : area.value()) acting.back().area_m2 += point.area_m2;
     }
-    return body_->stressSolver().value()->solve(forces, points, spin_rad_s);
+    Result<StressField> field = body_->stressSolver().value()->solve(forces, points, spin_rad_s);
+    if (!field) return field;
+    constexpr double on_surface = 0.005;  // of the wall thickness
+    imposeTractions(acting, *body_, points,
+                    sherd::surfaceNormals(surface(), points, on_surface * body_->wallThickness()),
+                    field.value().points);
+    imposeTractions(acting, *body_, surfacePositions(), surfaceNormals(), field.value().surface);
+    return field;
 }
 
 const TriangleMesh& StressModel::surface() const {
@@ -92,8 +129,7 @@ std::vector<Vec3> StressModel::surfacePositions() const {
     return collected(solidOf(*body_).surface_points, [](const SurfacePoint& p) { return p.position; });
 }
 std::vector<Vec3> StressModel::surfaceNormals() const {
-    return collected(solidOf(*body_).surface_points,
-                     [](const SurfacePoint& p) { return Vec3(p.area.normalized()); });
+    return collected(solidOf(*body_).surface_points, [](const SurfacePoint& p) { return p.normal; });
 }
 
 }  // namespace sherd

@@ -26,6 +26,7 @@ struct SamplingSettings {
 /// Test function of the local weak form (paper, Eq. 5).
 enum class TestFunction {
     heaviside,  ///< MLPG5, the paper: flux over the faces of sub-domains, which tile the solid; unsymmetric
+    heaviside_paper,  ///< MLPG5 to the letter, to compare with: whole cubes, 96 Gauss points a particle; slow
     galerkin,   ///< the trial functions themselves: symmetric, and moments balance as well as forces
 };
 

@@ -41,7 +41,8 @@ class StressModel {
                                     const std::vector<SurfaceRegion>& supports = {});
 
     /// Stress at the particles, at the surface points, and at `points` (m, in or on the solid) under `loads`
-    /// and the inertia loads of a steady spin about the centre of mass. The error says which region touches
+    /// and the inertia loads of a steady spin about the centre of mass. On the surface it carries the traction that
+    /// acts there, none where nothing does. The error says which region touches
     /// no surface, or which figure is not finite.
     Result<StressField> solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points = {},
                               const Vec3& spin_rad_s = Vec3::Zero()) const;
@@ -53,7 +54,7 @@ class StressModel {
     std::vector<Vec3> particlePositions() const;  ///< #particles, m
     std::vector<double> particleVolumes() const;  ///< #particles, m^3; they add up to the body's
     std::vector<Vec3> surfacePositions() const;   ///< #surface points, m
-    std::vector<Vec3> surfaceNormals() const;     ///< #surface points, unit, outward
+    std::vector<Vec3> surfaceNormals() const;     ///< #surface points, unit, outward; zero where curved within a cell
 
   private:
     explicit StressModel(std::shared_ptr<const Body> body) : body_(std::move(body)) {}

@@ -13,6 +13,7 @@ const std::map<std::string, Basis> bases = {
 const std::map<std::string, TrialFunction> trials = {
     {"mls", TrialFunction::mls}, {"gmls", TrialFunction::gmls}, {"spline", TrialFunction::spline}};
 const std::map<std::string, TestFunction> tests = {{"heaviside", TestFunction::heaviside},
+                                                   {"heaviside_paper", TestFunction::heaviside_paper},
                                                    {"galerkin", TestFunction::galerkin}};
 const std::map<std::string, Quality> qualities = {
     {"preview", Quality::preview}, {"game", Quality::game}, {"film", Quality::film}};

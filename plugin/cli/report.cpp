@@ -8,6 +8,18 @@ namespace {
 
 using nlohmann::ordered_json;
 
+const char* word(TestFunction test) {
+    switch (test) {
+        case TestFunction::heaviside:
+            return "heaviside";
+        case TestFunction::heaviside_paper:
+            return "heaviside_paper";
+        case TestFunction::galerkin:
+            break;
+    }
+    return "galerkin";
+}
+
 const char* word(TrialFunction trial) {
     switch (trial) {
         case TrialFunction::mls:
@@ -43,7 +55,7 @@ ordered_json describe(const Settings& settings) {
     used["cells_per_spacing"] = sampling.cells_per_spacing;
     used["moment_order"] = sampling.moment_order;
     used["smallest_fill"] = sampling.smallest_fill;
-    used["test_function"] = stress.test_function == TestFunction::heaviside ? "heaviside" : "galerkin";
+    used["test_function"] = word(stress.test_function);
     used["trial_function"] = word(stress.trial_function);
     used["basis"] = word(stress.basis);
     used["support_radius"] = stress.support_radius;

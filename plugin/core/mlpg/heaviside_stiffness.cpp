@@ -1,53 +1,11 @@
 #include "core/mlpg/heaviside_stiffness.h"
 
-#include <algorithm>
-#include <utility>
-
 namespace sherd {
 namespace {
 
-/// K_Pb, one 3 x 3 block per particle b, of every sub-domain P; sorted by b.
-using BlockRows = std::vector<std::vector<std::pair<int, Mat3>>>;
-
-/// Force on unit displacement of function b through area A: sigma(phi_b e_j) A, column j.
-Mat3 traction(const Vec3& gradient, const Vec3& area, const Elasticity& elasticity) {
-    return elasticity.lambda_pa * area * gradient.transpose() +
-           elasticity.mu_pa * gradient * area.transpose() +
-           elasticity.mu_pa * gradient.dot(area) * Mat3::Identity();
-}
-
-void addBlock(std::vector<std::pair<int, Mat3>>& row, int particle, const Mat3& block) {
-    for (auto& [existing, sum] : row)
-        if (existing == particle) {
-            sum += block;
-            return;
-        }
-    row.emplace_back(particle, block);
-}
-
-BlockRows assembleBlocks(const Discretisation& solid, ShapeEvaluator& evaluator, const Elasticity& elasticity,
-                         EvaluationCounts& counts) {
-    BlockRows rows(solid.particles.size());
-    ShapeFunctions shapes;
-    for (size_t particle = 0; particle < rows.size(); ++particle)
-        rows[particle].emplace_back(static_cast<int>(particle), Mat3::Zero());
-    for (const IntegrationFace& face : solid.faces) {
-        const int from = solid.cells[face.cells[0]].particle, to = solid.cells[face.cells[1]].particle;
-        if (from == to) continue;
-        ++counts[static_cast<size_t>(evaluator.evaluateBetween(face.centroid, from, to, true, shapes))];
-        for (size_t n = 0; n < shapes.particles.size(); ++n) {
-            const Mat3 block = traction(shapes.gradients[n], face.area, elasticity);
-            addBlock(rows[from], shapes.particles[n], -block);
-            addBlock(rows[to], shapes.particles[n], block);
-        }
-    }
-    for (auto& row : rows)
-        std::sort(row.begin(), row.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    return rows;
-}
-
 /// Unit-sized borders would drown K or be drowned by it: they are scaled to K's mean diagonal.
-double borderScale(const BlockRows& rows) {
+double borderScale(const HeavisideBlocks& blocks) {
+    const auto& rows = blocks.rows;
     double sum = 0;
     for (size_t particle = 0; particle < rows.size(); ++particle)
         for (const auto& [other, block] : rows[particle])
@@ -57,19 +15,15 @@ double borderScale(const BlockRows& rows) {
 
 }  // namespace
 
-HeavisideStiffness heavisideStiffness(const Discretisation& solid, const SupportGraph& supports,
-                                      const TrialSpace& space, const Elasticity& elasticity,
-                                      const RigidMotions& motions) {
-    HeavisideStiffness result;
-    ShapeEvaluator evaluator(solid, supports, space);
-    const BlockRows rows = assembleBlocks(solid, evaluator, elasticity, result.evaluations);
-
-    SparseMatrix& matrix = result.matrix;
+SparseMatrix heavisideStiffness(const HeavisideBlocks& blocks, const Discretisation& solid,
+                                const RigidMotions& motions) {
+    const auto& rows = blocks.rows;
+    SparseMatrix matrix;
     const int unknowns = 3 * static_cast<int>(rows.size());
     double mean_volume = 0;
     for (const Particle& particle : solid.particles)
         mean_volume += particle.volume / static_cast<double>(rows.size());
-    const double scale = borderScale(rows) / mean_volume;
+    const double scale = borderScale(blocks) / mean_volume;
     const auto border = [&](int unknown, int motion) {
         return scale * solid.particles[unknown / 3].volume * motions.coefficients(unknown, motion);
     };
@@ -97,7 +51,7 @@ HeavisideStiffness heavisideStiffness(const Discretisation& solid, const Support
             }
             matrix.starts.push_back(static_cast<int>(matrix.indices.size()));
         }
-    return result;
+    return matrix;
 }
 
 }  // namespace sherd

@@ -157,7 +157,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overParticles(
     const bool galerkin = settings.test_function == TestFunction::galerkin;
     Result<std::unique_ptr<WeakForm>> form =
         galerkin ? makeGalerkinForm(solver->problem, report.factor_ms, report.warnings)
-                 : makeHeavisideForm(solver->problem, report.factor_ms, report.warnings);
+                 : makeHeavisideForm(solver->problem, settings.test_function, report.factor_ms, report.warnings);
     if (!form) return Error{form.error()};
     solver->form = std::move(form).value();
     report.assemble_ms = watch.milliseconds() - report.factor_ms;

@@ -33,14 +33,17 @@ Status checkStressProblem(const Discretisation* solid, const Material& material,
         return Error{"Poisson's ratio must be above -1 and below 0.5; for rubber-like material use 0.49."};
     if (!(settings.support_radius >= 0 && settings.support_radius < 10))
         return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
-    if (settings.test_function == TestFunction::heaviside && settings.trial_function == TrialFunction::spline)
-        return Error{"Spline trial functions go with galerkin test functions; use heaviside with mls."};
+    const bool heaviside = settings.test_function != TestFunction::galerkin;
+    const std::string name =
+        settings.test_function == TestFunction::heaviside_paper ? "heaviside_paper" : "heaviside";
+    if (heaviside && settings.trial_function == TrialFunction::spline)
+        return Error{"Spline trial functions go with galerkin test functions; use " + name + " with mls."};
     if (settings.trial_function != TrialFunction::spline && settings.basis == Basis::cubic)
         return Error{"The cubic basis is there for spline trial functions; use linear or quadratic with mls and gmls."};
-    if (settings.test_function == TestFunction::heaviside && settings.trial_function == TrialFunction::gmls)
+    if (heaviside && settings.trial_function == TrialFunction::gmls)
         return Error{
             "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: "
-            "use heaviside with mls, or gmls with galerkin test functions."};
+            "use " + name + " with mls, or gmls with galerkin test functions."};
     return success();
 }
 

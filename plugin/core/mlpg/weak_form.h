@@ -43,10 +43,10 @@ class WeakForm {
 };
 
 /// `problem` must outlive the form. Sentences that limit trust in the form are added to `warnings`;
-/// `factor_ms` is set.
+/// `factor_ms` is set. `test` is one of the Heaviside functions.
 Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem, double& factor_ms,
                                                    std::vector<std::string>& warnings);
-Result<std::unique_ptr<WeakForm>> makeHeavisideForm(const StressProblem& problem, double& factor_ms,
-                                                    std::vector<std::string>& warnings);
+Result<std::unique_ptr<WeakForm>> makeHeavisideForm(const StressProblem& problem, TestFunction test,
+                                                    double& factor_ms, std::vector<std::string>& warnings);
 
 }  // namespace sherd

@@ -7,6 +7,7 @@ namespace {
 
 constexpr double same_plane = 1 - 1e-10;  // cosine between normals of what counts as one plane
 constexpr double same_side = 0.7;         // cosine between normals of what counts as one side of the solid
+constexpr double nearly_flat = 0.99;      // area of a side's sum over its own, above which it has a normal
 constexpr std::size_t most_planes = 3;    // a corner; with more, sides are curved
 constexpr double no_area = 1e-40;         // of a voxel face, squared: too small to have a direction
 constexpr double rounding = 1e-13;        // of area times length
@@ -53,7 +54,7 @@ void addDeviation(Mat3 deviation, const Mat3& spread, double tolerance, std::siz
         const Vec3 weight = deviation.transpose() * direction;
         deviation -= direction * weight.transpose();
         points.push_back(
-            {points[centre].cell, points[centre].position + distance * direction, weight / distance});
+            {points[centre].cell, points[centre].position + distance * direction, weight / distance, Vec3::Zero()});
         points[centre].area -= weight / distance;
     }
 }
@@ -73,7 +74,7 @@ void addPoints(Facets::const_iterator first, Facets::const_iterator last, int si
         ++count;
     }
     centroid /= size;
-    points.push_back({cell, centroid, area});
+    points.push_back({cell, centroid, area, area.norm() > nearly_flat * size ? area.normalized() : Vec3::Zero()});
     if (count == 1) return;
 
     Mat3 deviation = Mat3::Zero(), spread = Mat3::Zero();

@@ -1,0 +1,34 @@
+#include "core/stress/surface_traction.h"
+
+namespace sherd {
+
+Voigt withTraction(const Voigt& raw, const Vec3& normal, const Vec3& traction_pa, const Elasticity& elasticity) {
+    const Mat3 within = Mat3::Identity() - normal * normal.transpose();
+    const Mat3 stress = toMatrix(raw);
+    const double along = traction_pa.dot(normal);
+    const double coupling = elasticity.lambda_pa / (elasticity.lambda_pa + 2 * elasticity.mu_pa);  // nu / (1 - nu)
+    const Vec3 tangential = traction_pa - along * normal;
+    return toVoigt(within * stress * within + coupling * (along - normal.dot(stress * normal)) * within +
+                   tangential * normal.transpose() + normal * tangential.transpose() +
+                   along * normal * normal.transpose());
+}
+
+void freeSurface(const Discretisation& solid, const std::vector<PointForce>& acting, const Elasticity& elasticity,
+                 std::vector<Voigt>& surface) {
+    Eigen::AlignedBox3d near;
+    for (const PointForce& load : acting) near.extend(load.position);
+    const double reach = solid.spacing;
+    const auto isLoaded = [&](const Vec3& x) {
+        if (acting.empty() || near.squaredExteriorDistance(x) > reach * reach) return false;
+        for (const PointForce& load : acting)
+            if ((load.position - x).squaredNorm() < reach * reach) return true;
+        return false;
+    };
+    for (std::size_t q = 0; q < surface.size(); ++q) {
+        const SurfacePoint& point = solid.surface_points[q];
+        if (point.normal.isZero() || isLoaded(point.position)) continue;
+        surface[q] = withTraction(surface[q], point.normal, Vec3::Zero(), elasticity);
+    }
+}
+
+}  // namespace sherd
