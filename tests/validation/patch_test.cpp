@@ -42,6 +42,32 @@ TEST(Patch, HeavisideMls) {
     expectPatch(heaviside_mls, 0.1);
 }
 
+StressField constantStress(const StressSettings& settings, double jitter_amplitude) {
+    const Material material = elasticMaterial();
+    const auto solid = sampled(shapes::slab({1, 0.6, 0.4}), 0.1);
+    jitter(*solid, jitter_amplitude);
+    const Mat3 stress = Elasticity(material).stress(gradient);
+    return valueOf(build(solid, material, settings).solveTraction([&](const Vec3&, const Vec3& normal) {
+        return Vec3(stress * normal);
+    }));
+}
+
+// The paper's cubes fill a box that is aligned with its grid, and only such a solid.
+TEST(Patch, HeavisidePaperOnAlignedBox) {
+    const Mat3 stress = Elasticity(elasticMaterial()).stress(gradient);
+    for (const double amplitude : {0.0, 0.15}) {
+        const StressField field = constantStress(heaviside_paper, amplitude);
+        EXPECT_LT(largestError(field.particles, stress), 1e-8);
+        EXPECT_LT(largestError(field.surface, stress), 1e-8);
+        EXPECT_LT(field.residual_rel, 1e-10);
+
+        const StressField tiled = constantStress(heaviside_mls, amplitude);
+        ASSERT_EQ(field.particles.size(), tiled.particles.size());
+        for (size_t i = 0; i < field.particles.size(); ++i)
+            EXPECT_LT((field.particles[i] - tiled.particles[i]).norm(), 1e-8 * stress.norm());
+    }
+}
+
 // The displacement field need not come from a solve: sampled at the particles, a linear one has the exact
 // stress.
 TEST(Patch, StressOfALinearField) {

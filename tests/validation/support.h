@@ -34,6 +34,7 @@ inline StressSettings form(TestFunction test, TrialFunction trial, Basis basis =
 inline const StressSettings galerkin_gmls = form(TestFunction::galerkin, TrialFunction::gmls);
 inline const StressSettings galerkin_mls = form(TestFunction::galerkin, TrialFunction::mls);
 inline const StressSettings heaviside_mls = form(TestFunction::heaviside, TrialFunction::mls);
+inline const StressSettings heaviside_paper = form(TestFunction::heaviside_paper, TrialFunction::mls);
 
 inline std::shared_ptr<Discretisation> sampled(const TriangleMesh& mesh, double spacing,
                                                int cells_per_spacing = 2) {
