@@ -7,7 +7,7 @@
 #include "core/loads/surface_region.h"
 #include "core/stress/surface_traction.h"
 #include "geometry/surface_checks.h"
-#include "geometry/surface_normals.h"
+#include "geometry/surface_feet.h"
 
 namespace sherd {
 
@@ -37,20 +37,40 @@ struct ActingLoad {
     Vec3 traction(const Vec3& normal) const { return load.force_n / area_m2 - load.pressure_pa * normal; }
 };
 
-/// The stresses at `points`, where the surface has the given normals (zero: none), with the tractions that act there;
-/// those on supports are not known.
-void imposeTractions(const std::vector<ActingLoad>& loads, const Body& body, const std::vector<Vec3>& points,
-                     const std::vector<Vec3>& normals, std::vector<Voigt>& stresses) {
-    const Elasticity elasticity(body.material());
-    for (std::size_t i = 0; i < points.size(); ++i) {
-        const Vec3& normal = normals[i];
-        const auto isOn = [&](const SurfaceRegion& region) { return contains(region, points[i], normal); };
-        if (normal.isZero() || std::any_of(body.supports().begin(), body.supports().end(), isOn)) continue;
-        Vec3 traction = Vec3::Zero();
-        for (const ActingLoad& acting : loads)
-            if (isOn(acting.load.region)) traction += acting.traction(normal);
-        stresses[i] = withTraction(stresses[i], normal, traction, elasticity);
+/// The stress at a point of the surface with the traction that acts there; on supports, and without a normal, `raw`.
+Voigt withActingTraction(const std::vector<ActingLoad>& loads, const Body& body, const Vec3& point, const Vec3& normal,
+                         const Voigt& raw) {
+    const auto isOn = [&](const SurfaceRegion& region) { return contains(region, point, normal); };
+    if (normal.isZero() || std::any_of(body.supports().begin(), body.supports().end(), isOn)) return raw;
+    Vec3 traction = Vec3::Zero();
+    for (const ActingLoad& acting : loads)
+        if (isOn(acting.load.region)) traction += acting.traction(normal);
+    return withTraction(raw, normal, traction, Elasticity(body.material()));
+}
+
+/// Where the change that a traction makes at the surface has died away, in particle spacings: about as far as the
+/// nearest points at which the gradients of quadratic splines are superconvergent.
+constexpr double traction_depth = 0.25;
+
+/// Feet on the surface of those points that lie within that depth, and whose feet have a normal.
+struct ShallowPoints {
+    std::vector<std::size_t> index;
+    std::vector<SurfaceFoot> feet;
+};
+
+ShallowPoints shallowPoints(const Body& body, const std::vector<Vec3>& points) {
+    constexpr double near_edge = 0.005;  // of the wall thickness
+    const double depth = traction_depth * body.spacing();
+    ShallowPoints shallow;
+    std::size_t index = 0;
+    for (const SurfaceFoot& foot : surfaceFeet(body.surface(), points, near_edge * body.wallThickness())) {
+        if (foot.distance < depth && !foot.normal.isZero()) {
+            shallow.index.push_back(index);
+            shallow.feet.push_back(foot);
+        }
+        ++index;
     }
+    return shallow;
 }
 
 /// Of a body whose solver is there.
@@ -83,14 +103,27 @@ Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, co
         acting.push_back({load, 0});
         for (const AreaPoint& point : area.value()) acting.back().area_m2 += point.area_m2;
     }
-    Result<StressField> field = body_->stressSolver().value()->solve(forces, points, spin_rad_s);
-    if (!field) return field;
-    constexpr double on_surface = 0.005;  // of the wall thickness
-    imposeTractions(acting, *body_, points,
-                    sherd::surfaceNormals(surface(), points, on_surface * body_->wallThickness()),
-                    field.value().points);
-    imposeTractions(acting, *body_, surfacePositions(), surfaceNormals(), field.value().surface);
-    return field;
+    const ShallowPoints shallow = shallowPoints(*body_, points);
+    std::vector<Vec3> asked = points;
+    for (const SurfaceFoot& foot : shallow.feet) asked.push_back(foot.position);
+    Result<StressField> result = body_->stressSolver().value()->solve(forces, asked, spin_rad_s);
+    if (!result) return result;
+    StressField& field = result.value();
+    for (std::size_t i = 0; i < shallow.feet.size(); ++i) {
+        const SurfaceFoot& foot = shallow.feet[i];
+        const Voigt& raw = field.points[points.size() + i];
+        const double depth = traction_depth * field.point_spacing_m[shallow.index[i]];
+        if (foot.distance > depth) continue;
+        field.points[shallow.index[i]] +=
+            (1 - foot.distance / depth) * (withActingTraction(acting, *body_, foot.position, foot.normal, raw) - raw);
+    }
+    field.points.resize(points.size());
+    field.point_spacing_m.resize(points.size());
+    const std::vector<SurfacePoint>& surface_points = solidOf(*body_).surface_points;
+    for (std::size_t q = 0; q < surface_points.size(); ++q)
+        field.surface[q] = withActingTraction(acting, *body_, surface_points[q].position, surface_points[q].normal,
+                                              field.surface[q]);
+    return result;
 }
 
 const TriangleMesh& StressModel::surface() const {

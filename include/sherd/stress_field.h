@@ -12,6 +12,7 @@ struct StressField {
     std::vector<Voigt> particles;  ///< #particles, at the particles
     std::vector<Voigt> surface;    ///< #surface points of the sampling
     std::vector<Voigt> points;     ///< at the points that were asked for, in their order
+    std::vector<double> point_spacing_m;  ///< #points: of the particles there, finer around loads
     double strain_energy_j = 0;
     double residual_rel = 0;   ///< |K u - f| / |f| of the linear solve
     double imbalance_rel = 0;  ///< net force and moment left after inertia relief, over those of the loads

@@ -51,6 +51,7 @@ class ParticleSolver : public StressSolver::Impl {
     void recoverStress(const std::vector<Mat3>& cells, const std::vector<Vec3>& points,
                        StressField& field) const {
         recovery.recover(cells, field.particles, field.surface);
+        field.point_spacing_m.assign(points.size(), problem.solid.spacing);
         for (const Vec3& point : points)
             field.points.push_back(recovery.recoverAt(cells, point, nearestOwner(problem.solid, point)));
     }

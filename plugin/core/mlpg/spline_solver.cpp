@@ -233,17 +233,24 @@ class SplineSolver : public StressSolver::Impl {
 
     void evaluate(const SplineField& whole, const std::vector<Vec3>& points, const std::vector<Zoom>& zooms,
                   StressField& field) const {
+        double spacing = 0;  // of the grid that was read last
         const auto stress_at = [&](const Vec3& x) -> Voigt {
             Mat3 gradient;
             for (size_t z = zooms.size(); z-- > 0;)
-                if (displacementGradient(zooms[z].field, x, gradient))
+                if (displacementGradient(zooms[z].field, x, gradient)) {
+                    spacing = zooms[z].field.parts.edges.maxCoeff();
                     return toVoigt(elasticity_.stress(gradient));
+                }
+            spacing = parts_.edges.maxCoeff();
             if (!displacementGradient(whole, x, gradient)) return Voigt::Zero();
             return toVoigt(elasticity_.stress(gradient));
         };
         for (const Particle& particle : solid_->particles) field.particles.push_back(stress_at(particle.position));
         for (const SurfacePoint& point : solid_->surface_points) field.surface.push_back(stress_at(point.position));
-        for (const Vec3& point : points) field.points.push_back(stress_at(point));
+        for (const Vec3& point : points) {
+            field.points.push_back(stress_at(point));
+            field.point_spacing_m.push_back(spacing);
+        }
     }
 
     std::shared_ptr<const Discretisation> solid_;
