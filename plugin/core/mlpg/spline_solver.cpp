@@ -46,6 +46,8 @@ class SplineSolver : public StressSolver::Impl {
             if (parts_.partAt(support.position) < 0) throw std::invalid_argument("a support lies beside the solid.");
             supports_.push_back({support.position, stiffness * support.area_m2});
         }
+        for (const Particle& particle : solid_->particles) located_.push_back(locate(parts_, particle.position));
+        for (const SurfacePoint& point : solid_->surface_points) located_.push_back(locate(parts_, point.position));
         springs_ = springsOf(parts_, supports_);
         for (const PointSpring& spring : springs_) supported_[space_.component_of_part[spring.part]] = 1;
     }
@@ -111,11 +113,15 @@ class SplineSolver : public StressSolver::Impl {
         Eigen::VectorXd unknowns(stiffness_.size);
         for (int f = 0; f < space_.function_count; ++f) unknowns.segment<3>(3L * f) = displacement(space_.centres[f]);
         StressField field;
-        evaluate({parts_, space_pointer_, space_.expand(unknowns)}, {}, {}, field);
+        evaluate(fieldOf(unknowns), {}, {}, field);
         return field;
     }
 
   private:
+    SplineField fieldOf(const Eigen::VectorXd& unknowns) const {
+        return {std::shared_ptr<const CellParts>(solid_, &parts_), space_pointer_, space_.expand(unknowns)};
+    }
+
     Eigen::Matrix4Xd gatherMoments() const {
         std::vector<Vec3> origins;
         for (const int component : space_.component_of_part) origins.push_back(motions_.moments[component].centroid);
@@ -152,7 +158,7 @@ class SplineSolver : public StressSolver::Impl {
             const size_t end = zooms.size();
             for (size_t parent = begin; parent < (round == 0 ? 1 : end); ++parent) {
                 const BodyLoads acting = round == 0 ? loads : zooms[parent].loads;
-                const CellParts& grid = round == 0 ? whole.parts : zooms[parent].field.parts;
+                const CellParts& grid = round == 0 ? parts_ : *zooms[parent].field.parts;
                 for (const CellBox& box : boxesAroundLoads(grid, acting.forces, largest_patch, zoom_margin_)) {
                     Result<Zoom> zoom = zoomIn(*solid_->surface, round == 0 ? whole : zooms[parent].field, box,
                                                elasticity_, acting, supports_);
@@ -192,7 +198,7 @@ class SplineSolver : public StressSolver::Impl {
             const Status solved = solveRefined(forces, scale, unknowns, field.residual_rel);
             if (!solved) return Error{solved.error()};
         }
-        const SplineField whole{parts_, space_pointer_, space_.expand(unknowns)};
+        const SplineField whole = fieldOf(unknowns);
         const Result<std::vector<Zoom>> zooms = resample(whole, {loads, bodyForces(acceleration, spin)});
         if (!zooms) return Error{zooms.error()};
         for (const Zoom& zoom : zooms.value()) field.resampling_entries += zoom.stiffness_entries;
@@ -234,21 +240,26 @@ class SplineSolver : public StressSolver::Impl {
     void evaluate(const SplineField& whole, const std::vector<Vec3>& points, const std::vector<Zoom>& zooms,
                   StressField& field) const {
         double spacing = 0;  // of the grid that was read last
-        const auto stress_at = [&](const Vec3& x) -> Voigt {
+        const auto stress_at = [&](const Vec3& x, const GridPoint& on_whole) -> Voigt {
             Mat3 gradient;
             for (size_t z = zooms.size(); z-- > 0;)
                 if (displacementGradient(zooms[z].field, x, gradient)) {
-                    spacing = zooms[z].field.parts.edges.maxCoeff();
+                    spacing = zooms[z].field.parts->edges.maxCoeff();
                     return toVoigt(elasticity_.stress(gradient));
                 }
             spacing = parts_.edges.maxCoeff();
-            if (!displacementGradient(whole, x, gradient)) return Voigt::Zero();
-            return toVoigt(elasticity_.stress(gradient));
+            if (on_whole.part < 0) return Voigt::Zero();
+            return toVoigt(elasticity_.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
         };
-        for (const Particle& particle : solid_->particles) field.particles.push_back(stress_at(particle.position));
-        for (const SurfacePoint& point : solid_->surface_points) field.surface.push_back(stress_at(point.position));
+        field.particles.reserve(solid_->particles.size());
+        field.surface.reserve(solid_->surface_points.size());
+        size_t located = 0;
+        for (const Particle& particle : solid_->particles)
+            field.particles.push_back(stress_at(particle.position, located_[located++]));
+        for (const SurfacePoint& point : solid_->surface_points)
+            field.surface.push_back(stress_at(point.position, located_[located++]));
         for (const Vec3& point : points) {
-            field.points.push_back(stress_at(point));
+            field.points.push_back(stress_at(point, locate(parts_, point)));
             field.point_spacing_m.push_back(spacing);
         }
     }
@@ -265,6 +276,7 @@ class SplineSolver : public StressSolver::Impl {
     std::vector<PointSpring> springs_;
     int rounds_;
     double zoom_margin_;
+    std::vector<GridPoint> located_;  // particles, then surface points
     Eigen::Matrix4Xd body_moments_;
     InertiaRelief inertia_;
     SparseMatrix stiffness_;

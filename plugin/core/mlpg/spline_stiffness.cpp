@@ -256,14 +256,22 @@ Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& sp
 }
 
 Eigen::VectorXd symmetricProduct(const SparseMatrix& lower, const Eigen::VectorXd& x) {
+    // Three columns of blocks at a time: one index for nine entries, and a sum that stays in registers.
     Eigen::VectorXd product = Eigen::VectorXd::Zero(x.size());
-    for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
-            const int row = lower.indices[k];
-            if (row < column) continue;
-            product[row] += lower.values[k] * x[column];
-            if (row > column) product[column] += lower.values[k] * x[row];
+    for (int column = 0; column < lower.size; column += 3) {
+        const int rows = lower.starts[column + 1] - lower.starts[column];
+        const int* row = lower.indices.data() + lower.starts[column];
+        const double* value = lower.values.data() + lower.starts[column];
+        const Vec3 own = x.segment<3>(column);
+        Vec3 sum = Vec3::Zero();
+        for (int k = 0; k < rows; k += 3) {
+            Mat3 block;
+            for (int j = 0; j < 3; ++j) block.col(j) = Eigen::Map<const Vec3>(value + j * rows + k);
+            product.segment<3>(row[k]) += block * own;
+            if (row[k] > column) sum += block.transpose() * x.segment<3>(row[k]);
         }
+        product.segment<3>(column) += sum;
+    }
     return product;
 }
 

@@ -42,7 +42,7 @@ Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace&
 Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,
                                    const std::vector<Vec3>& origins);
 
-/// A x of a symmetric matrix of which only the lower half is used; lines are columns.
+/// A x of a symmetric matrix in blocks of 3 as splineStiffness makes it.
 Eigen::VectorXd symmetricProduct(const SparseMatrix& lower, const Eigen::VectorXd& x);
 
 }  // namespace sherd

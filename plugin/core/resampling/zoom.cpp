@@ -71,7 +71,7 @@ std::vector<int> functionsAcrossBorder(const SplineSpace& space, const Eigen::Ve
 
 /// Forces of loads and body forces at the raw functions.
 Eigen::Matrix3Xd externalForces(const SplineField& field, const BodyLoads& loads) {
-    const CellParts& parts = field.parts;
+    const CellParts& parts = *field.parts;
     const SplineSpace& space = *field.space;
     std::vector<Vec3> origins;
     for (const AffineForce& force : loads.body_forces) origins.push_back(force.about);
@@ -148,23 +148,24 @@ std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<P
 Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, const CellBox& box,
                     const Elasticity& elasticity, const BodyLoads& loads,
                     const std::vector<SupportSpring>& supports) {
-    Result<CellParts> refined = refineCellParts(surface, coarse.parts, box.lower, box.upper);
+    Result<CellParts> refined = refineCellParts(surface, *coarse.parts, box.lower, box.upper);
     if (!refined) return Error{refined.error()};
     Zoom zoom;
     SplineField& field = zoom.field;
-    field.parts = std::move(refined).value();
-    const auto space = std::make_shared<SplineSpace>(field.parts, coarse.space->degree);
+    field.parts = std::make_shared<const CellParts>(std::move(refined).value());
+    const CellParts& fine = *field.parts;
+    const auto space = std::make_shared<SplineSpace>(fine, coarse.space->degree);
     field.space = space;
-    const std::vector<int> parents = parentParts(coarse.parts, field.parts);
-    field.raw = refinedCoefficients(coarse.parts, *coarse.space, coarse.raw, field.parts, *space, parents);
-    zoom.loads = loadsInside(field.parts, parents, loads);
+    const std::vector<int> parents = parentParts(*coarse.parts, fine);
+    field.raw = refinedCoefficients(*coarse.parts, *coarse.space, coarse.raw, fine, *space, parents);
+    zoom.loads = loadsInside(fine, parents, loads);
 
-    const std::vector<PointSpring> springs = springsOf(field.parts, supports);
-    SparseMatrix stiffness = splineStiffness(field.parts, *space, elasticity, springs);
+    const std::vector<PointSpring> springs = springsOf(fine, supports);
+    SparseMatrix stiffness = splineStiffness(fine, *space, elasticity, springs);
     Eigen::VectorXd residual =
         space->gather(externalForces(field, zoom.loads) -
-                      splineInternalForces(field.parts, *space, elasticity, springs, field.raw));
-    const std::vector<int> held = heldUnknowns(field.parts, *space, box, springs);
+                      splineInternalForces(fine, *space, elasticity, springs, field.raw));
+    const std::vector<int> held = heldUnknowns(fine, *space, box, springs);
     pinUnknowns(stiffness, held);
     for (const int unknown : held) residual[unknown] = 0;
 
@@ -183,13 +184,19 @@ Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi) {
     const std::vector<int>& functions = field.space->raw_of[part];
     for (size_t a = 0; a < functions.size(); ++a)
         gradient += field.raw.col(functions[a]) * gradients[a].transpose();
-    return gradient * field.parts.edges.cwiseInverse().asDiagonal();
+    return gradient * field.parts->edges.cwiseInverse().asDiagonal();
+}
+
+GridPoint locate(const CellParts& solid, const Vec3& x) {
+    const int part = solid.partAt(x);
+    if (part < 0) return {};
+    return {part, solid.toCell(x, solid.parts[part].cell)};
 }
 
 bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient) {
-    const int part = field.parts.partAt(x);
-    if (part < 0) return false;
-    gradient = gradientOn(field, part, field.parts.toCell(x, field.parts.parts[part].cell));
+    const GridPoint point = locate(*field.parts, x);
+    if (point.part < 0) return false;
+    gradient = gradientOn(field, point.part, point.xi);
     return true;
 }
 
