@@ -1,4 +1,4 @@
-#include "validation/support.h"
+#include "validation/closed_form.h"
 
 namespace sherd::validation {
 namespace {
@@ -9,7 +9,8 @@ constexpr double length = 1, side = 0.1, force = 1000;
 /// halves. Inertia loads it by F/L a length, so that M = F s^2 / (2 L), s from the nearer end, and sigma = M
 /// z / I, I = a^4/12.
 double bendingError(const StressSettings& settings, double spacing, const Mat3& tilt) {
-    const auto solid = sampled(shapes::moved(shapes::slab({length, side, side}, 20, 2, 2), tilt), spacing);
+    const auto solid = sampledForSplines(shapes::moved(shapes::slab({length, side, side}, 20, 2, 2), tilt), spacing,
+                                         Basis::quadratic);
     const auto loads =
         spreadOverSurface(*solid, tilt * Vec3(0, 0, -force), [&](const Vec3& x, const Vec3& normal) {
             return (tilt.transpose() * normal).z() > 0.9 && std::abs((tilt.transpose() * x).x()) < side / 2;
@@ -27,6 +28,14 @@ double bendingError(const StressSettings& settings, double spacing, const Mat3& 
         norm += expected * expected;
     }
     return std::sqrt(error / norm);
+}
+
+TEST(BendingRod, SplinesAreAccurateWithOneParticleAcrossAtAnyTilt) {
+    for (double angle : {0.0, 0.2, 0.5, 0.8}) {
+        const Mat3 tilt = (Eigen::AngleAxisd(angle, Vec3(1, 2, 3).normalized())).toRotationMatrix();
+        EXPECT_LT(bendingError(splines(Basis::quadratic), side, tilt), 0.06) << "tilt " << angle;
+        EXPECT_LT(bendingError(splines(Basis::quadratic), side / 2, tilt), 0.03) << "tilt " << angle;
+    }
 }
 
 TEST(BendingRod, GmlsIsAccurateWithTwoParticlesAcrossAtAnyTilt) {

@@ -36,6 +36,12 @@ inline const StressSettings galerkin_mls = form(TestFunction::galerkin, TrialFun
 inline const StressSettings heaviside_mls = form(TestFunction::heaviside, TrialFunction::mls);
 inline const StressSettings heaviside_paper = form(TestFunction::heaviside_paper, TrialFunction::mls);
 
+inline StressSettings splines(Basis basis) {
+    StressSettings settings = form(TestFunction::galerkin, TrialFunction::spline, basis);
+    settings.resampling_rounds = 0;
+    return settings;
+}
+
 inline std::shared_ptr<Discretisation> sampled(const TriangleMesh& mesh, double spacing,
                                                int cells_per_spacing = 2) {
     SamplingSettings settings;
