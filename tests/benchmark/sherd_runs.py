@@ -59,7 +59,9 @@ def measure(binary, case, form, options, work, limit_s=60, repeats=3):
     times = [times_of(report)]
     while len(times) < repeats and sum(first for first, _ in times) < 3000:
         again = run(binary, case.file, ["--points", work / "points.csv", *options], work, limit_s)
-        times += [times_of(again)]
+        if not again:
+            break
+        times.append(times_of(again))
     interior, surface = case.errors(read_columns(work / "stress.csv", TENSOR))
     return {"case": case.name, "form": form, "spacing": report["spacing_m"], "particles": report["particles"],
             "error_interior": interior, "error_surface": surface,

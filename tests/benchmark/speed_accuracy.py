@@ -77,7 +77,7 @@ def main():
     parser.add_argument("folder", type=Path, help="where the results go")
     parser.add_argument("cases", nargs="*", metavar="CASE", help=", ".join(stress_case.names))
     parser.add_argument("--quick", action="store_true", help="fewer and coarser runs, each once")
-    arguments = parser.parse_args()
+    arguments = parser.parse_intermixed_args()
     for name in arguments.cases:
         if name not in stress_case.names:
             parser.error(f"there is no case {name}; known are {', '.join(stress_case.names)}")
