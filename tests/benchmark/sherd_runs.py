@@ -17,7 +17,7 @@ FORMS = {
     "mls quadratic": (["--trial", "mls", "--basis", "quadratic"], (0, 1, 2)),
     "gmls": (["--trial", "gmls", "--basis", "linear"], (0, 1, 2)),
     "mls heaviside": (["--trial", "mls", "--basis", "linear", "--test-function", "heaviside"], (-1, 0, 1)),
-    "paper": (["--trial", "mls", "--basis", "linear", "--test-function", "heaviside_paper"], (0, 1, 2)),
+    "paper": (["--trial", "mls", "--basis", "linear", "--test-function", "heaviside_paper"], (-1, 0, 1)),
 }
 
 

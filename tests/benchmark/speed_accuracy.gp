@@ -16,7 +16,7 @@ open_shapes = "6 6 6 4 4 8 10 12"
 width(i) = i <= 3 ? 2.2 : 1.1
 mark(i) = i <= 3 ? 0.6 : 0.5
 colour(i) = word(colours, i)
-caption = "First blow: sampling, assembly, factor, solve and recovery\nat the particles and some 1300 points; further: the last two.\nTets: one run of ccx without meshing, for every blow.\nError: largest principal stress inside, away from the load\n(sphere: whole stress), relative L2. One thread."
+caption = "First blow: sampling, assembly, factor, solve and recovery\nat the particles and some 1300 points; further: the last two.\nTets: one run of ccx without meshing, for every blow.\nError: largest principal stress inside, away from the load\n(sphere: whole stress), relative L2; above 200 % not shown. One thread."
 preset_colour = "#D55E00"
 
 set multiplot layout 2,3 margins 0.055,0.985,0.085,0.945 spacing 0.055,0.125
