@@ -125,15 +125,17 @@ def read_stress(path, nodes):
     return stress
 
 
-def solve(case, mesh, work, limit_s):
-    """Stress at the case's points and how long ccx took (ms)."""
+def solve(case, mesh, work, limit_s, repeats):
+    """Stress at the case's points and how long ccx took (ms): the smallest time of a few, where they are short."""
     forces = sum(surface_forces(mesh, load) for load in case.data["loads"])
     if not case.data["supports"]:
         add_inertia_relief(forces, mesh)
     write_input(work / "body.inp", mesh, case.data["material"], forces, held_degrees(mesh, case.data["supports"]))
     one_thread = dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1")
-    start = time.perf_counter()
-    subprocess.run(["ccx", "body"], cwd=work, env=one_thread, check=True, capture_output=True, timeout=limit_s)
-    taken_ms = 1000 * (time.perf_counter() - start)
+    times_ms = []
+    while len(times_ms) < repeats and sum(times_ms) < 3000:
+        start = time.perf_counter()
+        subprocess.run(["ccx", "body"], cwd=work, env=one_thread, check=True, capture_output=True, timeout=limit_s)
+        times_ms.append(1000 * (time.perf_counter() - start))
     nodal = read_stress(work / "body.frd", len(mesh.nodes))
-    return stress_at(case.points, mesh, nodal), taken_ms
+    return stress_at(case.points, mesh, nodal), min(times_ms)
