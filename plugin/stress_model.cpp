@@ -142,6 +142,7 @@ StressModelReport StressModel::report() const {
     report.unknowns = solver.unknowns;
     report.factor_entries = solver.factor_entries;
     report.factor_bytes = solver.factor_entries * static_cast<long long>(sizeof(double));
+    report.reciprocal_condition = solver.reciprocal_condition;
     report.spacing_m = solid.spacing;
     report.wall_thickness_m = body_->wallThickness();
     report.sample_ms = body_->sampleMilliseconds();

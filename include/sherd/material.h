@@ -10,7 +10,7 @@ namespace sherd {
 struct Material {
     std::string name = "material";
     double youngs_modulus_pa = 5e9;
-    double poisson_ratio = 0.2;  ///< 0 <= nu < 0.5
+    double poisson_ratio = 0.2;  ///< 0 <= nu <= 0.499; above 0.47 results come with a warning
     double density_kg_m3 = 2000;
     double tensile_strength_pa = 3e6;  ///< largest principal stress that the material bears
     double strength_scatter =

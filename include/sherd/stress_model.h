@@ -22,6 +22,7 @@ struct StressModelReport {
     int unknowns = 0;
     long long factor_entries = 0;  ///< stored entries of the factor; a solve streams them once a triangle
     long long factor_bytes = 0;    ///< memory of the factor's values
+    double reciprocal_condition = 0;  ///< of the stiffness matrix, estimated from the factor's diagonal
     double spacing_m = 0;          ///< between particles
     double wall_thickness_m = 0;   ///< of the thinnest walls
     double sample_ms = 0, assemble_ms = 0, factor_ms = 0;

@@ -88,6 +88,7 @@ ordered_json makeReport(const Arguments& arguments, const StressCase& problem, c
     report["factor_entries"] = made.factor_entries;
     report["resampling_entries"] = field.resampling_entries;
     report["factor_bytes"] = made.factor_bytes;
+    report["reciprocal_condition"] = made.reciprocal_condition;
     report["spacing_m"] = made.spacing_m;
     report["wall_thickness_m"] = made.wall_thickness_m;
     report["residual_rel"] = field.residual_rel;

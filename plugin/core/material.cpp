@@ -7,8 +7,8 @@ namespace sherd {
 Status Material::validate() const {
     return RangeChecks("Material '" + name + "'")
         .require(isPositive(youngs_modulus_pa), "youngs_modulus_pa", youngs_modulus_pa, "positive, in Pa")
-        .require(poisson_ratio >= 0 && poisson_ratio < 0.5, "poisson_ratio", poisson_ratio,
-                 "at least 0 and below 0.5 (0.5 is incompressible)")
+        .require(isWithin(poisson_ratio, 0, 0.499), "poisson_ratio", poisson_ratio,
+                 "between 0 and 0.499 (0.5 is incompressible)")
         .require(isPositive(density_kg_m3), "density_kg_m3", density_kg_m3, "positive, in kg/m^3")
         .require(isPositive(tensile_strength_pa), "tensile_strength_pa", tensile_strength_pa,
                  "positive, in Pa")

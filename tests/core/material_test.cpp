@@ -35,10 +35,10 @@ TEST(Material, WhatIsOutOfRangeIsNamed) {
     expectSentence([](Material& m) { m.youngs_modulus_pa = 0; },
                    "Material 'glass': youngs_modulus_pa is 0 but must be positive, in Pa.");
     expectSentence([](Material& m) { m.poisson_ratio = 0.5; },
-                   "Material 'glass': poisson_ratio is 0.5 but must be at least 0 and below 0.5 (0.5 is "
+                   "Material 'glass': poisson_ratio is 0.5 but must be between 0 and 0.499 (0.5 is "
                    "incompressible).");
     expectSentence([](Material& m) { m.poisson_ratio = -0.1; },
-                   "Material 'glass': poisson_ratio is -0.1 but must be at least 0 and below 0.5 (0.5 is "
+                   "Material 'glass': poisson_ratio is -0.1 but must be between 0 and 0.499 (0.5 is "
                    "incompressible).");
     expectSentence([](Material& m) { m.density_kg_m3 = -2500; },
                    "Material 'glass': density_kg_m3 is -2500 but must be positive, in kg/m^3.");

@@ -164,6 +164,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overParticles(
     report.assemble_ms = watch.milliseconds() - report.factor_ms;
     report.unknowns = static_cast<int>(solver->problem.unknowns());
     report.factor_entries = solver->form->solver().factorEntries();
+    report.reciprocal_condition = solver->form->solver().reciprocalCondition();
     return std::unique_ptr<Impl>(std::move(solver));
 }
 

@@ -18,6 +18,8 @@ constexpr double support_stiffness = 100;
 /// A load over a larger part of the body than that is not a contact; the grid resolves it.
 constexpr double of_body = 0.2;
 
+constexpr double first_doubtful_poisson_ratio = 0.47;
+
 Eigen::Matrix3d spinGradient(const Vec3& w) {
     return w * w.transpose() - w.squaredNorm() * Mat3::Identity();
 }
@@ -32,6 +34,7 @@ class SplineSolver : public StressSolver::Impl {
           parts_(solid_->parts),
           elasticity_(material),
           density_(material.density_kg_m3),
+          poisson_ratio_(material.poisson_ratio),
           space_pointer_(std::make_shared<SplineSpace>(parts_, degree)),
           space_(*space_pointer_),
           motions_(parts_, space_),
@@ -65,8 +68,13 @@ class SplineSolver : public StressSolver::Impl {
         report.factor_ms = factor_watch.milliseconds();
         if (!solver) return Error{solver.error()};
         solver_ = std::move(solver).value();
+        if (poisson_ratio_ > first_doubtful_poisson_ratio)
+            report.warnings.push_back(
+                "Poisson's ratio is near 0.5, where displacements barely tell the pressure: stress may be off by a "
+                "tenth and more; use a higher quality, or 0.47.");
         report.unknowns = stiffness_.size;
         report.factor_entries = solver_->factorEntries();
+        report.reciprocal_condition = solver_->reciprocalCondition();
         if (solver_->relativeShift() > 0)
             report.warnings.push_back(
                 "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added to every "
@@ -268,6 +276,7 @@ class SplineSolver : public StressSolver::Impl {
     const CellParts& parts_;
     Elasticity elasticity_;
     double density_;
+    double poisson_ratio_;
     std::shared_ptr<const SplineSpace> space_pointer_;
     const SplineSpace& space_;
     RigidMotions motions_;

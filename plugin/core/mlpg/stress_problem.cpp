@@ -5,6 +5,8 @@
 namespace sherd {
 namespace {
 
+constexpr double largest_poisson_ratio = 0.499;
+
 double supportRadius(const StressSettings& settings) {
     if (settings.support_radius > 0) return settings.support_radius;
     if (settings.basis == Basis::quadratic) return 2.8;
@@ -29,8 +31,10 @@ Status checkStressProblem(const Discretisation* solid, const Material& material,
         return Error{"The stress solver was given a solid without particles; sample it first."};
     if (!(material.youngs_modulus_pa > 0) || !std::isfinite(material.youngs_modulus_pa))
         return Error{"Young's modulus must be positive and finite."};
-    if (!(material.poisson_ratio > -1 && material.poisson_ratio < 0.5))
-        return Error{"Poisson's ratio must be above -1 and below 0.5; for rubber-like material use 0.49."};
+    if (!(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio))
+        return Error{
+            "Poisson's ratio must be above -1 and at most 0.499, since displacements alone cannot tell the pressure in a "
+            "body that keeps its volume; for rubber-like material use 0.49."};
     if (!(settings.support_radius >= 0 && settings.support_radius < 10))
         return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
     const bool heaviside = settings.test_function != TestFunction::galerkin;

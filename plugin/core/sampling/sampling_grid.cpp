@@ -9,7 +9,7 @@ namespace {
 
 constexpr double largest_grid = 30e6;     // voxels, filled or not: 4 bytes each
 constexpr double largest_solid = 3e6;     // filled voxels: some 500 bytes each with their faces
-constexpr double largest_stretch = 0.15;  // of a particle cell, to fit the bounding box
+constexpr double largest_stretch = 0.35;  // of a particle cell, to fit the bounding box
 
 std::string describe(double value) {
     std::ostringstream text;
