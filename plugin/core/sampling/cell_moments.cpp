@@ -35,20 +35,27 @@ class FluxSum {
             rules_.push_back(gaussLegendre(std::max(3, points)));
     }
 
-    void add(const Polygon& polygon, const Vec3& centre, double scale, MomentFlux& flux) const {
+    void add(const Polygon& polygon, const Vec3& centre, double scale, bool with_volume, MomentFlux& flux) const {
         const Vec3 a = (polygon.points[0] - centre) * scale;
-        for (int i = 1; i + 1 < polygon.count; ++i)
-            addTriangle(a, (polygon.points[i] - centre) * scale, (polygon.points[i + 1] - centre) * scale, flux);
+        for (int i = 1; i + 1 < polygon.count; ++i) {
+            const Vec3 b = (polygon.points[i] - centre) * scale, c = (polygon.points[i + 1] - centre) * scale;
+            if (n_ == 1) addTriangle<1>(a, b, c, with_volume, flux);
+            if (n_ == 3) addTriangle<3>(a, b, c, with_volume, flux);
+            if (n_ == 5) addTriangle<5>(a, b, c, with_volume, flux);
+            if (n_ == 7) addTriangle<7>(a, b, c, with_volume, flux);
+        }
     }
 
   private:
-    /// Collapsed Gauss rule: x = a + u (b - a) + u v (c - b), dA = 2 A u du dv.
-    void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, MomentFlux& flux) const {
+    /// Collapsed Gauss rule: x = a + u (b - a) + u v (c - b), dA = 2 A u du dv. N powers a direction, known to the
+    /// compiler, which unrolls the sums.
+    template <int N>
+    void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, bool with_volume, MomentFlux& flux) const {
         const double area = (b - a).cross(c - a).x();
         if (area == 0) return;
         const double size = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
         const GaussRule& rule = rules_[size < 0.001 ? 0 : size < 0.02 ? 1 : size < 0.2 ? 2 : 3];
-        std::array<double, 8> px, py, pz;
+        std::array<double, N> px, py, pz;
         for (size_t i = 0; i < rule.points.size(); ++i) {
             const double u = rule.points[i] + 0.5;
             const Vec3 start = a + u * (b - a), span = u * (c - b);
@@ -57,7 +64,7 @@ class FluxSum {
                 const double weight = area * u * rule.weights[i] * rule.weights[j];
                 double power = x.x();
                 py[0] = pz[0] = 1;
-                for (int k = 0; k < n_; ++k, power *= x.x()) {
+                for (int k = 0; k < N; ++k, power *= x.x()) {
                     px[k] = power / (k + 1);
                     if (k == 0) continue;
                     py[k] = py[k - 1] * x.y();
@@ -65,11 +72,12 @@ class FluxSum {
                 }
                 double* volume = flux.volume.data();
                 double* face = flux.face.data();
-                for (int kc = 0; kc < n_; ++kc)
-                    for (int kb = 0; kb < n_; ++kb) {
+                for (int kc = 0; kc < N; ++kc)
+                    for (int kb = 0; kb < N; ++kb) {
                         const double yz = weight * pz[kc] * py[kb];
                         *face++ += yz;
-                        for (int ka = 0; ka < n_; ++ka) *volume++ += yz * px[ka];
+                        if (!with_volume) continue;
+                        for (int ka = 0; ka < N; ++ka) *volume++ += yz * px[ka];
                     }
             }
         }
@@ -79,32 +87,40 @@ class FluxSum {
     std::vector<GaussRule> rules_;
 };
 
+/// Columns of cells along x whose moments are asked for. Rows are swept from the top down: what lies below does not
+/// count, and of what lies above only the flux through the faces.
+struct Columns {
+    int first, last;
+};
+
 /// Of a range of the surface's triangles. Voxels that none of them meets keep empty lists.
 std::vector<MomentFlux> fluxOf(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
-                               const CutSurface& cut, const FluxSum& sum, int powers) {
+                               const CutSurface& cut, const Columns& columns, const FluxSum& sum, int powers) {
     const int per_cell = grid.cells_per_spacing;
     std::vector<MomentFlux> flux(cut.voxels.size());
     forEachVoxelPiece(surface, first, last, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+        const int column = voxel.x() / per_cell;
+        if (column < columns.first) return;
         MomentFlux& own = flux[cut.cut_voxel_at[grid.indexOf(voxel)]];
         if (own.face.empty()) {
             own.volume.assign(powers * powers * powers, 0.0);
             own.face.assign(powers * powers, 0.0);
         }
         const Vec3 centre = (voxel / per_cell).cast<double>() * per_cell + Vec3::Constant(0.5 * per_cell);
-        sum.add(polygon, centre, 1.0 / per_cell, own);
+        sum.add(polygon, centre, 1.0 / per_cell, column < columns.last, own);
     });
     return flux;
 }
 
 std::vector<MomentFlux> surfaceFlux(const TriangleMesh& surface, const SamplingGrid& grid,
-                                    const CutSurface& cut, int order) {
+                                    const CutSurface& cut, const Columns& columns, int order) {
     constexpr int ranges = 4;  // fixed, so that sums do not depend on the number of threads
     const int powers = order + 1, triangles = static_cast<int>(surface.triangles.size());
     const FluxSum sum(order);
     std::array<std::vector<MomentFlux>, ranges> parts;
     forEachChunk(ranges, [&](int range) {
         parts[range] = fluxOf(surface, chunkBegin(range, ranges, triangles), chunkBegin(range + 1, ranges, triangles),
-                              grid, cut, sum, powers);
+                              grid, cut, columns, sum, powers);
     });
     std::vector<MomentFlux> flux(cut.voxels.size(), {std::vector<double>(powers * powers * powers, 0.0),
                                                      std::vector<double>(powers * powers, 0.0)});
@@ -226,9 +242,8 @@ std::vector<int> connectedInCell(const SolidVoxels& solid, const std::vector<lon
 
 namespace {
 
-/// Only the cells from `first_column` to below `last_column` along x.
 CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
-                         const SolidVoxels& solid, int order, int first_column, int last_column) {
+                         const SolidVoxels& solid, int order, const Columns& columns) {
     CellParts result;
     const int per_cell = grid.cells_per_spacing;
     result.origin = grid.origin;
@@ -250,12 +265,12 @@ CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, 
     std::vector<int> order_of_roots;
     for (int v = 0; v < voxel_count; ++v) {
         const int column = grid.voxelAt(solid.index[v]).x() / per_cell;
-        if (root[v] == v && column >= first_column && column < last_column) order_of_roots.push_back(v);
+        if (root[v] == v && column >= columns.first && column < columns.last) order_of_roots.push_back(v);
     }
     std::stable_sort(order_of_roots.begin(), order_of_roots.end(),
                      [&](int a, int b) { return cell_of[a] < cell_of[b]; });
 
-    const VoxelMoments moments(grid, cut, solid, surfaceFlux(surface, grid, cut, order), order);
+    const VoxelMoments moments(grid, cut, solid, surfaceFlux(surface, grid, cut, columns, order), order);
     const int n = order + 1;
     std::vector<CellPart> parts(order_of_roots.size());
     forEachChunk(chunk_count, [&](int chunk) {
@@ -314,7 +329,7 @@ CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, 
 
 CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
                            const SolidVoxels& solid, int order) {
-    return measureColumns(surface, grid, cut, solid, order, 0, grid.count.x());
+    return measureColumns(surface, grid, cut, solid, order, {0, grid.count.x()});
 }
 
 Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& coarse,
@@ -332,8 +347,8 @@ Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& 
     const CutSurface cut = cutSurface(surface, grid);
     const Result<SolidVoxels> solid = fillVoxels(grid, cut);
     if (!solid) return Error{solid.error()};
-    return measureColumns(surface, grid, cut, solid.value(), coarse.order, 2 * (lower.x() - first),
-                          2 * (upper.x() - first));
+    return measureColumns(surface, grid, cut, solid.value(), coarse.order,
+                          {2 * (lower.x() - first), 2 * (upper.x() - first)});
 }
 
 }  // namespace sherd
