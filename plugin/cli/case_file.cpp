@@ -36,13 +36,18 @@ class Entry {
         return {*found, key_.empty() ? name : key_ + "." + name};
     }
 
-    void allowOnly(std::initializer_list<const char*> names) const {
+    std::vector<std::string> keysBeside(std::initializer_list<const char*> names) const {
         if (!value_.is_object()) fail("must be an object");
+        std::vector<std::string> keys;
+        for (const auto& item : value_.items())
+            if (std::find(names.begin(), names.end(), item.key()) == names.end()) keys.push_back(item.key());
+        return keys;
+    }
+
+    void allowOnly(std::initializer_list<const char*> names) const {
         std::string list;
         for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-        for (const auto& item : value_.items())
-            if (std::find(names.begin(), names.end(), item.key()) == names.end())
-                fail("has the unknown key \"" + item.key() + "\"; known are " + list);
+        for (const std::string& key : keysBeside(names)) fail("has the unknown key \"" + key + "\"; known are " + list);
     }
 
     double number() const {
@@ -122,9 +127,11 @@ Material material(const Entry& entry) {
     return material;
 }
 
-/// Other keys of the outermost object are for people and are passed over.
 StressCase stressCase(const Entry& entry, const std::filesystem::path& folder) {
     StressCase read;
+    // These four are for people.
+    read.unknown_keys = entry.keysBeside({"name", "description", "smallest_thickness_m", "reference",  //
+                                          "mesh", "material", "loads", "supports", "spin_rad_s"});
     if (entry.has("name")) read.name = entry["name"].text();
     read.mesh = (folder / entry["mesh"].text()).string();
     read.material = material(entry["material"]);

@@ -17,6 +17,7 @@ struct StressCase {
     std::vector<SurfaceLoad> loads;
     std::vector<SurfaceRegion> supports;  ///< where u = 0; empty: the body is free
     Vec3 spin_rad_s = Vec3::Zero();
+    std::vector<std::string> unknown_keys;  ///< of the outermost object: passed over, perhaps misspelt
 };
 
 /// Reads a case (JSON; tests/data/cases/README.md describes it). The error names the file and the key, and

@@ -82,12 +82,14 @@ Result<std::vector<Vec3>> readPoints(const std::string& path) {
 
 Status writeStress(const StressTable& table, const std::string& path) {
     std::ofstream out(path);
-    out << "x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal" << (table.kinds.empty() ? "\n" : ",kind\n");
+    out << "x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal" << (table.spacings.empty() ? "" : ",spacing_m")
+        << (table.kinds.empty() ? "\n" : ",kind\n");
     for (std::size_t i = 0; i < table.positions.size(); ++i) {
         std::string row;
         for (int k = 0; k < 3; ++k) append(row, table.positions[i][k]);
         for (int k = 0; k < 6; ++k) append(row, table.stresses[i][k]);
         append(row, largestPrincipal(table.stresses[i]));
+        if (!table.spacings.empty()) append(row, table.spacings[i]);
         if (table.kinds.empty())
             row.back() = '\n';
         else

@@ -16,9 +16,10 @@ struct StressTable {
     std::vector<Vec3> positions;     ///< m
     std::vector<Voigt> stresses;     ///< Pa
     std::vector<const char*> kinds;  ///< of each row, or empty: no such column
+    std::vector<double> spacings;    ///< of the particles there, m, or empty: no such column
 };
 
-/// Writes x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal and, if known, kind; numbers have the digits
+/// Writes x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal and, if known, spacing_m and kind; numbers have the digits
 /// that give the same bits when read.
 Status writeStress(const StressTable& table, const std::string& path);
 

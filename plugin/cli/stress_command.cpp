@@ -18,6 +18,11 @@ void append(std::vector<T>& list, const std::vector<T>& more) {
     list.insert(list.end(), more.begin(), more.end());
 }
 
+template <class T>
+std::vector<T> firstOf(const std::vector<T>& list, std::size_t count) {
+    return {list.begin(), list.begin() + std::ptrdiff_t(count)};
+}
+
 Result<StressModel> makeModel(const StressCase& problem, const Settings& settings) {
     const Result<TriangleMesh> surface = readObj(problem.mesh);
     if (!surface) return Error{surface.error()};
@@ -29,8 +34,8 @@ Result<StressModel> makeModel(const StressCase& problem, const Settings& setting
 /// The wanted points, which were solved for first; without any, particles and surface points.
 StressTable tableOf(const StressModel& model, const StressField& field, const std::vector<Vec3>& wanted) {
     if (!wanted.empty())
-        return {wanted, {field.points.begin(), field.points.begin() + std::ptrdiff_t(wanted.size())}, {}};
-    StressTable table{model.particlePositions(), field.particles, {}};
+        return {wanted, firstOf(field.points, wanted.size()), {}, firstOf(field.point_spacing_m, wanted.size())};
+    StressTable table{model.particlePositions(), field.particles, {}, {}};
     append(table.positions, model.surfacePositions());
     append(table.stresses, field.surface);
     table.kinds.assign(field.particles.size(), "particle");
@@ -54,6 +59,8 @@ Status writeAll(const Arguments& arguments, const StressCase& problem, const Str
     if (status && !arguments.report.empty()) status = writeReport(report, arguments.report);
     if (status && !arguments.vtk.empty())
         status = writeVtk(pictureOf(model, field, wanted.size()), arguments.vtk);
+    for (const std::string& key : problem.unknown_keys)
+        std::cerr << "warning: " << arguments.case_file << ": the key \"" << key << "\" is not known and was passed over\n";
     for (const std::string warning : report["warnings"]) std::cerr << "warning: " << warning << "\n";
     return status;
 }

@@ -7,6 +7,8 @@ import numpy as np
 from stress_case import TENSOR, read_columns
 
 PRESETS = ("preview", "game", "film")
+# As blows in a world are solved: the settings of a preset, the grid as it is around the contact.
+PLAIN = {"preview, no zoom": "preview", "game, no zoom": "game"}
 
 # Name of a form: the options that make it, and its spacings as powers of sqrt(2) of the game preset's.
 FORMS = {
@@ -77,6 +79,10 @@ def rows_of(binary, case, work, quick):
         row = measure(binary, case, preset, ["--quality", preset], work, limit_s=180, repeats=1 if quick else 3)
         if row:
             game = row["spacing"] if preset == "game" else game
+            yield row
+    for form, preset in PLAIN.items():
+        row = measure(binary, case, form, ["--quality", preset, "--rounds", "0"], work, repeats=1 if quick else 3)
+        if row:
             yield row
     for form in known_forms(binary):
         options, powers = FORMS[form]

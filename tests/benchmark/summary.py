@@ -1,6 +1,8 @@
 """The results as a table: what the presets reach, and what finite elements take for the same error."""
 import numpy as np
 
+from sherd_runs import PLAIN, PRESETS
+
 
 def time_at(error, rows):
     """Time (ms) at which rows of finer and finer meshes reach an error, on straight lines between their logarithms;
@@ -41,7 +43,7 @@ def table(rows):
     lines = ["| case | preset | error inside | on the surface | first blow | further blow | linear tets | quadratic tets |",
              "|---|---|---|---|---|---|---|---|"]
     for row in rows:
-        if row["form"] not in ("preview", "game", "film"):
+        if row["form"] not in (*PRESETS, *PLAIN):
             continue
         tets = [comparison(row, [other for other in rows if (other["case"], other["form"]) == (row["case"], form)])
                 for form in ("tets linear", "tets quadratic")]
