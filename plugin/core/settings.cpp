@@ -23,11 +23,11 @@ Status SamplingSettings::validate() const {
 }
 
 Status StressSettings::validate() const {
-    // Below one spacing a particle sees no neighbour; beyond four the factor fills without a gain in
+    // Near one spacing particles hardly see each other (errors of 700 %); beyond four the factor fills without a gain in
     // accuracy.
     return RangeChecks("StressSettings")
-        .require(support_radius == 0 || isWithin(support_radius, 1.05, 4), "support_radius", support_radius,
-                 "0 (the form's own default) or between 1.05 and 4 particle spacings")
+        .require(support_radius == 0 || isWithin(support_radius, 1.2, 4), "support_radius", support_radius,
+                 "0 (the form's own default) or between 1.2 and 4 particle spacings")
         .require(isWithin(resampling_rounds, 0, 4), "resampling_rounds", resampling_rounds, "between 0 and 4")
         .require(isWithin(resampling_margin, 1, 6), "resampling_margin", resampling_margin,
                  "between 1 and 6 cells")

@@ -23,7 +23,7 @@ TEST(Settings, EveryPartIsLookedAt) {
                    "positive, in m.");
     expectSentence(
         [](Settings& s) { s.stress.support_radius = 0.5; },
-        "StressSettings: support_radius is 0.5 but must be 0 (the form's own default) or between 1.05 and 4 "
+        "StressSettings: support_radius is 0.5 but must be 0 (the form's own default) or between 1.2 and 4 "
         "particle spacings.");
     expectSentence([](Settings& s) { s.contact.partner_youngs_modulus_pa = 0; },
                    "ContactSettings: partner_youngs_modulus_pa is 0 but must be positive, in Pa.");

@@ -10,7 +10,7 @@ namespace {
 TEST(SupportRadius, EveryFormSurvivesEveryRadius) {
     const ClosedForm plate = bentPlate(0.3);
     Table table("support radius | mls, galerkin | gmls, galerkin | mls, heaviside | smallest 1/condition | warnings");
-    for (const double radius : {1.05, 1.3, 1.6, 2.0, 2.5, 3.0, 3.5}) {
+    for (const double radius : {1.2, 1.3, 1.6, 2.0, 2.5, 3.0, 3.5}) {
         const Outcome mls = solveAt(plate, 0.06, withRadius(galerkin_mls, radius));
         const Outcome gmls = solveAt(plate, 0.06, withRadius(galerkin_gmls, radius));
         const Outcome flux = solveAt(plate, 0.06, withRadius(heaviside_mls, radius));
@@ -199,9 +199,12 @@ TEST(Equation12, LosesLinearFieldsWhenTakenLiterally) {
     for (const auto& [spacing, radius] : {std::pair{1.0, 1.5}, {0.2, 1.5}, {0.2, 3.0}, {0.05, 1.5}, {0.05, 3.0}}) {
         std::vector<Vec3> particles;
         for (int i = 0; i < 343; ++i) particles.push_back(spacing * Vec3(i % 7, i / 7 % 7, i / 49));
-        const Vec3 x = spacing * Vec3(0.3, 2.9, 0.4);  // near an edge, where stress matters
-        const double plain = gradientError(particles, x, radius * spacing, false);
-        const double literal = gradientError(particles, x, radius * spacing, true);
+        double plain = 0, literal = 0;
+        for (int i = 0; i < 27; ++i) {
+            const Vec3 x = spacing * Vec3(0.3 + 1.3 * (i % 3), 0.4 + 1.2 * (i / 3 % 3), 0.2 + 1.4 * (i / 9));
+            plain = std::max(plain, gradientError(particles, x, radius * spacing, false));
+            literal = std::max(literal, gradientError(particles, x, radius * spacing, true));
+        }
         const Mat3 spin = (Mat3() << 0, -1, 0.5, 1, 0, -2, -0.5, 2, 0).finished();
         const StressSolver solver = build(solid, elasticMaterial(), withRadius(galerkin_gmls, radius));
         const StressField rotated =
