@@ -6,6 +6,7 @@ namespace sherd {
 namespace {
 
 constexpr double largest_poisson_ratio = 0.499;
+constexpr double locking_poisson_ratio = 0.35;
 
 double supportRadius(const StressSettings& settings) {
     if (settings.support_radius > 0) return settings.support_radius;
@@ -69,10 +70,10 @@ std::vector<std::string> trustWarnings(const StressProblem& problem, const Mater
         Evaluation::deficient,
         "the particles lie in one plane or line, so that bending there is lost; use gmls trial functions "
         "or a finer spacing.");
-    if (material.poisson_ratio > 0.45)
+    if (material.poisson_ratio > locking_poisson_ratio)
         warnings.push_back(
-            "Poisson's ratio is near 0.5, where thin walls come out too stiff; use three particles across a "
-            "wall.");
+            "At this Poisson's ratio walls with fewer than three layers of particles, or an even number of them, come out "
+            "too stiff in bending; use three or five across a wall, or spline trial functions.");
     return warnings;
 }
 
