@@ -84,7 +84,8 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
 
     const FragmentLabels labels = timed(out.ms.cluster, [&] {
         const int wanted = wantedClusters(body, damage, solid, energy);
-        return fragmentLabels(solid, damage, wanted, body.wallThickness(), seed);
+        return fragmentLabels(solid, damage, wanted, body.wallThickness(), seed, settings.fracture.guide,
+                              middleOf(loads.unit));
     });
     if (labels.count < 2) return;
 

@@ -83,4 +83,8 @@ Scene coffeeCup();
 /// A plaster wall struck by a steel ball.
 Scene plasterWall();
 
+/// The same wall of glass, guided by a radial field, and of wood, guided by its grain.
+Scene glassWall();
+Scene woodWall();
+
 }  // namespace demo

@@ -3,7 +3,7 @@
 namespace demo {
 
 std::vector<Scene> allScenes() {
-    return {coffeeCup(), plasterWall()};
+    return {coffeeCup(), plasterWall(), glassWall(), woodWall()};
 }
 
 sherd::Result<Scene> sceneNamed(const std::string& name) {

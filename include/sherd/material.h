@@ -21,6 +21,10 @@ struct Material {
     static Material ceramic();  ///< stoneware
     static Material plaster();  ///< hardened gypsum
     static Material glass();    ///< soda-lime
+    static Material concrete();
+    static Material stone();  ///< limestone
+    static Material ice();
+    static Material wood();  ///< pine, its strength that across the grain; the grain is FractureSettings::guide
 
     /// Says which constant is out of range, and which values are possible.
     Status validate() const;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <sherd/result.h>
+#include <sherd/types.h>
 
 #include <cstdint>
+#include <functional>
 
 namespace sherd {
 
@@ -70,6 +72,25 @@ struct ContactSettings {
     Status validate() const;
 };
 
+/// A direction at every point along which fragments grow (paper, section 6.2 and Eq. 18). Asset frame.
+struct GuideField {
+    enum class Kind {
+        none,      ///< no direction is preferred
+        constant,  ///< `direction`: the grain of wood
+        radial,    ///< away from the contact: glass
+        custom,    ///< what `custom` returns
+    };
+    Kind kind = Kind::none;
+    Vec3 direction = Vec3::UnitZ();  ///< of any length
+    /// The direction at x (m) after a blow at `contact` (m), of any length; zero: none is preferred there.
+    std::function<Vec3(const Vec3& x, const Vec3& contact)> custom;
+    /// Lambda of Eq. 18, 0 to 1: what a distance along the field counts for, against one across it. At 0 fragments run
+    /// through the whole damaged part; at 1 the field does nothing.
+    double penalty = 0.2;
+
+    Status validate() const;
+};
+
 /// How damaged material becomes fragments.
 struct FractureSettings {
     std::uint64_t seed = 1;
@@ -81,6 +102,7 @@ struct FractureSettings {
     double energy_into_cracks = 0.05;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
     int largest_fragment_count = 36;
     double smallest_fragment_m3 = 0;   ///< smaller pieces never break again; 0: 1/200 of the first body
+    GuideField guide;
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 
     Status validate() const;

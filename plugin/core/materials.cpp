@@ -24,4 +24,28 @@ Material Material::glass() {
     return {"glass", 70e9, 0.22, 2500, 50e6, 0.15, 8};
 }
 
+Material Material::concrete() {
+    // EN 1992-1-1, table 3.1, C30/37: E 33 GPa, mean tensile strength 2.9 MPa, nu 0.2 (3.1.3); fib Model Code 2010,
+    // Eq. 5.1-9: fracture energy 73 f_cm^0.18 = 140 J/m^2 at f_cm = 38 MPa.
+    return {"concrete", 33e9, 0.2, 2400, 2.9e6, 0.12, 140};
+}
+
+Material Material::stone() {
+    // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa m^1/2.
+    return {"stone", 63e9, 0.25, 2700, 20e6, 0.12, 12};
+}
+
+Material Material::ice() {
+    // Ashby & Jones, table 15.7: ice, 920 kg/m^3, E 9.1 GPa, modulus of rupture 1.7 MPa, K_c 0.12 MPa m^1/2.
+    return {"ice", 9.1e9, 0.33, 920, 1.7e6, 0.15, 1.4};
+}
+
+Material Material::wood() {
+    // Forest Products Laboratory, Wood Handbook (2010), chapter 5: loblolly pine at 12 % moisture, specific gravity
+    // 0.51, E along the grain 12.3 GPa, tensile strength across it 3.2 MPa, nu_LR 0.33; a crack along the grain has a
+    // toughness near 0.45 MPa m^1/2, which with E across the grain of about 1.2 GPa makes 170 J/m^2. Wood is taken as
+    // isotropic here: what its grain decides is where cracks run.
+    return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170};
+}
+
 }  // namespace sherd

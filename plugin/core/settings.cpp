@@ -50,7 +50,17 @@ Status ContactSettings::validate() const {
         .status();
 }
 
+Status GuideField::validate() const {
+    return RangeChecks("GuideField")
+        .require(isWithin(penalty, 0, 1), "penalty", penalty, "between 0 and 1")
+        .require(kind != Kind::constant || isPositive(direction.norm()), "direction", "zero or not finite",
+                 "a direction")
+        .require(kind != Kind::custom || custom, "custom", "empty", "a function")
+        .status();
+}
+
 Status FractureSettings::validate() const {
+    if (const Status field = guide.validate(); !field) return field;
     return RangeChecks("FractureSettings")
         .require(fragment_count >= 0, "fragment_count", fragment_count,
                  "0 (what the strain energy pays for) or the number of clusters")

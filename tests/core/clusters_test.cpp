@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace {
@@ -115,6 +116,85 @@ TEST(Clusters, MoreEnergyPaysForMoreClusters) {
     }
     EXPECT_GT(last, 100);
     EXPECT_EQ(affordableClusters({0, 20, 0.005}, 1e-4), 1);
+}
+
+TEST(PenaltyDistance, IsEquation18) {
+    GuideField grain;
+    grain.kind = GuideField::Kind::constant;
+    grain.direction = Vec3(0, 0, 5);
+    grain.penalty = 0.2;
+    const Vec3 a(1, 2, 3), b(4, 6, 8), contact(0, 0, 0);
+    EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14);
+    EXPECT_EQ(penaltyDistance(a, b, grain, contact), penaltyDistance(b, a, grain, contact));
+    grain.penalty = 1;
+    EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14);
+    grain.kind = GuideField::Kind::radial;
+    grain.penalty = 0;
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(3, 0, 0), grain, contact), 0, 1e-14);
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(0, 1, 0), grain, contact), std::sqrt(2.0), 1e-14);
+    grain.kind = GuideField::Kind::custom;
+    grain.custom = [](const Vec3&, const Vec3&) { return Vec3(Vec3::Zero()); };
+    EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14) << "no direction there";
+}
+
+/// Mean over clusters of their spread along a direction over that across it.
+double meanElongation(const Discretisation& solid, const FragmentLabels& labels, const Vec3& along) {
+    const Vec3 across = Vec3::UnitZ().cross(along);
+    double sum = 0;
+    for (int label = 0; label < labels.count; ++label) {
+        Vec3 mean = Vec3::Zero();
+        double count = 0, second[2] = {1e-9, 1e-9};
+        for (std::size_t i = 0; i < labels.of_particle.size(); ++i)
+            if (labels.of_particle[i] == label) mean += solid.particles[i].position, ++count;
+        mean /= count;
+        for (std::size_t i = 0; i < labels.of_particle.size(); ++i) {
+            if (labels.of_particle[i] != label) continue;
+            const Vec3 x = solid.particles[i].position - mean;
+            second[0] += std::pow(x.dot(along), 2);
+            second[1] += std::pow(x.dot(across), 2);
+        }
+        sum += std::sqrt(second[0] / second[1]) / labels.count;
+    }
+    return sum;
+}
+
+TEST(Clusters, GrowAlongTheGrainHoweverItLies) {
+    const Discretisation solid = sheet(40);
+    const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
+    GuideField grain;
+    EXPECT_NEAR(meanElongation(solid, fragmentLabels(solid, damage, 16, 0, 1, grain), Vec3::UnitX()), 1, 0.25);
+    grain.kind = GuideField::Kind::constant;
+    for (const double angle : {0.0, 0.5, 0.8}) {
+        grain.direction = Vec3(std::cos(angle), std::sin(angle), 0);
+        const FragmentLabels labels = fragmentLabels(solid, damage, 16, 0, 1, grain);
+        EXPECT_EQ(labels.count, 16);
+        EXPECT_GT(meanElongation(solid, labels, grain.direction), 2.5) << angle;
+    }
+}
+
+// About the blow clusters are sectors: long along the radius.
+TEST(Clusters, ARadialFieldMakesSectors) {
+    const Discretisation solid = sheet(41);
+    const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
+    const Vec3 contact(20, 20, 0);
+    GuideField radial;
+    radial.kind = GuideField::Kind::radial;
+    radial.penalty = 0.1;
+    const auto spreadOf = [&](const GuideField& guide) {
+        const FragmentLabels labels = fragmentLabels(solid, damage, 16, 0, 1, guide, contact);
+        double along = 0, across = 0;
+        for (std::size_t i = 0; i < solid.neighbours.size(); ++i)
+            for (int j : solid.neighbours[i]) {
+                if (labels.of_particle[i] == labels.of_particle[j]) continue;
+                // A border between two clusters has the direction of the step across it.
+                const Vec3 step = (solid.particles[j].position - solid.particles[i].position).normalized();
+                const Vec3 radius = (0.5 * (solid.particles[i].position + solid.particles[j].position) - contact).normalized();
+                along += std::pow(step.dot(radius), 2);
+                across += 1 - std::pow(step.dot(radius), 2);
+            }
+        return across / along;
+    };
+    EXPECT_GT(spreadOf(radial), 1.5 * spreadOf({}));
 }
 
 }  // namespace

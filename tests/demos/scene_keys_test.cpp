@@ -51,7 +51,7 @@ TEST(SceneKeys, WrongKeyAndWrongValueSayWhatIsPossible) {
 TEST(Arguments, UnknownSceneNamesThoseThereAre) {
     const char* const wrong[] = {"run", "tea_cup"};
     EXPECT_EQ(demo::parseArguments(2, wrong).error(),
-              "There is no scene 'tea_cup'; choose one of: coffee_cup, plaster_wall.");
+              "There is no scene 'tea_cup'; choose one of: coffee_cup, plaster_wall, glass_wall, wood_wall.");
 }
 
 TEST(Arguments, TakeSceneKeysAndSeed) {

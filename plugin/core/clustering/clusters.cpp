@@ -87,14 +87,15 @@ std::vector<char> spread(const Discretisation& solid, const std::vector<char>& d
     return reached;
 }
 
-/// Path lengths among the damaged particles, longer where the stress is higher, so that seeds lie denser
-/// there.
+/// Distances from seeds among the damaged particles, longer where the stress is higher, so that seeds lie denser there:
+/// path lengths, or with a guide field those of Eq. 18.
 class StressMetric {
   public:
-    StressMetric(const Discretisation& solid, const Damage& damage, const std::vector<char>& state)
-        : solid_(solid), damage_(damage), state_(state) {}
+    StressMetric(const Discretisation& solid, const Damage& damage, const std::vector<char>& state,
+                 const GuideField& guide, const Vec3& contact)
+        : solid_(solid), damage_(damage), state_(state), guide_(guide), contact_(contact) {}
 
-    /// Lowers `distance` by paths from `source` and claims what gets nearer for `label` (Dijkstra).
+    /// Lowers `distance` from `source` along the neighbour table and claims what gets nearer for `label`.
     void claim(int source, int label, std::vector<double>& distance, std::vector<int>& labels) const {
         using Entry = std::pair<double, int>;
         std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
@@ -110,30 +111,37 @@ class StressMetric {
             front.pop();
             if (d > distance[i]) continue;
             for (int j : solid_.neighbours[i])
-                if (state_[j]) reach(j, d + length(i, j));
+                if (state_[j]) reach(j, guide_.kind == GuideField::Kind::none ? d + step(i, j) : straight(source, j));
         }
     }
 
   private:
-    double length(int i, int j) const {
+    double step(int i, int j) const {
         const double stress = 0.5 * (damage_.overstress[i] + damage_.overstress[j]);
-        return (solid_.particles[i].position - solid_.particles[j].position).norm() *
-               std::sqrt(std::max(1.0, stress));
+        return (solid_.particles[i].position - solid_.particles[j].position).norm() * density(stress);
     }
+
+    double straight(int source, int i) const {
+        return penaltyDistance(solid_.particles[source].position, solid_.particles[i].position, guide_, contact_) *
+               density(damage_.overstress[i]);
+    }
+
+    static double density(double overstress) { return std::sqrt(std::max(1.0, overstress)); }
 
     const Discretisation& solid_;
     const Damage& damage_;
     const std::vector<char>& state_;
+    const GuideField& guide_;
+    const Vec3& contact_;
 };
 
 /// Seeds by farthest point, the first at random; returns the number of clusters made.
-int clusterDamaged(const Discretisation& solid, const Damage& damage, const std::vector<char>& state,
-                   int clusters, int first_label, std::uint64_t seed, std::vector<int>& labels) {
+int clusterDamaged(const StressMetric& metric, const std::vector<char>& state, int clusters, int first_label,
+                   std::uint64_t seed, std::vector<int>& labels) {
     std::vector<int> candidates;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state[i]) candidates.push_back(static_cast<int>(i));
     if (candidates.empty()) return 0;
-    const StressMetric metric(solid, damage, state);
     std::vector<double> distance(state.size(), kFar);
     std::mt19937_64 random(seed);
     int next = candidates[random() % candidates.size()];
@@ -150,6 +158,17 @@ int clusterDamaged(const Discretisation& solid, const Damage& damage, const std:
 
 }  // namespace
 
+double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const Vec3& contact) {
+    const Vec3 offset = b - a, middle = 0.5 * (a + b);
+    Vec3 field = Vec3::Zero();
+    if (guide.kind == GuideField::Kind::constant) field = guide.direction;
+    if (guide.kind == GuideField::Kind::radial) field = middle - contact;
+    if (guide.kind == GuideField::Kind::custom) field = guide.custom(middle, contact);
+    if (!field.allFinite() || field.isZero(0)) return offset.norm();
+    const Vec3 v = field.normalized();
+    return (offset - (1 - guide.penalty) * offset.dot(v) * v).norm();
+}
+
 int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
     const double area = budget.energy_j / budget.fracture_energy_j_m2;
     if (!(area > 0)) return 1;
@@ -164,7 +183,8 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
 }
 
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              double wall_thickness_m, std::uint64_t seed) {
+                              double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
+                              const Vec3& contact) {
     const std::vector<char> damaged =
         spread(solid, withoutSpecks(solid, damage.damaged), kAcrossWall * wall_thickness_m);
     const std::vector<char> state = withoutSpecks(solid, damaged);
@@ -178,7 +198,8 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         if (label < 0) label = labels.count++;
         labels.of_particle[i] = label;
     }
-    labels.count += clusterDamaged(solid, damage, state, clusters, labels.count, seed, labels.of_particle);
+    labels.count += clusterDamaged(StressMetric(solid, damage, state, guide, contact), state, clusters, labels.count,
+                                   seed, labels.of_particle);
     return labels;
 }
 

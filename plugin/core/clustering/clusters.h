@@ -26,7 +26,15 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3);
 /// clustered to seeds spread by farthest point along the neighbour table, denser where the stress is higher.
 /// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Damage on one side of a wall reaches through it. Count 1 means:
 /// nothing came off.
+///
+/// With a guide field about `contact` distances are those of Eq. 18 instead of path lengths, and clusters grow from
+/// their seeds along the neighbour table, so that they keep together.
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              double wall_thickness_m, std::uint64_t seed);
+                              double wall_thickness_m, std::uint64_t seed, const GuideField& guide = {},
+                              const Vec3& contact = Vec3::Zero());
+
+/// Eq. 18: |AB - (1 - lambda) (AB . v) v|, v the field's unit vector in the middle between a and b. Points along the
+/// field are near to each other, so fragments grow along it (the paper's sentence says across; its figures say along).
+double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const Vec3& contact);
 
 }  // namespace sherd

@@ -60,4 +60,14 @@ ContactLoads contactLoads(const StruckBody& body, const Blow& blow, const Contac
     return loads;
 }
 
+Vec3 middleOf(const std::vector<PointForce>& forces) {
+    Vec3 sum = Vec3::Zero();
+    double weight = 0;
+    for (const PointForce& force : forces) {
+        sum += force.force.norm() * force.position;
+        weight += force.force.norm();
+    }
+    return weight > 0 ? Vec3(sum / weight) : Vec3(Vec3::Zero());
+}
+
 }  // namespace sherd
