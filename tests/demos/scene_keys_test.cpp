@@ -36,8 +36,8 @@ TEST(SceneKeys, WrongKeyAndWrongValueSayWhatIsPossible) {
     EXPECT_NE(
         demo::applyKey(changed, "stregth=1").error().find("There is no key 'stregth'; choose one of: seed,"),
         std::string::npos);
-    EXPECT_EQ(demo::applyKey(changed, "basis=cubic").error(),
-              "'cubic' is not possible for basis; it takes linear, quadratic.");
+    EXPECT_EQ(demo::applyKey(changed, "basis=quintic").error(),
+              "'quintic' is not possible for basis; it takes linear, quadratic, cubic.");
     EXPECT_EQ(demo::applyKey(changed, "duration=0").error(),
               "'0' is not possible for duration; it takes 0.01 to 60 s.");
     EXPECT_EQ(demo::applyKey(changed, "coffee_cup").error(),
