@@ -1,27 +1,18 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <map>
 #include <optional>
+
+#include "form_names.h"
 
 namespace sherd::cli {
 
 namespace {
 
-const std::map<std::string, Basis> bases = {
-    {"linear", Basis::linear}, {"quadratic", Basis::quadratic}, {"cubic", Basis::cubic}};
-const std::map<std::string, TrialFunction> trials = {
-    {"mls", TrialFunction::mls}, {"gmls", TrialFunction::gmls}, {"spline", TrialFunction::spline}};
-const std::map<std::string, TestFunction> tests = {{"heaviside", TestFunction::heaviside},
-                                                   {"heaviside_paper", TestFunction::heaviside_paper},
-                                                   {"galerkin", TestFunction::galerkin}};
-const std::map<std::string, Quality> qualities = {
-    {"preview", Quality::preview}, {"game", Quality::game}, {"film", Quality::film}};
-
 constexpr double unlimited_millions = 1e6;  // of factor entries: what is asked for is done
 
-template <class Value>
-std::vector<std::string> namesOf(const std::map<std::string, Value>& choices) {
+template <class Choice>
+std::vector<std::string> wordsOf(const Names<Choice>& choices) {
     std::vector<std::string> names;
     for (const auto& choice : choices) names.push_back(choice.first);
     return names;
@@ -42,11 +33,11 @@ struct Overrides {
             ->type_name("N")
             ->excludes(spacing);
         app.add_option("--basis", basis, "Polynomials that the trial functions reproduce")
-            ->check(CLI::IsMember(namesOf(bases)));
+            ->check(CLI::IsMember(wordsOf(basis_names)));
         app.add_option("--trial", trial, "Trial functions; gmls has gradients as unknowns")
-            ->check(CLI::IsMember(namesOf(trials)));
+            ->check(CLI::IsMember(wordsOf(trial_names)));
         app.add_option("--test-function", test_function, "Test function of the weak form")
-            ->check(CLI::IsMember(namesOf(tests)));
+            ->check(CLI::IsMember(wordsOf(test_names)));
         app.add_option("--integration", integration, "Integration cells per spacing and direction")
             ->check(CLI::Range(1, 4))
             ->type_name("N");
@@ -68,9 +59,9 @@ struct Overrides {
         }
         if (integration) sampling.cells_per_spacing = *integration;
         StressSettings& stress = settings.stress;
-        if (basis) stress.basis = bases.at(*basis);
-        if (trial) stress.trial_function = trials.at(*trial);
-        if (test_function) stress.test_function = tests.at(*test_function);
+        if (basis) stress.basis = choiceOf(basis_names, *basis);
+        if (trial) stress.trial_function = choiceOf(trial_names, *trial);
+        if (test_function) stress.test_function = choiceOf(test_names, *test_function);
         if (rounds) stress.resampling_rounds = *rounds;
         if (support_radius) stress.support_radius = *support_radius;
     }
@@ -101,7 +92,7 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
         ->check(checkVtkName)
         ->type_name("FILE.vtk|.vtu");
     stress->add_option("--quality", arguments.quality, "Preset that the other options change")
-        ->check(CLI::IsMember(namesOf(qualities)))
+        ->check(CLI::IsMember(wordsOf(quality_names)))
         ->capture_default_str();
     overrides.addTo(*stress);
     try {
@@ -112,7 +103,7 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return Error{std::string(error.what()) + " (see --help)"};
     }
-    arguments.settings = Settings::forQuality(qualities.at(arguments.quality));
+    arguments.settings = Settings::forQuality(choiceOf(quality_names, arguments.quality));
     overrides.applyTo(arguments.settings);
     return arguments;
 }

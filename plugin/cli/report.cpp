@@ -2,47 +2,13 @@
 
 #include <fstream>
 
+#include "form_names.h"
+
 namespace sherd::cli {
 
 namespace {
 
 using nlohmann::ordered_json;
-
-const char* word(TestFunction test) {
-    switch (test) {
-        case TestFunction::heaviside:
-            return "heaviside";
-        case TestFunction::heaviside_paper:
-            return "heaviside_paper";
-        case TestFunction::galerkin:
-            break;
-    }
-    return "galerkin";
-}
-
-const char* word(TrialFunction trial) {
-    switch (trial) {
-        case TrialFunction::mls:
-            return "mls";
-        case TrialFunction::gmls:
-            return "gmls";
-        case TrialFunction::spline:
-            break;
-    }
-    return "spline";
-}
-
-const char* word(Basis basis) {
-    switch (basis) {
-        case Basis::linear:
-            return "linear";
-        case Basis::quadratic:
-            return "quadratic";
-        case Basis::cubic:
-            break;
-    }
-    return "cubic";
-}
 
 ordered_json describe(const Settings& settings) {
     const SamplingSettings& sampling = settings.sampling;
@@ -55,9 +21,9 @@ ordered_json describe(const Settings& settings) {
     used["cells_per_spacing"] = sampling.cells_per_spacing;
     used["moment_order"] = sampling.moment_order;
     used["smallest_fill"] = sampling.smallest_fill;
-    used["test_function"] = word(stress.test_function);
-    used["trial_function"] = word(stress.trial_function);
-    used["basis"] = word(stress.basis);
+    used["test_function"] = nameOf(test_names, stress.test_function);
+    used["trial_function"] = nameOf(trial_names, stress.trial_function);
+    used["basis"] = nameOf(basis_names, stress.basis);
     used["support_radius"] = stress.support_radius;
     used["resampling_rounds"] = stress.resampling_rounds;
     used["resampling_margin"] = stress.resampling_margin;

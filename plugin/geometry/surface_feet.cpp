@@ -1,20 +1,14 @@
 #include "geometry/surface_feet.h"
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <iterator>
+
+#include "geometry/triangle_tree.h"
 
 namespace sherd {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Kernel = TriangleTree::Kernel;
 
 constexpr double one_side = 0.94;  // cosine (20 degrees) between facets of what counts as one smooth side
 
@@ -23,14 +17,10 @@ Vec3 normalOf(const Kernel::Triangle_3& triangle) {
     return Vec3(normal.x(), normal.y(), normal.z()).normalized();
 }
 
-Kernel::Point_3 toPoint(const Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 /// Mean of the facets within `tolerance`; zero if they lie on different sides.
-Vec3 smoothNormal(const Tree& tree, const Kernel::Point_3& foot, double tolerance) {
-    std::vector<Triangles::const_iterator> near;
-    tree.all_intersected_primitives(Kernel::Sphere_3(foot, tolerance * tolerance), std::back_inserter(near));
+Vec3 smoothNormal(const TriangleTree& surface, const Kernel::Point_3& foot, double tolerance) {
+    std::vector<TriangleTree::Triangles::const_iterator> near;
+    surface.tree.all_intersected_primitives(Kernel::Sphere_3(foot, tolerance * tolerance), std::back_inserter(near));
     std::sort(near.begin(), near.end());  // the same sum in the same order, whatever the tree
     Vec3 sum = Vec3::Zero();
     for (const auto& triangle : near) {
@@ -46,14 +36,11 @@ Vec3 smoothNormal(const Tree& tree, const Kernel::Point_3& foot, double toleranc
 std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector<Vec3>& points, double tolerance) {
     std::vector<SurfaceFoot> feet;
     if (points.empty()) return feet;
-    Triangles triangles;
-    for (const auto& [a, b, c] : mesh.triangles)
-        triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]), toPoint(mesh.vertices[c]));
-    const Tree tree(triangles.cbegin(), triangles.cend());
+    const TriangleTree surface(mesh);
     for (const Vec3& x : points) {
-        const Kernel::Point_3 nearest = tree.closest_point(toPoint(x));
-        const Vec3 position(nearest.x(), nearest.y(), nearest.z());
-        feet.push_back({position, smoothNormal(tree, nearest, tolerance), (position - x).norm()});
+        const Kernel::Point_3 nearest = surface.tree.closest_point(TriangleTree::toPoint(x));
+        const Vec3 position = TriangleTree::toVec3(nearest);
+        feet.push_back({position, smoothNormal(surface, nearest, tolerance), (position - x).norm()});
     }
     return feet;
 }

@@ -1,33 +1,19 @@
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-
 #include <algorithm>
 #include <cmath>
 #include <exception>
 #include <vector>
 
 #include "geometry/surface_checks.h"
+#include "geometry/triangle_tree.h"
 
 namespace sherd {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Triangles = std::vector<Kernel::Triangle_3>;
-using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+using Kernel = TriangleTree::Kernel;
 
 constexpr int ray_count = 2000;
 // A thin wall that is a tenth of the surface counts, a sharp edge does not.
 constexpr double percentile = 0.1;
-
-Kernel::Point_3 toPoint(const Vec3& v) {
-    return {v.x(), v.y(), v.z()};
-}
-Vec3 toVec3(const Kernel::Point_3& p) {
-    return {p.x(), p.y(), p.z()};
-}
 
 struct Ray {
     std::size_t triangle;
@@ -62,21 +48,16 @@ std::vector<Ray> inwardRays(const TriangleMesh& mesh) {
 }
 
 double thicknessByRays(const TriangleMesh& mesh) {
-    Triangles triangles;
-    triangles.reserve(mesh.triangles.size());
-    for (const auto& [a, b, c] : mesh.triangles)
-        triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]),
-                               toPoint(mesh.vertices[c]));
-    const Tree tree(triangles.cbegin(), triangles.cend());
+    const TriangleTree surface(mesh);
     std::vector<double> distances;
     for (const Ray& ray : inwardRays(mesh)) {
-        const auto own = triangles.cbegin() + static_cast<std::ptrdiff_t>(ray.triangle);
-        const Kernel::Ray_3 query(toPoint(ray.origin), toPoint(ray.origin + ray.direction));
+        const auto own = surface.triangles.cbegin() + static_cast<std::ptrdiff_t>(ray.triangle);
+        const Kernel::Ray_3 query(TriangleTree::toPoint(ray.origin), TriangleTree::toPoint(ray.origin + ray.direction));
         const auto hit =
-            tree.first_intersection(query, [&](const Triangles::const_iterator& id) { return id == own; });
+            surface.tree.first_intersection(query, [&](const auto& id) { return id == own; });
         if (!hit) continue;
         if (const auto* point = boost::get<Kernel::Point_3>(&hit->first))
-            distances.push_back((toVec3(*point) - ray.origin).norm());
+            distances.push_back((TriangleTree::toVec3(*point) - ray.origin).norm());
     }
     if (distances.empty()) return 0;
     const auto thin =
