@@ -75,8 +75,9 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     out.ms.stress = unit_stress.recovery_ms;
 
     const Damage damage = timed(out.ms.damage, [&] {
-        const auto strengths = particleStrengths(material, solid.particles.size(), settings.fracture.seed);
-        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strengths);
+        const auto strengths = particleStrengths(material, solid.particles, settings.fracture.seed);
+        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strengths,
+                                material.compressive_strength_pa / material.tensile_strength_pa);
     });
     out.largest_stress_pa = damage.largest_stress_pa;
     out.damaged_particles = damage.count;
@@ -107,10 +108,10 @@ bool canBreak(const Body& body, const Blow& blow) {
     const double energy = blowEnergy(blow);
     if (!(energy > smallestCrackEnergy(body))) return false;
     const Material& m = body.material();
-    const double s = m.tensile_strength_pa * weakestStrengthFraction(m);
+    const double share = std::min(std::pow(body.spacing(), 3), body.moments().volume);
+    const double s = m.tensile_strength_pa * weakestStrengthFraction(m, share);
     const double nu = m.poisson_ratio;
     const double density = s * s / (2 * m.youngs_modulus_pa) * (1 - 2 * nu * nu / (1 - nu));
-    const double share = std::min(std::pow(body.spacing(), 3), body.moments().volume);
     return energy > density * body.settings().sampling.smallest_fill * share;
 }
 

@@ -2,6 +2,7 @@
 
 #include <sherd/result.h>
 
+#include <limits>
 #include <string>
 
 namespace sherd {
@@ -17,6 +18,12 @@ struct Material {
         0.1;  ///< standard deviation of the strength over its mean, particle by particle
     double fracture_energy_j_m2 =
         10;  ///< energy to open a unit of crack area; sets how many fragments a blow can pay for
+    /// Largest compression that the material bears before it is crushed; scatters as the tensile strength does.
+    double compressive_strength_pa = std::numeric_limits<double>::infinity();
+    /// Weibull's modulus m; 0: strength scatters normally, as above, and does not depend on size. Otherwise the mean
+    /// strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that large pieces are weaker.
+    double weibull_modulus = 0;
+    double weibull_volume_m3 = 1e-6;  ///< of the specimens that the tensile strength is the mean of
 
     static Material ceramic();  ///< stoneware
     static Material plaster();  ///< hardened gypsum

@@ -7,9 +7,9 @@ namespace sherd {
 
 Material Material::ceramic() {
     // Ashby & Jones, Engineering Materials 2, table 15.7: pottery and porcelain, 2300-2500 kg/m^3, E 70 GPa,
-    // modulus of rupture 45 MPa, K_c 1.0 MPa m^1/2, m about 10. Stoneware holds some pores and quartz: a
+    // modulus of rupture 45 MPa, compressive strength 350 MPa, K_c 1.0 MPa m^1/2, m about 10. Stoneware holds some pores and quartz: a
     // little softer and weaker, with K_c near 1.35 MPa m^1/2.
-    return {"ceramic", 60e9, 0.2, 2300, 40e6, 0.12, 30};
+    return {"ceramic", 60e9, 0.2, 2300, 40e6, 0.12, 30, 350e6};
 }
 
 Material Material::plaster() {
@@ -19,25 +19,28 @@ Material Material::plaster() {
 }
 
 Material Material::glass() {
-    // Ashby & Jones, table 15.7: soda glass, 2480 kg/m^3, E 74 GPa, modulus of rupture 50 MPa, K_c 0.7 MPa
+    // Ashby & Jones, table 15.7: soda glass, 2480 kg/m^3, E 74 GPa, modulus of rupture 50 MPa, compressive strength 1000 MPa, K_c 0.7 MPa
     // m^1/2; E and nu as EN 572-1 states them for float glass (70 GPa, 0.22 rounded from 0.2-0.23).
-    return {"glass", 70e9, 0.22, 2500, 50e6, 0.15, 8};
+    return {"glass", 70e9, 0.22, 2500, 50e6, 0.15, 8, 1000e6};
 }
 
 Material Material::concrete() {
     // EN 1992-1-1, table 3.1, C30/37: E 33 GPa, mean tensile strength 2.9 MPa, nu 0.2 (3.1.3); fib Model Code 2010,
-    // Eq. 5.1-9: fracture energy 73 f_cm^0.18 = 140 J/m^2 at f_cm = 38 MPa.
-    return {"concrete", 33e9, 0.2, 2400, 2.9e6, 0.12, 140};
+    // Eq. 5.1-9: fracture energy 73 f_cm^0.18 = 140 J/m^2 at f_cm = 38 MPa, the
+    // mean compressive strength.
+    return {"concrete", 33e9, 0.2, 2400, 2.9e6, 0.12, 140, 38e6};
 }
 
 Material Material::stone() {
-    // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa m^1/2.
-    return {"stone", 63e9, 0.25, 2700, 20e6, 0.12, 12};
+    // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa m^1/2,
+    // compressive strength 30-80 MPa.
+    return {"stone", 63e9, 0.25, 2700, 20e6, 0.12, 12, 55e6};
 }
 
 Material Material::ice() {
-    // Ashby & Jones, table 15.7: ice, 920 kg/m^3, E 9.1 GPa, modulus of rupture 1.7 MPa, K_c 0.12 MPa m^1/2.
-    return {"ice", 9.1e9, 0.33, 920, 1.7e6, 0.15, 1.4};
+    // Ashby & Jones, table 15.7: ice, 920 kg/m^3, E 9.1 GPa, modulus of rupture 1.7 MPa, compressive strength
+    // 6 MPa, K_c 0.12 MPa m^1/2.
+    return {"ice", 9.1e9, 0.33, 920, 1.7e6, 0.15, 1.4, 6e6};
 }
 
 Material Material::wood() {
@@ -45,7 +48,7 @@ Material Material::wood() {
     // 0.51, E along the grain 12.3 GPa, tensile strength across it 3.2 MPa, nu_LR 0.33; a crack along the grain has a
     // toughness near 0.45 MPa m^1/2, which with E across the grain of about 1.2 GPa makes 170 J/m^2. Wood is taken as
     // isotropic here: what its grain decides is where cracks run.
-    return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170};
+    return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170, 49e6};
 }
 
 }  // namespace sherd

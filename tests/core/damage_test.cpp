@@ -4,27 +4,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace {
 
 using namespace sherd;
 
+std::vector<Particle> particlesOf(std::size_t count, double volume_m3) {
+    Particle particle;
+    particle.volume = volume_m3;
+    return std::vector<Particle>(count, particle);
+}
+
+double meanOf(const std::vector<double>& values) {
+    double sum = 0;
+    for (double value : values) sum += value / values.size();
+    return sum;
+}
+
 TEST(Damage, StrengthsHaveTheMeanAndScatterOfTheMaterial) {
     Material material;
     material.tensile_strength_pa = 4e7;
     material.strength_scatter = 0.1;
-    const auto strengths = particleStrengths(material, 20000, 7);
-    double mean = 0, square = 0;
-    for (double s : strengths) mean += s / strengths.size();
+    const auto particles = particlesOf(20000, 1e-6);
+    const auto strengths = particleStrengths(material, particles, 7);
+    const double mean = meanOf(strengths);
+    double square = 0;
     for (double s : strengths) square += (s - mean) * (s - mean) / strengths.size();
     EXPECT_NEAR(mean / 4e7, 1, 0.003);
     EXPECT_NEAR(std::sqrt(square) / 4e6, 1, 0.03);
-    EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()), 4e7 * weakestStrengthFraction(material));
-    EXPECT_EQ(strengths, particleStrengths(material, 20000, 7));
-    EXPECT_NE(strengths, particleStrengths(material, 20000, 8));
+    EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()), 4e7 * weakestStrengthFraction(material, 1e-6));
+    EXPECT_EQ(strengths, particleStrengths(material, particles, 7));
+    EXPECT_NE(strengths, particleStrengths(material, particles, 8));
 }
 
-TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionDoesNot) {
+// Weibull: mean sigma_0 (V_0 / V)^(1/m), coefficient of variation sqrt(Gamma(1 + 2/m) / Gamma(1 + 1/m)^2 - 1).
+TEST(Damage, WeibullStrengthsFallWithSize) {
+    Material material;
+    material.tensile_strength_pa = 4e7;
+    material.weibull_modulus = 8;
+    material.weibull_volume_m3 = 1e-6;
+    ASSERT_TRUE(material.validate().ok());
+    for (const double volume : {1e-8, 1e-6, 1e-3}) {
+        const auto strengths = particleStrengths(material, particlesOf(40000, volume), 3);
+        const double expected = 4e7 * std::pow(1e-6 / volume, 1 / 8.0), mean = meanOf(strengths);
+        EXPECT_NEAR(mean / expected, 1, 0.005);
+        double square = 0;
+        for (double s : strengths) square += (s / mean - 1) * (s / mean - 1) / strengths.size();
+        EXPECT_NEAR(std::sqrt(square), std::sqrt(std::tgamma(1.25) / std::pow(std::tgamma(1.125), 2) - 1), 0.004);
+        EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()),
+                  4e7 * weakestStrengthFraction(material, volume) * (1 - 1e-12));
+    }
+}
+
+TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes) {
     Discretisation solid;
     solid.particles.resize(4);
     solid.cells.resize(4);
@@ -38,11 +71,17 @@ TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionDoesNot) {
     stress.particles[1] << -9, -9, -9, 0, 0, 0;
     stress.particles[2] << 0, 0, 0, 2.5, 0, 0;  // shear: tension at 45 degrees
     stress.surface[0] << 0, 5, 0, 0, 0, 0;
-    const Damage damage = damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5));
+    const double never = std::numeric_limits<double>::infinity();
+    const Damage damage = damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), never);
     EXPECT_EQ(damage.damaged, (std::vector<char>{1, 0, 1, 1}));
     EXPECT_EQ(damage.count, 3);
     EXPECT_NEAR(damage.largest_stress_pa, 10, 1e-12);
     EXPECT_NEAR(damage.overstress[0], 6 / 4.5, 1e-12);
+    // 2 x 9 of compression against 3 x 4.5.
+    const Damage crushed = damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), 3);
+    EXPECT_EQ(crushed.damaged, (std::vector<char>{1, 1, 1, 1}));
+    EXPECT_NEAR(crushed.overstress[1], 18 / 13.5, 1e-12);
+    EXPECT_EQ(damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), 4.1).damaged[1], 0);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "core/damage/damage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <random>
 
 namespace sherd {
@@ -16,40 +17,60 @@ double nearlyNormal(std::mt19937_64& random) {
     return std::clamp(sum, -kWidest, kWidest);
 }
 
-double fraction(const Material& material, double deviations) {
-    return std::max(1.0 / 3.0, 1 + material.strength_scatter * deviations);
+constexpr double weakest = 1.0 / 3;  // of the mean strength: real bodies that were handled hold no worse flaws
+
+/// Mean strength of a volume over the material's (Weibull 1939).
+double sizeEffect(const Material& material, double volume_m3) {
+    if (material.weibull_modulus == 0) return 1;
+    return std::pow(material.weibull_volume_m3 / volume_m3, 1 / material.weibull_modulus);
+}
+
+/// A strength over the mean of its volume.
+double scattered(const Material& material, std::mt19937_64& random) {
+    if (material.weibull_modulus == 0)
+        return std::max(weakest, 1 + material.strength_scatter * nearlyNormal(random));
+    const double inverse = 1 / material.weibull_modulus;
+    const double uniform = (static_cast<double>(random() >> 11) + 0.5) * 0x1p-53;
+    return std::max(weakest, std::pow(-std::log(uniform), inverse) / std::tgamma(1 + inverse));
 }
 
 }  // namespace
 
-std::vector<double> particleStrengths(const Material& material, std::size_t particles, std::uint64_t seed) {
+std::vector<double> particleStrengths(const Material& material, const std::vector<Particle>& particles,
+                                      std::uint64_t seed) {
     std::mt19937_64 random(seed);
-    std::vector<double> strengths(particles);
-    for (double& s : strengths) s = material.tensile_strength_pa * fraction(material, nearlyNormal(random));
+    std::vector<double> strengths;
+    strengths.reserve(particles.size());
+    for (const Particle& particle : particles)
+        strengths.push_back(material.tensile_strength_pa * sizeEffect(material, particle.volume) *
+                            scattered(material, random));
     return strengths;
 }
 
-double weakestStrengthFraction(const Material& material) {
-    return fraction(material, -kWidest);
+double weakestStrengthFraction(const Material& material, double largest_volume_m3) {
+    if (material.weibull_modulus == 0) return std::max(weakest, 1 - kWidest * material.strength_scatter);
+    return weakest * sizeEffect(material, largest_volume_m3);
 }
 
 Damage damagedParticles(const StressField& stress, double scale, const Discretisation& solid,
-                        const std::vector<double>& strengths) {
+                        const std::vector<double>& strengths, double compressive_over_tensile) {
     const std::size_t n = solid.particles.size();
-    std::vector<double> largest(n);
-    for (std::size_t i = 0; i < n; ++i) largest[i] = largestPrincipal(stress.particles[i]);
-    for (std::size_t q = 0; q < solid.surface_points.size(); ++q) {
-        double& s = largest[solid.cells[solid.surface_points[q].cell].particle];
-        s = std::max(s, largestPrincipal(stress.surface[q]));
-    }
+    std::vector<double> tension(n), compression(n);
+    const auto include = [&](std::size_t particle, const Voigt& s) {
+        tension[particle] = std::max(tension[particle], largestPrincipal(s));
+        compression[particle] = std::max(compression[particle], largestPrincipal(-s));
+    };
+    for (std::size_t i = 0; i < n; ++i) include(i, stress.particles[i]);
+    for (std::size_t q = 0; q < solid.surface_points.size(); ++q)
+        include(solid.cells[solid.surface_points[q].cell].particle, stress.surface[q]);
     Damage damage;
     damage.damaged.resize(n);
     damage.overstress.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-        damage.overstress[i] = scale * largest[i] / strengths[i];
+        damage.overstress[i] = scale / strengths[i] * std::max(tension[i], compression[i] / compressive_over_tensile);
         damage.damaged[i] = damage.overstress[i] > 1;
         damage.count += damage.damaged[i];
-        damage.largest_stress_pa = std::max(damage.largest_stress_pa, scale * largest[i]);
+        damage.largest_stress_pa = std::max(damage.largest_stress_pa, scale * tension[i]);
     }
     return damage;
 }
