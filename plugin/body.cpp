@@ -54,7 +54,7 @@ Result<std::vector<SupportPoint>> supportPoints(const TriangleMesh& surface,
     std::vector<SupportPoint> supports;
     for (const SurfaceRegion& region : regions) {
         const auto points = regionQuadrature(surface, region, spacing);
-        if (!points) return Error{"A support cannot be placed. " + points.error()};
+        if (!points) return Error{"A support cannot be placed: " + points.error()};
         for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
     }
     return supports;

@@ -5,9 +5,9 @@
 
 #include "body.h"
 #include "core/loads/surface_region.h"
-#include "core/stress/surface_traction.h"
 #include "geometry/surface_checks.h"
 #include "geometry/surface_feet.h"
+#include "surface_tractions.h"
 
 namespace sherd {
 
@@ -29,25 +29,6 @@ std::string coarseForWalls(double spacing, double wall) {
     return text.str();
 }
 
-/// A load as it acts on a body's surface.
-struct ActingLoad {
-    SurfaceLoad load;
-    double area_m2 = 0;
-
-    Vec3 traction(const Vec3& normal) const { return load.force_n / area_m2 - load.pressure_pa * normal; }
-};
-
-/// The stress at a point of the surface with the traction that acts there; on supports, and without a normal, `raw`.
-Voigt withActingTraction(const std::vector<ActingLoad>& loads, const Body& body, const Vec3& point, const Vec3& normal,
-                         const Voigt& raw) {
-    const auto isOn = [&](const SurfaceRegion& region) { return contains(region, point, normal); };
-    if (normal.isZero() || std::any_of(body.supports().begin(), body.supports().end(), isOn)) return raw;
-    Vec3 traction = Vec3::Zero();
-    for (const ActingLoad& acting : loads)
-        if (isOn(acting.load.region)) traction += acting.traction(normal);
-    return withTraction(raw, normal, traction, Elasticity(body.material()));
-}
-
 /// Where the change that a traction makes at the surface has died away, in particle spacings: about as far as the
 /// nearest points at which the gradients of quadratic splines are superconvergent.
 constexpr double traction_depth = 0.25;
@@ -58,19 +39,35 @@ struct ShallowPoints {
     std::vector<SurfaceFoot> feet;
 };
 
-ShallowPoints shallowPoints(const Body& body, const std::vector<Vec3>& points) {
-    constexpr double near_edge = 0.005;  // of the wall thickness
+ShallowPoints shallowPoints(const Body& body, const std::vector<SurfaceFoot>& feet) {
     const double depth = traction_depth * body.spacing();
     ShallowPoints shallow;
-    std::size_t index = 0;
-    for (const SurfaceFoot& foot : surfaceFeet(body.surface(), points, near_edge * body.wallThickness())) {
-        if (foot.distance < depth && !foot.normal.isZero()) {
-            shallow.index.push_back(index);
-            shallow.feet.push_back(foot);
-        }
-        ++index;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        if (feet[i].distance > depth || feet[i].normal.isZero()) continue;
+        shallow.index.push_back(i);
+        shallow.feet.push_back(feet[i]);
     }
     return shallow;
+}
+
+/// Says how many points lie outside; empty if none does.
+std::string outsideWarning(const Body& body, const std::vector<SurfaceFoot>& feet) {
+    constexpr double clearly = 0.05;  // of the spacing: facets run inside of round bodies
+    long first = -1, count = 0;
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        if (!feet[i].outside || feet[i].distance < clearly * body.spacing()) continue;
+        if (count++ == 0) first = static_cast<long>(i);
+    }
+    if (count == 0) return "";
+    return std::to_string(count) + " of " + std::to_string(feet.size()) + " points lie outside the body, the first is number " +
+           std::to_string(first) + " (from 0); stress there is zero or continued from inside. Are they in metres, in the body's frame?";
+}
+
+Status checkFinite(const std::vector<Vec3>& points, const Vec3& spin_rad_s) {
+    if (!spin_rad_s.allFinite()) return Error{"The spin is not finite; give it in rad/s."};
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (!points[i].allFinite()) return Error{"Point number " + std::to_string(i) + " (from 0) is not finite."};
+    return success();
 }
 
 /// Of a body whose solver is there.
@@ -93,36 +90,38 @@ Result<StressModel> StressModel::make(const TriangleMesh& surface, const Materia
 
 Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points,
                                        const Vec3& spin_rad_s) const {
+    if (const Status finite = checkFinite(points, spin_rad_s); !finite) return Error{finite.error()};
     std::vector<PointForce> forces;
-    std::vector<ActingLoad> acting;
+    std::vector<PlacedLoad> placed;
     for (const SurfaceLoad& load : loads) {
         const auto area = regionQuadrature(surface(), load.region, body_->quadratureSpacing());
-        if (!area) return Error{"A load cannot be placed. " + area.error()};
+        if (!area) return Error{"A load cannot be placed: " + area.error()};
         const std::vector<PointForce> part = pointForces(load, area.value());
         forces.insert(forces.end(), part.begin(), part.end());
-        acting.push_back({load, 0});
-        for (const AreaPoint& point : area.value()) acting.back().area_m2 += point.area_m2;
+        placed.push_back({load, 0});
+        for (const AreaPoint& point : area.value()) placed.back().area_m2 += point.area_m2;
     }
-    const ShallowPoints shallow = shallowPoints(*body_, points);
+    const std::vector<SurfaceFoot> feet = surfaceFeet(surface(), points, edgeTolerance(*body_));
+    const ShallowPoints shallow = shallowPoints(*body_, feet);
     std::vector<Vec3> asked = points;
     for (const SurfaceFoot& foot : shallow.feet) asked.push_back(foot.position);
     Result<StressField> result = body_->stressSolver().value()->solve(forces, asked, spin_rad_s);
     if (!result) return result;
+
     StressField& field = result.value();
+    const SurfaceTractions tractions(*body_, placed);
     for (std::size_t i = 0; i < shallow.feet.size(); ++i) {
         const SurfaceFoot& foot = shallow.feet[i];
-        const Voigt& raw = field.points[points.size() + i];
         const double depth = traction_depth * field.point_spacing_m[shallow.index[i]];
         if (foot.distance > depth) continue;
-        field.points[shallow.index[i]] +=
-            (1 - foot.distance / depth) * (withActingTraction(acting, *body_, foot.position, foot.normal, raw) - raw);
+        const Voigt& raw = field.points[points.size() + i];
+        field.points[shallow.index[i]] += (1 - foot.distance / depth) * (tractions.imposedOn(raw, foot) - raw);
     }
     field.points.resize(points.size());
     field.point_spacing_m.resize(points.size());
-    const std::vector<SurfacePoint>& surface_points = solidOf(*body_).surface_points;
-    for (std::size_t q = 0; q < surface_points.size(); ++q)
-        field.surface[q] = withActingTraction(acting, *body_, surface_points[q].position, surface_points[q].normal,
-                                              field.surface[q]);
+    tractions.imposeOnSurface(field.surface);
+    const std::string outside = outsideWarning(*body_, feet);
+    if (!outside.empty()) field.warnings.push_back(outside);
     return result;
 }
 

@@ -4,6 +4,25 @@
 
 namespace sherd {
 
+Identity Identity::of(const btRigidBody& body) {
+    const btBroadphaseProxy* proxy = body.getBroadphaseHandle();
+    return {proxy ? proxy->m_uniqueId : -1, body.getCollisionShape(), body.getInvMass()};
+}
+
+namespace {
+
+/// Whether the object at an app's body's address is another one. A body that was taken out and put back, or that was given
+/// another shape or mass where it is, is still itself.
+bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
+    if (breakable.ownedHere()) return false;
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    if (!body) return true;
+    const Identity now = Identity::of(*body), &then = breakable.identity;
+    return now.proxy != then.proxy && (now.shape != then.shape || now.inverse_mass != then.inverse_mass);
+}
+
+}  // namespace
+
 Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
     by_object_[breakable->body] = breakable.get();
     all_.push_back(std::move(breakable));
@@ -12,7 +31,7 @@ Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
 
 Breakable* BreakableRegistry::find(const btCollisionObject* object) const {
     const auto found = by_object_.find(object);
-    return found == by_object_.end() ? nullptr : found->second;
+    return found == by_object_.end() || isAnother(*object, *found->second) ? nullptr : found->second;
 }
 
 std::unique_ptr<Breakable> BreakableRegistry::take(const btCollisionObject* object) {

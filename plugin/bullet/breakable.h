@@ -12,6 +12,15 @@
 
 namespace sherd {
 
+/// What tells a body of the app's from another one that was made at its address later.
+struct Identity {
+    int proxy = -1;  ///< Bullet gives a new number whenever a body comes into a world
+    const btCollisionShape* shape = nullptr;
+    btScalar inverse_mass = 0;
+
+    static Identity of(const btRigidBody& body);
+};
+
 /// A body that can break, and how its frame lies in the asset's.
 struct Breakable {
     explicit Breakable(const BreakableAsset& its_asset) : asset(its_asset) {}
@@ -24,6 +33,7 @@ struct Breakable {
     std::uint64_t serial = 0;        ///< place in the order in which bodies of this world became breakable
     double unbreakable_until_s = 0;  ///< simulated time
     bool in_world = true;            ///< as of the last look
+    Identity identity;               ///< of an app's body, when it was made breakable
 
     bool ownedHere() const { return owned.body != nullptr; }
     /// The map from the asset's frame to the world, for a body that stands at `world_transform`.
@@ -34,6 +44,7 @@ struct Breakable {
 class BreakableRegistry {
   public:
     Breakable& add(std::unique_ptr<Breakable> breakable);
+    /// `object` is alive.
     Breakable* find(const btCollisionObject* object) const;
     /// Takes an entry out; nullptr for other bodies.
     std::unique_ptr<Breakable> take(const btCollisionObject* object);

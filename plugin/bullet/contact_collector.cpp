@@ -112,7 +112,9 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
 
 bool ContactCollector::listens(const Breakable& breakable) const {
     const Body& solid = *breakable.asset.body();
-    return breakable.body->isActive() && time_s_ >= breakable.unbreakable_until_s &&
+    // An app may have nailed the body down since it was made breakable.
+    const bool moves = !breakable.body->isStaticOrKinematicObject() && breakable.body->getInvMass() > 0;
+    return moves && breakable.body->isActive() && time_s_ >= breakable.unbreakable_until_s &&
            solid.moments().volume >= solid.smallestFragment();
 }
 

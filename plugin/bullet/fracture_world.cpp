@@ -57,6 +57,7 @@ btRigidBody* FractureWorld::Impl::add(const BreakableAsset& asset, const btTrans
         last_error_ = boxes.error();
         return nullptr;
     }
+    last_error_.clear();
     auto breakable = std::make_unique<Breakable>(asset);
     breakable->owned = makeRigidBody(*asset.body(), boxes.value());
     breakable->body = breakable->owned.body.get();
@@ -92,6 +93,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     if (!asset) return Error{asset.error()};
     auto breakable = std::make_unique<Breakable>(asset.value());
     breakable->body = body;
+    breakable->identity = Identity::of(*body);
     enlist(std::move(breakable));
     return success();
 }

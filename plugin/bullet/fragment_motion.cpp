@@ -99,7 +99,7 @@ double momentumDifference(const btRigidBody& whole, const std::vector<const btRi
         linear_scale += momentum.norm();
         angular_scale += orbital.norm() + own.norm();
     }
-    const auto relative = [](double difference, double scale) { return scale > 0 ? difference / scale : 0; };
+    const auto relative = [](double difference, double scale) { return scale == 0 ? 0 : difference / scale; };
     return std::max(relative(linear.norm(), linear_scale), relative(angular.norm(), angular_scale));
 }
 

@@ -17,6 +17,14 @@ SolverDecorator::SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& l
 }
 
 SolverDecorator::~SolverDecorator() {
+    // Another hook may stand around this one: it goes on with what was inside.
+    for (auto* outer = dynamic_cast<SolverDecorator*>(world_.getConstraintSolver()); outer;
+         outer = dynamic_cast<SolverDecorator*>(outer->inner_)) {
+        if (outer->inner_ != this) continue;
+        outer->inner_ = inner_;
+        outer->world_owned_inner_ = world_owned_inner_;
+        return;
+    }
     if (world_.getConstraintSolver() == this) {
         world_.setConstraintSolver(inner_);
         WorldInternals::ownsSolver(world_) = world_owned_inner_;

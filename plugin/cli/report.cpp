@@ -1,5 +1,6 @@
 #include "report.h"
 
+#include <algorithm>
 #include <fstream>
 
 #include "form_names.h"
@@ -63,7 +64,9 @@ ordered_json makeReport(const Arguments& arguments, const StressCase& problem, c
     report["settings"] = describe(model.settings());
     report["ms"] = milliseconds(made, field);
     report["warnings"] = made.warnings;
-    for (const std::string& warning : field.warnings) report["warnings"].push_back(warning);
+    for (const std::string& warning : field.warnings)  // which hold those of the solver again
+        if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())
+            report["warnings"].push_back(warning);
     return report;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "geometry/triangle_tree.h"
 
@@ -17,18 +18,19 @@ Vec3 normalOf(const Kernel::Triangle_3& triangle) {
     return Vec3(normal.x(), normal.y(), normal.z()).normalized();
 }
 
-/// Mean of the facets within `tolerance`; zero if they lie on different sides.
-Vec3 smoothNormal(const TriangleTree& surface, const Kernel::Point_3& foot, double tolerance) {
+/// Sum of the normals of the facets within `tolerance`, and whether they lie on one smooth side.
+std::pair<Vec3, bool> normalAt(const TriangleTree& surface, const Kernel::Point_3& foot, double tolerance) {
     std::vector<TriangleTree::Triangles::const_iterator> near;
     surface.tree.all_intersected_primitives(Kernel::Sphere_3(foot, tolerance * tolerance), std::back_inserter(near));
     std::sort(near.begin(), near.end());  // the same sum in the same order, whatever the tree
     Vec3 sum = Vec3::Zero();
+    bool smooth = !near.empty();
     for (const auto& triangle : near) {
         const Vec3 normal = normalOf(*triangle);
-        if (normal.dot(normalOf(*near.front())) < one_side) return Vec3::Zero();
+        smooth = smooth && normal.dot(normalOf(*near.front())) > one_side;
         sum += normal;
     }
-    return sum.normalized();
+    return {sum, smooth};
 }
 
 }  // namespace
@@ -38,9 +40,15 @@ std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector
     if (points.empty()) return feet;
     const TriangleTree surface(mesh);
     for (const Vec3& x : points) {
-        const Kernel::Point_3 nearest = surface.tree.closest_point(TriangleTree::toPoint(x));
-        const Vec3 position = TriangleTree::toVec3(nearest);
-        feet.push_back({position, smoothNormal(surface, nearest, tolerance), (position - x).norm()});
+        const auto [nearest, triangle] = surface.tree.closest_point_and_primitive(TriangleTree::toPoint(x));
+        SurfaceFoot foot;
+        foot.position = TriangleTree::toVec3(nearest);
+        foot.distance = (foot.position - x).norm();
+        foot.triangle = static_cast<int>(triangle - surface.triangles.cbegin());
+        const auto [normal, smooth] = normalAt(surface, nearest, tolerance);
+        if (smooth) foot.normal = normal.normalized();
+        foot.outside = (x - foot.position).dot(normal) > 0;
+        feet.push_back(foot);
     }
     return feet;
 }

@@ -1,5 +1,8 @@
 // What goes wrong in Bullet's step when a body is swapped in the middle of it.
 
+#include <memory>
+#include <optional>
+
 #include "support.h"
 
 namespace {
@@ -253,6 +256,59 @@ TEST(Traps, OtherBroadphasesFindTheFragmentsContacts) {
         const BreakEvent event = stepUntilBreak(scene, fracture);
         ASSERT_EQ(event.outcome, kBroke);
         EXPECT_GT(ball->getLinearVelocity().z(), -8) << "the ball went through without touching a piece";
+    }
+}
+
+TEST(Traps, TwoHooksGoInAnyOrder) {
+    TestWorld scene;
+    auto first = std::make_unique<FractureWorld>(scene.world.get());
+    auto second = std::make_unique<FractureWorld>(scene.world.get());
+    btRigidBody* body = second->add(plate(crumbly()), at(0, 0, 0));
+    scene.step(1);
+    first.reset();
+    scene.addBall(5, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
+    ASSERT_EQ(stepUntilBreak(scene, *second).outcome, kBroke);
+    EXPECT_FALSE(inWorld(scene, body));
+    second.reset();
+    scene.step(10);
+}
+
+TEST(Traps, AnotherBodyAtTheSameAddressIsNotBreakable) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btBoxShape small(btVector3(0.1f, 0.1f, 0.1f)), large(btVector3(1, 1, 1));
+    const btVector3 inertia(1, 1, 1);
+    std::optional<btRigidBody> slot;
+    slot.emplace(btRigidBody::btRigidBodyConstructionInfo(8, nullptr, &small, inertia));
+    btRigidBody* const address = &*slot;
+    scene.world->addRigidBody(address);
+    ASSERT_TRUE(fracture.makeBreakable(address, Material::plaster()).ok());
+    scene.step(1);
+    scene.world->removeRigidBody(address);
+    scene.world->addRigidBody(address);
+    EXPECT_NE(fracture.asset(address), nullptr) << "put back, it is still itself";
+    scene.world->removeRigidBody(address);
+    slot.emplace(btRigidBody::btRigidBodyConstructionInfo(8000, nullptr, &large, inertia));
+    scene.world->addRigidBody(address);
+    EXPECT_EQ(fracture.asset(address), nullptr);
+    scene.step(1);
+    EXPECT_TRUE(fracture.bodies().empty());
+    scene.world->removeRigidBody(address);
+}
+
+TEST(Traps, WhatWasNailedDownDoesNotBreak) {
+    for (const bool kinematic : {false, true}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0));
+        if (kinematic)
+            body->setCollisionFlags(body->getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+        else
+            body->setMassProps(0, btVector3(0, 0, 0));
+        scene.addBall(5, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
+        scene.step(60);
+        EXPECT_TRUE(fracture.events().empty());
+        EXPECT_TRUE(inWorld(scene, body));
     }
 }
 

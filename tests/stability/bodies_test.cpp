@@ -94,16 +94,16 @@ TEST(JoinedAtAnEdge, AreTwoBodies) {
         const Mat3 stress = (Mat3() << 2, 1, 0, 1, -1, 0.5, 0, 0.5, 3).finished() * 1e6;
         const ClosedForm constant{both, elasticMaterial(), [&](const Vec3&) { return stress; }};
         const Outcome outcome = solveOn(constant, solid, quadratic_splines);
-        std::vector<PointForce> loads;
-        for (const PointForce& load : tractions(constant, *solid))
-            if (one.vertices[0].norm() == 0 && (load.position.array() < 1 + 1e-9).all() &&
-                !((load.position - offset).array() > -1e-9).all())
-                loads.push_back(load);
-        const StressField field = valueOf(build(solid, constant.material, quadratic_splines).solve(loads));
-        double other = 0;
-        for (size_t i = 0; i < solid->particles.size(); ++i)
-            if (((solid->particles[i].position - offset).array() > 0).all())
-                other = std::max(other, field.particles[i].norm() / stress.norm());
+        // A push without balance of its own: only the inertia of the block that it acts on may answer it.
+        const StressField field = valueOf(
+            build(solid, constant.material, quadratic_splines).solve({{{0.1, 0.2, 0.3}, {1e6, 2e5, 0}}}));
+        double other = 0, own = 0;
+        for (size_t i = 0; i < solid->particles.size(); ++i) {
+            const bool is_other = ((solid->particles[i].position - offset).array() > 0).all();
+            double& largest = is_other ? other : own;
+            largest = std::max(largest, field.particles[i].norm());
+        }
+        other /= own;
         table.row("%s | %.0e | %.0e", name, outcome.error, other);
         EXPECT_LT(outcome.error, 1e-8);
         EXPECT_LT(other, 1e-8);
@@ -135,7 +135,8 @@ TEST(Loads, NotFiniteOrBesideTheBody) {
                                    PointForce{{0, 0, INFINITY}, {1, 0, 0}}, PointForce{{0, 0, 9}, {1, 0, 0}}}) {
         const auto field = solver.solve({load});
         ASSERT_FALSE(field.ok());
-        EXPECT_GT(field.error().size(), 20u);
+        EXPECT_NE(field.error().find("load"), std::string::npos);
+        EXPECT_EQ(field.error().find("not finite; the loads or"), std::string::npos) << "caught too late";
     }
     EXPECT_FALSE(solver.solve({{{0, 0, 0.1}, {1e308, 1e308, 0}}, {{0, 0, -0.1}, {1e308, -1e308, 0}}}).ok());
 }

@@ -17,9 +17,10 @@ TEST(SupportRadius, EveryFormSurvivesEveryRadius) {
         table.row("%.2f | %.3f | %.3f | %.3f | %.0e | %zu, %zu, %zu", radius, mls.error, gmls.error, flux.error,
                   std::min({mls.reciprocal_condition, gmls.reciprocal_condition, flux.reciprocal_condition}),
                   mls.warnings, gmls.warnings, flux.warnings);
-        EXPECT_LT(gmls.error, 0.25);
-        if (radius >= 2 && radius <= 3) {
-            EXPECT_LT(mls.error, 0.6);
+        EXPECT_LT(gmls.error, 0.08);
+        if (radius >= 1.3) {
+            EXPECT_LT(mls.error, 0.2);
+            EXPECT_LT(flux.error, 0.2);
         }
         EXPECT_GT(std::min(mls.reciprocal_condition, gmls.reciprocal_condition), 1e-14);
     }
@@ -51,7 +52,8 @@ TEST(Jitter, PatchTestHoldsUpToHalfASpacing) {
         table.row("%.2f | %.0e, %.0e | %.3f, %.3f", jitter_by, errors[0], errors[1], errors[2], errors[3]);
         EXPECT_LT(errors[0], 1e-8);
         EXPECT_LT(errors[1], 1e-8);
-        EXPECT_LT(errors[3], 0.25);
+        EXPECT_LT(errors[2], 0.05);
+        EXPECT_LT(errors[3], 0.035);
     }
 }
 
@@ -90,6 +92,24 @@ TEST(Layers, TwoAtThePapersPoissonRatio) {
         }
         EXPECT_EQ(mls.warnings > 0, nu > 0.35);
     }
+}
+
+// Functions that hold quadratics hold constant curvatures where the cells are whole.
+TEST(Layers, QuadraticMlsDoesNotLock) {
+    const ClosedForm plate = curvedPlate(0.43, 0.12);
+    const StressSettings quadratic_mls = form(TestFunction::galerkin, TrialFunction::mls, Basis::quadratic);
+    EXPECT_LT(solveAt(plate, 0.04, quadratic_mls).error, 1e-6);
+}
+
+// Sixteen Gauss points a face against one, where the cubes fill the body and the field is not linear.
+TEST(HeavisidePaper, ManyPointsAFaceBeatOne) {
+    const ClosedForm plate{shapes::slab({0.9, 0.9, 0.36}), elasticMaterial(5e9, 0.3), [](const Vec3& x) {
+                               const double z = 6 * x.z(), a = 6 * x.x();
+                               return planeStrain(-std::sin(a) * std::sinh(z), std::sin(a) * std::sinh(z),
+                                                  std::cos(a) * std::cosh(z), 0.3);
+                           }};
+    const auto solid = sampled(plate.surface, 0.09);
+    EXPECT_LT(solveOn(plate, solid, heaviside_paper).error, solveOn(plate, solid, heaviside_mls).error);
 }
 
 /// The voxels of a grid whose middles lie in a hollow sphere, as a surface of its own: what a sampling without cut cells

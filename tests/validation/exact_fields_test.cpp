@@ -175,5 +175,28 @@ TEST(Supports, ClampedCantilever) {
     EXPECT_LT(squares.ratio(), 0.02);
 }
 
+// Held at both ends, a bar that spins about its middle is not determinate: only stiff supports keep its ends apart, so
+// that sigma_xx = rho w^2 (L^2 / 12 - (x - L / 2)^2) / 2 away from them at nu 0.
+TEST(Supports, AreStiff) {
+    const double length = 1;
+    const TriangleMesh mesh = shapes::box({0, 0, 0}, {length, 0.2, 0.2});
+    const auto solid = sampledForSplines(mesh, 0.1, Basis::quadratic);
+    std::vector<SupportPoint> supports;
+    for (const SurfaceNode& node : surfaceQuadrature(mesh, solid->parts))
+        if (std::abs(node.area.normalized().x()) > 0.9) supports.push_back({node.position, node.area.norm()});
+    const Material material = elasticMaterial(5e9, 0);
+    const StressSolver solver =
+        valueOf(StressSolver::build(solid, material, splines(Basis::quadratic), supports));
+    const Vec3 spin(0, 0, 40);
+    std::vector<Vec3> points;
+    for (int i = 0; i < 7; ++i) points.emplace_back(0.27 + 0.08 * i, 0.1, 0.1);
+    const StressField field = valueOf(solver.solve({}, points, spin));
+    const double load = material.density_kg_m3 * spin.squaredNorm() / 2;
+    for (size_t i = 0; i < points.size(); ++i) {
+        const double exact = load * (length * length / 12 - std::pow(points[i].x() - length / 2, 2));
+        EXPECT_NEAR(field.points[i][0], exact, 0.03 * load * length * length / 12);
+    }
+}
+
 }  // namespace
 }  // namespace sherd::validation

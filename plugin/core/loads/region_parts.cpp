@@ -105,6 +105,19 @@ bool isSliver(const ConvexPolygon& polygon, double tolerance) {
     return areaOf(polygon) <= 4 * tolerance * longest;
 }
 
+double toleranceOf(const TriangleMesh& surface) {
+    Eigen::AlignedBox3d bounds;
+    for (const Vec3& v : surface.vertices) bounds.extend(v);
+    return kTolerance * bounds.diagonal().norm();
+}
+
+/// Empty where a triangle only touches the region.
+ConvexPolygon partInside(const SurfaceRegion& region, const Triangle& triangle, double tolerance) {
+    ConvexPolygon part = std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
+    if (!part.empty() && isSliver(part, tolerance)) part.clear();
+    return part;
+}
+
 }  // namespace
 
 double areaOf(const ConvexPolygon& polygon) {
@@ -115,17 +128,31 @@ double areaOf(const ConvexPolygon& polygon) {
 }
 
 std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const SurfaceRegion& region) {
-    Eigen::AlignedBox3d bounds;
-    for (const Vec3& v : surface.vertices) bounds.extend(v);
-    const double tolerance = kTolerance * bounds.diagonal().norm();
+    const double tolerance = toleranceOf(surface);
     std::vector<ConvexPolygon> parts;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const Triangle triangle = corners(surface, t);
-        ConvexPolygon part =
-            std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
-        if (!part.empty() && !isSliver(part, tolerance)) parts.push_back(std::move(part));
+        ConvexPolygon part = partInside(region, corners(surface, t), tolerance);
+        if (!part.empty()) parts.push_back(std::move(part));
     }
     return parts;
+}
+
+RegionOnSurface::RegionOnSurface(const TriangleMesh& surface, const SurfaceRegion& region)
+    : region_(region), tolerance_(toleranceOf(surface)) {
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t)
+        has_part_.push_back(!partInside(region, corners(surface, t), tolerance_).empty());
+}
+
+bool RegionOnSurface::holds(int triangle, const Vec3& x) const {
+    return has_part_[static_cast<std::size_t>(triangle)] && mayHold(x, tolerance_);
+}
+
+bool RegionOnSurface::mayHold(const Vec3& x, double reach) const {
+    if (const auto* sphere = std::get_if<SphereRegion>(&region_))
+        return (x - sphere->centre).norm() <= sphere->radius_m + reach;
+    if (const auto* box = std::get_if<BoxRegion>(&region_))
+        return ((x - box->lo).array() >= -reach).all() && ((box->hi - x).array() >= -reach).all();
+    return true;  // a cylinder holds whole triangles
 }
 
 }  // namespace sherd

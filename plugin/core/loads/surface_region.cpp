@@ -72,33 +72,7 @@ void addTriangle(const Triangle& t, MergingGrid& grid) {
     addTriangle({half, b, c}, grid);
 }
 
-bool isInside(const SphereRegion& sphere, const Vec3& x, const Vec3&) {
-    return (x - sphere.centre).norm() <= sphere.radius_m;
-}
-
-/// Of a flat box only the faces that lie in it, not those that end there.
-bool isInside(const BoxRegion& box, const Vec3& x, const Vec3& normal) {
-    constexpr double rounding = 1e-6;
-    const double tolerance = rounding * (box.hi - box.lo).norm();
-    for (int k = 0; k < 3; ++k) {
-        if (x[k] < box.lo[k] - tolerance || x[k] > box.hi[k] + tolerance) return false;
-        if (box.hi[k] - box.lo[k] <= tolerance && std::abs(normal[k]) < 0.5) return false;
-    }
-    return true;
-}
-
-bool isInside(const CylinderRegion& cylinder, const Vec3& x, const Vec3& normal) {
-    constexpr double sagitta = 0.01;  // of the radius
-    const Vec3 axis = cylinder.axis.normalized(), arm = x - cylinder.point;
-    const double distance = (arm - axis * axis.dot(arm)).norm();
-    return std::abs(distance - cylinder.radius_m) <= sagitta * cylinder.radius_m && std::abs(axis.dot(normal)) < 0.5;
-}
-
 }  // namespace
-
-bool contains(const SurfaceRegion& region, const Vec3& x, const Vec3& normal) {
-    return std::visit([&](const auto& r) { return isInside(r, x, normal); }, region);
-}
 
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size) {

@@ -22,10 +22,6 @@ struct AreaPoint {
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size);
 
-/// Whether a point of the surface, where it has the given unit normal, lies in a region. Cylinders are followed to 1 %
-/// of their radius, since facets run inside of them.
-bool contains(const SurfaceRegion& region, const Vec3& x, const Vec3& normal);
-
 /// The forces of a load at the quadrature points of its region: with A = sum a, each F a / A - p a n.
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points);
 

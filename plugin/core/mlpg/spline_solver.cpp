@@ -53,6 +53,7 @@ class SplineSolver : public StressSolver::Impl {
         for (const SurfacePoint& point : solid_->surface_points) located_.push_back(locate(parts_, point.position));
         springs_ = springsOf(parts_, supports_);
         for (const PointSpring& spring : springs_) supported_[space_.component_of_part[spring.part]] = 1;
+        checkSupports();
     }
 
     Status factor() {
@@ -128,6 +129,26 @@ class SplineSolver : public StressSolver::Impl {
   private:
     SplineField fieldOf(const Eigen::VectorXd& unknowns) const {
         return {std::shared_ptr<const CellParts>(solid_, &parts_), space_pointer_, space_.expand(unknowns)};
+    }
+
+    /// Supports have to hold all six rigid motions of what they hold at all: those of a point or a line leave it free to turn.
+    void checkSupports() const {
+        constexpr double smallest_hold = 1e-6;  // of the weakest held motion over the strongest
+        std::vector<Eigen::Matrix<double, 6, 6>> holds(static_cast<size_t>(space_.component_count),
+                                                       Eigen::Matrix<double, 6, 6>::Zero());
+        for (size_t i = 0; i < springs_.size(); ++i) {
+            const int component = space_.component_of_part[springs_[i].part];
+            const Eigen::Matrix<double, 3, 6> motion = motions_.at(supports_[i].position, component);
+            holds[static_cast<size_t>(component)] += springs_[i].stiffness_n_m * motion.transpose() * motion;
+        }
+        for (int component = 0; component < space_.component_count; ++component) {
+            if (!supported_[component]) continue;
+            const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> solver(holds[component],
+                                                                                    Eigen::EigenvaluesOnly);
+            if (solver.eigenvalues()[0] < smallest_hold * solver.eigenvalues()[5])
+                throw std::invalid_argument(
+                    "the supports lie in a point or on a line, so that the body is free to turn about it; hold a larger part.");
+        }
     }
 
     Eigen::Matrix4Xd gatherMoments() const {
@@ -222,6 +243,10 @@ class SplineSolver : public StressSolver::Impl {
             field.imbalance_rel = left.cwiseAbs().maxCoeff() / magnitude;
         }
         field.warnings = report.warnings;
+        constexpr double largest_good_residual = 1e-6;
+        if (!(field.residual_rel < largest_good_residual))
+            field.warnings.push_back("The linear solve left a residual of " + std::to_string(field.residual_rel) +
+                                     " of the load; do the supports hold the body well?");
         return finiteOrError(std::move(field));
     }
 
