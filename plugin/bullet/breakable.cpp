@@ -24,6 +24,7 @@ bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
 }  // namespace
 
 Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
+    breakable->identity = Identity::of(*breakable->body);
     by_object_[breakable->body] = breakable.get();
     all_.push_back(std::move(breakable));
     return *all_.back();

@@ -93,7 +93,6 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     if (!asset) return Error{asset.error()};
     auto breakable = std::make_unique<Breakable>(asset.value());
     breakable->body = body;
-    breakable->identity = Identity::of(*body);
     enlist(std::move(breakable));
     return success();
 }
