@@ -21,7 +21,7 @@ at the particles and some 1300 points; further: the last two.\n\
 Tets: one run of ccx, without meshing, for every blow.\n\
 Error: relative L2 of the largest principal stress (sphere: of\n\
 the whole stress) inside, away from the load; not shown\n\
-above 200 %. All on one thread."
+above 200 %. All on one core."
 preset_colour = "#D55E00"
 
 set multiplot layout 2,3 margins 0.055,0.985,0.085,0.945 spacing 0.055,0.125
