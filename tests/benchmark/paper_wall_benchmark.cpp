@@ -188,7 +188,7 @@ int main() {
     const std::vector<Row> papers = {measure("heaviside_paper", wall, paperSettings(0)),
                                      measure("heaviside_paper, support 5/3", wall, paperSettings(5.0 / 3))};
     const std::vector<Row> ours = {
-        measure("splines, quadratic, one layer", wall, splineSettings(Quality::preview, 0.09)),
+        measure("splines, quadratic, one layer", wall, splineSettings(Quality::preview, 0.1)),
         measure("splines, quadratic", wall, splineSettings(Quality::game, 1 / 22.0)),
         measure("preview, no rounds", wall, splineSettings(Quality::preview, 0)),
         measure("game, no rounds", wall, splineSettings(Quality::game, 0))};
