@@ -133,12 +133,11 @@ TriangleMesh voxelised(double outer, double inner, double edge) {
         for (int k = 0; k + 1 < 2 * half; ++k)
             for (int j = 0; j + 1 < 2 * half; ++j)
                 for (int i = 0; i + 1 < 2 * half; ++i)
-                    for (const auto& [a, b] : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
-                        int step[3] = {0, 0, 0};
+                    for (const std::pair axes : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
                         const auto get = [&](int first, int second) -> char& {
-                            step[0] = step[1] = step[2] = 0;
-                            step[a] = first;
-                            step[b] = second;
+                            int step[3] = {0, 0, 0};
+                            step[axes.first] = first;
+                            step[axes.second] = second;
                             return at(i + step[0], j + step[1], k + step[2]);
                         };
                         if (get(0, 0) == get(1, 1) && get(0, 1) == get(1, 0) && get(0, 0) != get(0, 1)) {
