@@ -133,7 +133,7 @@ TriangleMesh voxelised(double outer, double inner, double edge) {
         for (int k = 0; k + 1 < 2 * half; ++k)
             for (int j = 0; j + 1 < 2 * half; ++j)
                 for (int i = 0; i + 1 < 2 * half; ++i)
-                    for (const std::pair axes : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
+                    for (const auto& axes : {std::pair{0, 1}, {0, 2}, {1, 2}}) {
                         const auto get = [&](int first, int second) -> char& {
                             int step[3] = {0, 0, 0};
                             step[axes.first] = first;
