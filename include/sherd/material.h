@@ -29,9 +29,18 @@ struct Material {
     static Material plaster();  ///< hardened gypsum
     static Material glass();    ///< soda-lime
     static Material concrete();
+    static Material brick();  ///< burnt clay
     static Material stone();  ///< limestone
     static Material ice();
     static Material wood();  ///< pine, its strength that across the grain; the grain is FractureSettings::guide
+
+    /// One of the above by its name; the error lists them.
+    static Result<Material> named(const std::string& name);
+
+    /// Reads a file of this struct's fields, `{"name": "tile", "youngs_modulus_pa": 5e10, ...}`. Fields that are not given
+    /// are those of the material that `"like"` names; without it all but the scatter, the compressive strength and
+    /// Weibull's are needed.
+    static Result<Material> fromJson(const std::string& path);
 
     /// Says which constant is out of range, and which values are possible.
     Status validate() const;

@@ -31,6 +31,12 @@ Material Material::concrete() {
     return {"concrete", 33e9, 0.2, 2400, 2.9e6, 0.12, 140, 38e6};
 }
 
+Material Material::brick() {
+    // Van der Pluijm (1992) on solid clay units under uniaxial tension: strength 1.5-3.5 MPa, fracture energy
+    // 60-130 J/m^2, E 6-17 GPa. Density and compressive strength as EN 771-1 has clay units of class 30 declared.
+    return {"brick", 12e9, 0.16, 1800, 2.5e6, 0.15, 90, 30e6};
+}
+
 Material Material::stone() {
     // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa m^1/2,
     // compressive strength 30-80 MPa.
@@ -49,6 +55,15 @@ Material Material::wood() {
     // toughness near 0.45 MPa m^1/2, which with E across the grain of about 1.2 GPa makes 170 J/m^2. Wood is taken as
     // isotropic here: what its grain decides is where cracks run.
     return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170, 49e6};
+}
+
+Result<Material> Material::named(const std::string& name) {
+    std::string known;
+    for (const Material& material : {ceramic(), plaster(), glass(), concrete(), brick(), stone(), ice(), wood()}) {
+        if (material.name == name) return material;
+        known += (known.empty() ? "" : ", ") + material.name;
+    }
+    return Error{"There is no material '" + name + "'; there are " + known + "."};
 }
 
 }  // namespace sherd

@@ -57,7 +57,7 @@ expect(2 "--out" stress ${case})
 expect(2 "film" stress ${case} --out o.csv --quality best)
 expect(2 "excludes" stress ${case} --out o.csv --spacing 0.1 --particles 10)
 expect(2 "vtu" stress ${case} --out o.csv --vtk picture.png)
-expect(1 "nowhere.json: the case file cannot be opened" stress nowhere.json --out o.csv)
+expect(1 "nowhere.json: the file cannot be opened" stress nowhere.json --out o.csv)
 expect(1 "nowhere.csv: the file of points" stress ${case} --points nowhere.csv --out o.csv)
 expect(1 "Cannot write no_folder/o.csv" stress ${case} --out no_folder/o.csv --particles 50)
 

@@ -53,6 +53,17 @@ TEST(Material, WhatIsOutOfRangeIsNamed) {
                    "Material 'glass': fracture_energy_j_m2 is 0 but must be positive, in J/m^2.");
 }
 
+TEST(Material, IsFoundByItsName) {
+    for (const char* name : {"ceramic", "plaster", "glass", "concrete", "brick", "stone", "ice", "wood"}) {
+        const auto material = Material::named(name);
+        ASSERT_TRUE(material.ok()) << material.error();
+        EXPECT_EQ(material.value().name, name);
+        EXPECT_TRUE(material.value().validate().ok()) << material.value().validate().error();
+    }
+    EXPECT_EQ(Material::named("glas").error(),
+              "There is no material 'glas'; there are ceramic, plaster, glass, concrete, brick, stone, ice, wood.");
+}
+
 TEST(Material, NoNumberAndInfinityAreOutOfRange) {
     for (const double wrong :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
