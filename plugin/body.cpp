@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/loads/surface_region.h"
 #include "core/mlpg/spacing_choice.h"
@@ -121,12 +122,7 @@ Result<const StressSolver*> Body::stressSolver() const {
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (const auto sampled = solid(); !sampled) return Error{sampled.error()};
     if (!solver_ && trouble_.empty()) {
-        const auto supports = supportPoints(surface_, supports_, quadratureSpacing());
-        StressSettings stress = settings_.stress;
-        if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;
-        Result<StressSolver> built =
-            supports ? StressSolver::build(solid_, material_, stress, supports.value())
-                     : Error{supports.error()};
+        Result<StressSolver> built = stressSolverWithout({});
         if (built)
             solver_ = std::make_unique<StressSolver>(std::move(built).value());
         else
@@ -134,6 +130,33 @@ Result<const StressSolver*> Body::stressSolver() const {
     }
     if (!solver_) return Error{trouble_};
     return static_cast<const StressSolver*>(solver_.get());
+}
+
+Result<StressSolver> Body::stressSolverWithout(const std::vector<char>& damaged) const {
+    const auto sampled = solid();
+    if (!sampled) return Error{sampled.error()};
+    const auto supports = supportPoints(surface_, supports_, quadratureSpacing());
+    if (!supports) return Error{supports.error()};
+    StressSettings stress = settings_.stress;
+    if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;
+    return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
+}
+
+double Body::weakestPlace() const {
+    const auto& field = settings_.fracture.strength_field;
+    if (!field) return 1;
+    const auto sampled = solid();
+    if (!sampled) return 0;
+    const std::lock_guard<std::recursive_mutex> lock(once_);
+    if (weakest_place_ >= 0) return weakest_place_;
+    weakest_place_ = std::numeric_limits<double>::infinity();
+    for (const Particle& particle : sampled.value()->particles) {
+        const double here = field(particle.position);
+        // Written so that NaN counts as nothing; the blow then says what is wrong.
+        weakest_place_ = here > 0 ? std::min(weakest_place_, here) : 0;
+        if (weakest_place_ == 0) break;
+    }
+    return weakest_place_;
 }
 
 double Body::quadratureSpacing() const {

@@ -45,6 +45,10 @@ class Body {
     Result<std::shared_ptr<const Discretisation>> solid() const;
     /// The factored stress problem; assembled and factored at the first call.
     Result<const StressSolver*> stressSolver() const;
+    /// The same anew, without the particles that are `damaged` (#particles). Not kept.
+    Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
+    /// The smallest value of the strength field at any particle, 1 without a field; 0 if there is no telling.
+    double weakestPlace() const;
     double sampleMilliseconds() const { return sample_ms_; }
 
     /// Whether the factored stress problem is there already.
@@ -68,6 +72,7 @@ class Body {
     mutable std::unique_ptr<StressSolver> solver_;
     mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again
     mutable double sample_ms_ = 0;
+    mutable double weakest_place_ = -1;  ///< below 0: not asked for yet
 };
 
 }  // namespace sherd

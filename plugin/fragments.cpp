@@ -71,6 +71,14 @@ std::vector<Fragment> makeFragments(const Body& body, const Discretisation& soli
     return fragments;
 }
 
+void markDropped(const Body& body, std::vector<Fragment>& fragments) {
+    const auto volume = [](const Fragment& fragment) { return fragment.body->moments().volume; };
+    const auto largest = std::max_element(fragments.begin(), fragments.end(),
+                                          [&](const auto& a, const auto& b) { return volume(a) < volume(b); });
+    for (auto fragment = fragments.begin(); fragment != fragments.end(); ++fragment)
+        fragment->dropped = fragment != largest && volume(*fragment) < body.smallestFragment();
+}
+
 void addConservationErrors(const Body& body, BlowOutcome& out) {
     double volume = 0, mass = 0;
     for (const Fragment& fragment : out.fragments) {

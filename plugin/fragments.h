@@ -18,6 +18,9 @@ double smallestCrackEnergy(const Body& body);
 std::vector<Fragment> makeFragments(const Body& body, const Discretisation& solid,
                                     const FragmentLabels& labels, const FragmentSurfaces& surfaces);
 
+/// Marks the pieces below the smallest fragment as dropped, but never the largest piece.
+void markDropped(const Body& body, std::vector<Fragment>& fragments);
+
 /// Compares volume and mass of all fragments with the body's.
 void addConservationErrors(const Body& body, BlowOutcome& out);
 

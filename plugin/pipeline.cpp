@@ -5,10 +5,12 @@
 #include <exception>
 
 #include "core/clustering/clusters.h"
+#include "core/clustering/merge_labels.h"
 #include "core/damage/damage.h"
 #include "core/loads/contact_loads.h"
 #include "core/loads/contact_pulse.h"
 #include "core/stress/surface_traction.h"
+#include "damage_waves.h"
 #include "fragments.h"
 #include "geometry/fragment_surfaces.h"
 #include "stopwatch.h"
@@ -38,6 +40,13 @@ auto timed(double& milliseconds, const Stage& stage) {
 
 void addSentence(std::string& message, const std::string& sentence) {
     if (!sentence.empty()) message += (message.empty() ? "" : " ") + sentence;
+}
+
+Strength strengthOf(const Body& body, const Discretisation& solid) {
+    const Material& material = body.material();
+    const FractureSettings& fracture = body.settings().fracture;
+    return {particleStrengths(material, solid.particles, fracture.seed, fracture.strength_field),
+            material.compressive_strength_pa / material.tensile_strength_pa};
 }
 
 const StressSolver& preparedSolver(const Body& body, StageTimes& ms) {
@@ -74,19 +83,25 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     out.ms.solve = unit_stress.solve_ms;
     out.ms.stress = unit_stress.recovery_ms;
 
-    const Damage damage = timed(out.ms.damage, [&] {
-        const auto strengths = particleStrengths(material, solid.particles, settings.fracture.seed);
-        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strengths,
-                                material.compressive_strength_pa / material.tensile_strength_pa);
+    const Strength strength = strengthOf(body, solid);
+    Damage damage = timed(out.ms.damage, [&] {
+        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strength.of_particle,
+                                strength.compressive_over_tensile);
     });
     out.largest_stress_pa = damage.largest_stress_pa;
     out.damaged_particles = damage.count;
     if (damage.count == 0 || energy < smallestCrackEnergy(body)) return;
+    damage = require(furtherWaves(body, loads.unit, pulse.peak_force_n, strength, std::move(damage), out.ms));
+    out.damaged_particles = damage.count;
 
     const FragmentLabels labels = timed(out.ms.cluster, [&] {
         const int wanted = wantedClusters(body, damage, solid, energy);
-        return fragmentLabels(solid, damage, wanted, body.wallThickness(), seed, settings.fracture.guide,
-                              middleOf(loads.unit));
+        FragmentLabels clustered = fragmentLabels(solid, damage, wanted, body.wallThickness(), seed,
+                                                  settings.fracture.guide, middleOf(loads.unit));
+        const bool merging = settings.fracture.debris == Debris::merged;
+        mergeSmallest(solid, merging ? body.smallestFragment() : 0, settings.fracture.largest_fragment_count,
+                      clustered);
+        return clustered;
     });
     if (labels.count < 2) return;
 
@@ -109,7 +124,7 @@ bool canBreak(const Body& body, const Blow& blow) {
     if (!(energy > smallestCrackEnergy(body))) return false;
     const Material& m = body.material();
     const double share = std::min(std::pow(body.spacing(), 3), body.moments().volume);
-    const double s = m.tensile_strength_pa * weakestStrengthFraction(m, share);
+    const double s = m.tensile_strength_pa * weakestStrengthFraction(m, share) * body.weakestPlace();
     const double nu = m.poisson_ratio;
     const double density = s * s / (2 * m.youngs_modulus_pa) * (1 - 2 * nu * nu / (1 - nu));
     return energy > density * body.settings().sampling.smallest_fill * share;
@@ -131,6 +146,7 @@ BlowOutcome strike(const Body& body, const Blow& blow, std::uint64_t seed) {
     }
     if (out.outcome != BreakEvent::Outcome::broke) out.fragments.clear();
     if (!out.fragments.empty()) addConservationErrors(body, out);
+    if (body.settings().fracture.debris == Debris::dropped) markDropped(body, out.fragments);
     return out;
 }
 

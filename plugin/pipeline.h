@@ -17,6 +17,7 @@ namespace sherd {
 struct Fragment {
     std::shared_ptr<const Body> body;
     std::vector<Box> boxes;  ///< for the collision shape; empty: use the hull of the surface
+    bool dropped = false;    ///< takes its share of the momentum, and leaves the world
 };
 
 struct BlowOutcome {

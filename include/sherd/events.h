@@ -36,6 +36,7 @@ struct BreakEvent {
     double largest_stress_pa = 0;  ///< largest principal stress at any particle
     double mass_error_rel = 0;     ///< over all fragments, against the body
     double volume_error_rel = 0;
+    double dropped_mass_kg = 0;     ///< of debris that left the world (FractureSettings::debris)
     double momentum_error_rel = 0;  ///< linear and angular, across the swap
     double residual_rel = 0;        ///< of the linear solve
     StageTimes ms;

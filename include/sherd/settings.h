@@ -91,9 +91,23 @@ struct GuideField {
     Status validate() const;
 };
 
+/// What becomes of pieces below `FractureSettings::smallest_fragment_m3`.
+enum class Debris {
+    unbreakable,  ///< bodies as the others, that never break again
+    merged,       ///< parts of the neighbour that they share most with
+    dropped,      ///< out of the world at once; the event says how much mass went with them
+};
+
 /// How damaged material becomes fragments.
 struct FractureSettings {
     std::uint64_t seed = 1;
+    /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's way to say
+    /// where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted mesh.
+    std::function<double(const Vec3& x)> strength_field;
+    /// How often the stress is solved at most, each time without the particles that are damaged by then, until no more
+    /// are (paper, section 6.1). 1: the damage of the first solve counts. Every further wave takes as long as a first
+    /// blow. Splines only.
+    int damage_waves = 1;
     /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens the stress
     /// right at the contact only, and takes longer than the rest of a blow.
     bool resample_contacts = false;
@@ -101,7 +115,8 @@ struct FractureSettings {
         0;  ///< clusters that the damaged part is split into; 0: what the strain energy pays for
     double energy_into_cracks = 0.05;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
     int largest_fragment_count = 36;
-    double smallest_fragment_m3 = 0;   ///< smaller pieces never break again; 0: 1/200 of the first body
+    double smallest_fragment_m3 = 0;   ///< smaller pieces are debris; 0: 1/200 of the first body
+    Debris debris = Debris::unbreakable;
     GuideField guide;
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 

@@ -121,6 +121,17 @@ double momentumError(const btRigidBody& parent, const std::vector<std::unique_pt
     return momentumDifference(parent, bodies);
 }
 
+double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::unique_ptr<Breakable>>& pieces) {
+    double mass = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (!fragments[i].dropped) continue;
+        mass += 1 / static_cast<double>(pieces[i]->body->getInvMass());
+        pieces[i].reset();
+    }
+    pieces.erase(std::remove(pieces.begin(), pieces.end(), nullptr), pieces.end());
+    return mass;
+}
+
 std::vector<btTypedConstraint*> takeOutOfWorld(btDiscreteDynamicsWorld& world, btRigidBody& body) {
     wakeNeighbours(world, body);
     std::vector<btTypedConstraint*> joints = removeJoints(world, body);

@@ -24,6 +24,9 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
 /// centre), relative to the sum of the fragments' own; the larger of the two.
 double momentumError(const btRigidBody& parent, const std::vector<std::unique_ptr<Breakable>>& fragments);
 
+/// Deletes the pieces whose fragments are to be dropped; returns their mass, kg.
+double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::unique_ptr<Breakable>>& pieces);
+
 /// Takes a body out of the world with all that would go on pointing to it: joints, predictive contacts. Wakes
 /// whatever touched it or was joined to it. Returns the joints, which belong to the app.
 std::vector<btTypedConstraint*> takeOutOfWorld(btDiscreteDynamicsWorld& world, btRigidBody& body);

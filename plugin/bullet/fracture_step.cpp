@@ -149,6 +149,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
         return {};
     }
     event.momentum_error_rel = momentumError(*broken.body, pieces);
+    event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);
     const btBroadphaseProxy& proxy = *broken.body->getBroadphaseHandle();
     const int group = proxy.m_collisionFilterGroup, mask = proxy.m_collisionFilterMask;
     event.removed_constraints = takeOutOfWorld(world_, *broken.body);

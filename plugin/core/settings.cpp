@@ -71,6 +71,7 @@ Status FractureSettings::validate() const {
                  "a fraction above 0 and at most 1")
         .require(isNotNegative(smallest_fragment_m3), "smallest_fragment_m3", smallest_fragment_m3,
                  "0 (1/200 of the first body) or positive, in m^3")
+        .require(isWithin(damage_waves, 1, 20), "damage_waves", damage_waves, "between 1 and 20")
         .require(isNotNegative(rest_after_break_s), "rest_after_break_s", rest_after_break_s,
                  "0 or positive, in s")
         .status();

@@ -275,4 +275,35 @@ TEST(Break, PiecesBelowTheSmallestSizeAreNeverSolved) {
     EXPECT_EQ(fracture.counts().solved, solved);
 }
 
+TEST(Break, DroppedDebrisTakesItsMomentumAlong) {
+    double mass[2] = {0, 0}, dropped_kg = 0, whole_kg = 0;
+    std::size_t count[2];
+    for (const bool dropping : {false, true}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        Settings settings = coarse(0.06);
+        settings.fracture.fragment_count = 20;
+        settings.fracture.smallest_fragment_m3 = 7e-4;  // of 0.0216
+        settings.fracture.debris = dropping ? Debris::dropped : Debris::unbreakable;
+        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                    crumbly(), settings);
+        fracture.add(asset.value(), at(0, 0, 0));
+        scene.addBall(2, 0.1, btVector3(0.05, 0.02, 0.2), btVector3(0, 0, -8));
+        const BreakEvent event = stepUntilBreak(scene, fracture);
+        ASSERT_EQ(event.outcome, kBroke) << event.message;
+        EXPECT_LT(event.momentum_error_rel, 1e-5);
+        EXPECT_LT(event.mass_error_rel, 1e-6);
+        for (const btRigidBody* body : event.fragments) mass[dropping] += 1 / body->getInvMass();
+        count[dropping] = event.fragments.size();
+        if (dropping) dropped_kg = event.dropped_mass_kg;
+        else EXPECT_EQ(event.dropped_mass_kg, 0);
+        whole_kg = asset.value().mass();
+        scene.step(5);
+    }
+    EXPECT_LT(count[1], count[0]);
+    EXPECT_GT(dropped_kg, 0);
+    EXPECT_NEAR(mass[0], whole_kg, 1e-5 * whole_kg);
+    EXPECT_NEAR(mass[1] + dropped_kg, whole_kg, 1e-5 * whole_kg);
+}
+
 }  // namespace

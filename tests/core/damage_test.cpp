@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace {
 
@@ -82,6 +83,32 @@ TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes
     EXPECT_EQ(crushed.damaged, (std::vector<char>{1, 1, 1, 1}));
     EXPECT_NEAR(crushed.overstress[1], 18 / 13.5, 1e-12);
     EXPECT_EQ(damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), 4.1).damaged[1], 0);
+}
+
+TEST(Damage, AStrengthFieldScalesEveryParticleAtItsPlace) {
+    auto particles = particlesOf(3, 1e-6);
+    for (int i = 0; i < 3; ++i) particles[i].position = Vec3(i, 0, 0);
+    const auto plain = particleStrengths(Material::glass(), particles, 5);
+    const auto painted =
+        particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return x.x() + 0.5; });
+    for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(painted[i], plain[i] * (i + 0.5));
+    try {
+        particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return 1 - x.x(); });
+        FAIL();
+    } catch (const std::invalid_argument& trouble) {
+        EXPECT_STREQ(trouble.what(),
+                     "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
+    }
+}
+
+TEST(Damage, WhatIsDamagedStaysSo) {
+    Discretisation solid;
+    solid.particles.resize(2);
+    StressField stress;
+    stress.particles.assign(2, Voigt::Zero());
+    const Damage damage = damagedParticles(stress, 1, solid, {1, 1}, 1, {1, 0});
+    EXPECT_EQ(damage.damaged, (std::vector<char>{1, 0}));
+    EXPECT_EQ(damage.count, 1);
 }
 
 }  // namespace

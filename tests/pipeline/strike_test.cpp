@@ -131,4 +131,98 @@ TEST(Strike, WithoutContactsNothingHappens) {
     EXPECT_EQ(out.damaged_particles, 0);
 }
 
+TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
+    Settings settings;
+    const auto share_on_the_right = [&] {
+        const auto body = plate(Material::plaster(), settings);
+        const BlowOutcome out = strike(*body, blowInTheMiddle(0.5, 6), 1);
+        EXPECT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        int right = 0;
+        for (const Fragment& f : out.fragments) right += f.body->moments().centroid.x() > 0.003;
+        return static_cast<double>(right) / out.fragments.size();
+    };
+    EXPECT_NEAR(share_on_the_right(), 0.5, 0.2);
+    settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 1.0 : 1e4; };
+    EXPECT_GT(share_on_the_right(), 0.8);
+}
+
+TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
+    Settings settings;
+    settings.fracture.strength_field = [](const Vec3& x) { return x.x(); };
+    const auto body = plate(Material::plaster(), settings);
+    EXPECT_TRUE(canBreak(*body, blowInTheMiddle(1, 10)));
+    const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_NE(out.message.find("the strength field is -"), std::string::npos) << out.message;
+}
+
+TEST(Strike, FurtherWavesOnlyAddDamage) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.015;
+    settings.fracture.largest_fragment_count = 1000;
+    Material material = Material::plaster();
+    material.tensile_strength_pa = 3.5e6;
+    std::vector<int> damaged;
+    for (const int waves : {1, 2, 4, 20}) {
+        settings.fracture.damage_waves = waves;
+        damaged.push_back(strike(*plate(material, settings), blowInTheMiddle(0.2, 3), 1).damaged_particles);
+    }
+    RecordProperty("damaged particles after 1, 2, 4, 20 waves", testing::PrintToString(damaged));
+    EXPECT_GT(damaged[0], 0);
+    EXPECT_GT(damaged[1], damaged[0]);
+    EXPECT_GE(damaged[2], damaged[1]);
+    EXPECT_GE(damaged[3], damaged[2]);
+}
+
+TEST(Strike, DebrisIsKeptMergedOrDropped) {
+    Settings settings;
+    settings.fracture.fragment_count = 30;
+    settings.fracture.smallest_fragment_m3 = 1e-4;  // of 4.8e-3
+    const auto struck = [&](Debris debris) {
+        settings.fracture.debris = debris;
+        return strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    };
+    const auto small = [&](const BlowOutcome& out) {
+        int count = 0;
+        for (const Fragment& f : out.fragments) count += f.body->moments().volume < 0.9e-4;
+        return count;
+    };
+    const BlowOutcome kept = struck(Debris::unbreakable), merged = struck(Debris::merged),
+                      dropped = struck(Debris::dropped);
+    ASSERT_GT(small(kept), 3);
+    // Merging goes by particles, and the cut is smooth: a piece may end up a little smaller than its particles.
+    EXPECT_EQ(small(merged), 0);
+    EXPECT_LT(merged.fragments.size(), kept.fragments.size());
+    ASSERT_EQ(dropped.fragments.size(), kept.fragments.size());
+    for (const Fragment& f : dropped.fragments) EXPECT_EQ(f.dropped, f.body->moments().volume < 1e-4);
+    for (const BlowOutcome* out : {&kept, &merged, &dropped}) EXPECT_LT(out->mass_error_rel, 1e-9);
+}
+
+TEST(Strike, AtMostTheLargestNumberOfFragments) {
+    Settings settings;
+    settings.fracture.largest_fragment_count = 5;
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke);
+    EXPECT_LE(out.fragments.size(), 5u);
+    EXPECT_GE(out.fragments.size(), 2u);
+}
+
+TEST(Strike, TwiceTheImpulseNeverDamagesLess) {
+    for (const double spacing : {0.01, 0.02}) {
+        Settings settings;
+        settings.sampling.spacing_m = spacing;
+        const auto body = plate(Material::plaster(), settings);
+        for (const bool faster : {false, true}) {  // or heavier
+            int last = 0;
+            for (double factor = 0.01; factor < 50; factor *= 2) {
+                const Blow blow = faster ? blowInTheMiddle(0.3, 3 * factor) : blowInTheMiddle(0.3 * factor, 3);
+                const int damaged = strike(*body, blow, 1).damaged_particles;
+                EXPECT_GE(damaged, last) << factor;
+                last = damaged;
+            }
+            EXPECT_GT(last, 0);
+        }
+    }
+}
+
 }  // namespace

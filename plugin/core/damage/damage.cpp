@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <sstream>
+#include <stdexcept>
+#include <string>
 
 namespace sherd {
 
@@ -34,16 +37,28 @@ double scattered(const Material& material, std::mt19937_64& random) {
     return std::max(weakest, std::pow(-std::log(uniform), inverse) / std::tgamma(1 + inverse));
 }
 
+std::string notPositive(double factor, const Vec3& x) {
+    std::ostringstream sentence;
+    sentence << "the strength field is " << factor << " at (" << x.transpose()
+             << ") m; it has to be above 0 and finite everywhere in the body";
+    return sentence.str();
+}
+
 }  // namespace
 
 std::vector<double> particleStrengths(const Material& material, const std::vector<Particle>& particles,
-                                      std::uint64_t seed) {
+                                      std::uint64_t seed, const std::function<double(const Vec3&)>& field) {
     std::mt19937_64 random(seed);
     std::vector<double> strengths;
     strengths.reserve(particles.size());
     for (const Particle& particle : particles)
         strengths.push_back(material.tensile_strength_pa * sizeEffect(material, particle.volume) *
                             scattered(material, random));
+    for (std::size_t i = 0; field && i < strengths.size(); ++i) {
+        const double factor = field(particles[i].position);
+        if (!(factor > 0) || !std::isfinite(factor)) throw std::invalid_argument(notPositive(factor, particles[i].position));
+        strengths[i] *= factor;
+    }
     return strengths;
 }
 
@@ -53,7 +68,8 @@ double weakestStrengthFraction(const Material& material, double largest_volume_m
 }
 
 Damage damagedParticles(const StressField& stress, double scale, const Discretisation& solid,
-                        const std::vector<double>& strengths, double compressive_over_tensile) {
+                        const std::vector<double>& strengths, double compressive_over_tensile,
+                        const std::vector<char>& damaged) {
     const std::size_t n = solid.particles.size();
     std::vector<double> tension(n), compression(n);
     const auto include = [&](std::size_t particle, const Voigt& s) {
@@ -68,7 +84,7 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     damage.overstress.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
         damage.overstress[i] = scale / strengths[i] * std::max(tension[i], compression[i] / compressive_over_tensile);
-        damage.damaged[i] = damage.overstress[i] > 1;
+        damage.damaged[i] = damage.overstress[i] > 1 || (!damaged.empty() && damaged[i]);
         damage.count += damage.damaged[i];
         damage.largest_stress_pa = std::max(damage.largest_stress_pa, scale * tension[i]);
     }

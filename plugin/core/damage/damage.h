@@ -4,6 +4,7 @@
 #include <sherd/stress_field.h>
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "core/sampling/discretisation.h"
@@ -19,9 +20,10 @@ struct Damage {
 };
 
 /// Tensile strength of every particle, Pa: scattered about the material's by `seed` and index, normally or after Weibull
-/// with its size effect, never below a third of the mean for the particle's volume.
+/// with its size effect, never below a third of the mean for the particle's volume; times `field` at its place, if there
+/// is one. Throws std::invalid_argument where the field is not positive.
 std::vector<double> particleStrengths(const Material& material, const std::vector<Particle>& particles,
-                                      std::uint64_t seed);
+                                      std::uint64_t seed, const std::function<double(const Vec3&)>& field = {});
 
 /// The smallest fraction of the material's strength that particleStrengths can give to particles of up to a volume.
 double weakestStrengthFraction(const Material& material, double largest_volume_m3);
@@ -29,7 +31,9 @@ double weakestStrengthFraction(const Material& material, double largest_volume_m
 /// Marks the particles whose largest principal stress, at the particle or at a surface point of its
 /// sub-domain (where brittle cracks start), exceeds its strength, or whose largest compression exceeds
 /// `compressive_over_tensile` times that. `scale` multiplies the stress.
+/// Particles that are `damaged` already (#particles, or empty) stay so.
 Damage damagedParticles(const StressField& stress, double scale, const Discretisation& solid,
-                        const std::vector<double>& strengths, double compressive_over_tensile);
+                        const std::vector<double>& strengths, double compressive_over_tensile,
+                        const std::vector<char>& damaged = {});
 
 }  // namespace sherd

@@ -3,6 +3,7 @@
 
 #include "core/mlpg/inertia_relief.h"
 #include "core/mlpg/galerkin_stiffness.h"
+#include "core/mlpg/nearest_owner.h"
 #include "core/mlpg/rigid_motions.h"
 #include "core/mlpg/spline_stiffness.h"
 #include "core/mlpg/stress_solver_impl.h"
@@ -20,6 +21,18 @@ constexpr double of_body = 0.2;
 
 constexpr double first_doubtful_poisson_ratio = 0.47;
 
+/// Of the stiffness of damaged material.
+constexpr double damaged_share = 1e-4;
+
+/// Per part, what is left of its stiffness; empty if nothing is damaged.
+std::vector<double> stiffnessShares(const Discretisation& solid, const std::vector<char>& damaged) {
+    std::vector<double> shares;
+    if (damaged.empty()) return shares;
+    for (const CellPart& part : solid.parts.parts)
+        shares.push_back(damaged[nearestOwner(solid, solid.parts.centroid(part))] ? damaged_share : 1);
+    return shares;
+}
+
 Eigen::Matrix3d spinGradient(const Vec3& w) {
     return w * w.transpose() - w.squaredNorm() * Mat3::Identity();
 }
@@ -29,7 +42,8 @@ Eigen::Matrix3d spinGradient(const Vec3& w) {
 class SplineSolver : public StressSolver::Impl {
   public:
     SplineSolver(std::shared_ptr<const Discretisation> solid, const Material& material, int degree,
-                 const StressSettings& settings, const std::vector<SupportPoint>& supports)
+                 const StressSettings& settings, const std::vector<SupportPoint>& supports,
+                 const std::vector<char>& damaged)
         : solid_(std::move(solid)),
           parts_(solid_->parts),
           elasticity_(material),
@@ -39,7 +53,9 @@ class SplineSolver : public StressSolver::Impl {
           space_(*space_pointer_),
           motions_(parts_, space_),
           supported_(space_.component_count, 0),
-          rounds_(settings.resampling_rounds),
+          shares_(stiffnessShares(*solid_, damaged)),
+          // Zooms know whole material only.
+          rounds_(damaged.empty() ? settings.resampling_rounds : 0),
           zoom_margin_(settings.resampling_margin),
           body_moments_(gatherMoments()),
           inertia_(InertiaRelief::splines(body_moments_, motions_)) {
@@ -58,7 +74,7 @@ class SplineSolver : public StressSolver::Impl {
 
     Status factor() {
         Stopwatch watch;
-        stiffness_ = splineStiffness(parts_, space_, elasticity_, springs_);
+        stiffness_ = splineStiffness(parts_, space_, elasticity_, springs_, shares_);
         SparseMatrix held = stiffness_;
         for (const int unknown : unknownsToPin(motions_))
             if (!supported_[motions_.componentOfUnknown(unknown)]) pinned_.push_back(unknown);
@@ -282,7 +298,8 @@ class SplineSolver : public StressSolver::Impl {
                 }
             spacing = parts_.edges.maxCoeff();
             if (on_whole.part < 0) return Voigt::Zero();
-            return toVoigt(elasticity_.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
+            const Voigt stress = toVoigt(elasticity_.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
+            return shares_.empty() ? stress : Voigt(shares_[on_whole.part] * stress);
         };
         field.particles.reserve(solid_->particles.size());
         field.surface.reserve(solid_->surface_points.size());
@@ -308,6 +325,7 @@ class SplineSolver : public StressSolver::Impl {
     std::vector<char> supported_;  // per component
     std::vector<SupportSpring> supports_;
     std::vector<PointSpring> springs_;
+    std::vector<double> shares_;  // of the stiffness, per part; empty: all of it
     int rounds_;
     double zoom_margin_;
     std::vector<GridPoint> located_;  // particles, then surface points
@@ -322,12 +340,12 @@ class SplineSolver : public StressSolver::Impl {
 
 Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     std::shared_ptr<const Discretisation> solid, const Material& material, const StressSettings& settings,
-    const std::vector<SupportPoint>& supports) {
+    const std::vector<SupportPoint>& supports, const std::vector<char>& damaged) {
     const int degree = splineDegree(settings.basis);
     if (solid->parts.order < 2 * degree)
         return Error{"The solid was sampled with moments of order " + std::to_string(solid->parts.order) +
                      "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) + "."};
-    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, settings, supports);
+    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, settings, supports, damaged);
     if (const Status factored = solver->factor(); !factored) return Error{factored.error()};
     return std::unique_ptr<Impl>(std::move(solver));
 }

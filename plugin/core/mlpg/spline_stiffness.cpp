@@ -160,7 +160,7 @@ std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<Sup
 }
 
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs) {
+                             const std::vector<PointSpring>& springs, const std::vector<double>& share_of_part) {
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<std::vector<int>> reach(part_count);
     for (int part = 0; part < part_count; ++part) reach[part] = functionsOf(space, part);
@@ -191,7 +191,10 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
                 }
                 const Ties ties(space, part, own.functions);
                 for (int j = 0; j < 3; ++j)
-                    for (int i = 0; i <= j; ++i) ties.apply(own.gram[3 * i + j]);
+                    for (int i = 0; i <= j; ++i) {
+                        if (!share_of_part.empty()) own.gram[3 * i + j] *= share_of_part[part];
+                        ties.apply(own.gram[3 * i + j]);
+                    }
                 if (own.springs.size() > 0) ties.apply(own.springs);
             }
         });

@@ -21,7 +21,8 @@ struct StressSolver::Impl {
                                                        const Material& material, const StressSettings& settings);
     static Result<std::unique_ptr<Impl>> overSplines(std::shared_ptr<const Discretisation> solid,
                                                      const Material& material, const StressSettings& settings,
-                                                     const std::vector<SupportPoint>& supports);
+                                                     const std::vector<SupportPoint>& supports,
+                                                     const std::vector<char>& damaged);
 };
 
 /// The error of a field that is not finite, or the field.

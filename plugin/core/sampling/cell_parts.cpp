@@ -16,6 +16,15 @@ double squaredDistance(const Vec3& u, const Vec3& lower, double edge) {
 
 }  // namespace
 
+Vec3 CellParts::centroid(const CellPart& part) const {
+    Vec3 xi = Vec3::Zero();
+    if (!part.moments.empty() && order > 0) {
+        const std::size_t n = static_cast<std::size_t>(order) + 1;
+        xi = Vec3(part.moments[1], part.moments[n], part.moments[n * n]) / part.moments[0];
+    }
+    return origin + (part.cell.cast<double>() + Vec3::Constant(0.5) + xi).cwiseProduct(edges);
+}
+
 int CellParts::partAt(const Vec3& x) const {
     const Vec3 u = (x - origin).cwiseQuotient(edges);
     if (!u.allFinite()) return -1;

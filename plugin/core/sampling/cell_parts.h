@@ -35,6 +35,7 @@ struct CellParts {
     Vec3 toCell(const Vec3& x, const Eigen::Vector3i& cell) const {
         return (x - origin).cwiseQuotient(edges) - cell.cast<double>() - Vec3::Constant(0.5);
     }
+    Vec3 centroid(const CellPart& part) const;  ///< m
     /// The part that x lies in, or the nearest one in the cells around it; -1 if there is none within a cell.
     int partAt(const Vec3& x) const;
 };
