@@ -97,7 +97,7 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     const FragmentLabels labels = timed(out.ms.cluster, [&] {
         const int wanted = wantedClusters(body, damage, solid, energy);
         FragmentLabels clustered = fragmentLabels(solid, damage, wanted, body.wallThickness(), seed,
-                                                  settings.fracture.guide, middleOf(loads.unit));
+                                                  settings.fracture.guide, axisOf(loads.unit));
         const bool merging = settings.fracture.debris == Debris::merged;
         mergeSmallest(solid, merging ? body.smallestFragment() : 0, settings.fracture.largest_fragment_count,
                       clustered);

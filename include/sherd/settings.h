@@ -77,7 +77,7 @@ struct GuideField {
     enum class Kind {
         none,      ///< no direction is preferred
         constant,  ///< `direction`: the grain of wood
-        radial,    ///< away from the contact: glass
+        radial,    ///< away from the axis of the blow: glass. Cracks go straight through, along the axis, too
         custom,    ///< what `custom` returns
     };
     Kind kind = Kind::none;

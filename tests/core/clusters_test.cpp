@@ -123,7 +123,8 @@ TEST(PenaltyDistance, IsEquation18) {
     grain.kind = GuideField::Kind::constant;
     grain.direction = Vec3(0, 0, 5);
     grain.penalty = 0.2;
-    const Vec3 a(1, 2, 3), b(4, 6, 8), contact(0, 0, 0);
+    const Vec3 a(1, 2, 3), b(4, 6, 8);
+    BlowAxis contact;
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14);
     EXPECT_EQ(penaltyDistance(a, b, grain, contact), penaltyDistance(b, a, grain, contact));
     grain.penalty = 1;
@@ -132,6 +133,10 @@ TEST(PenaltyDistance, IsEquation18) {
     grain.penalty = 0;
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(3, 0, 0), grain, contact), 0, 1e-14);
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(0, 1, 0), grain, contact), std::sqrt(2.0), 1e-14);
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), std::sqrt(13) * std::sqrt(1 - std::pow((2 * 2 + 3 * 3.5) / std::sqrt(13) / std::hypot(2, 3.5), 2)), 1e-14)
+        << "no axis: away from the contact";
+    contact.direction = Vec3::UnitZ();
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 0, 1e-14) << "straight through";
     grain.kind = GuideField::Kind::custom;
     grain.custom = [](const Vec3&, const Vec3&) { return Vec3(Vec3::Zero()); };
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14) << "no direction there";
@@ -176,7 +181,7 @@ TEST(Clusters, GrowAlongTheGrainHoweverItLies) {
 TEST(Clusters, ARadialFieldMakesSectors) {
     const Discretisation solid = sheet(41);
     const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
-    const Vec3 contact(20, 20, 0);
+    const BlowAxis contact{Vec3(20, 20, 0), Vec3::Zero()};
     GuideField radial;
     radial.kind = GuideField::Kind::radial;
     radial.penalty = 0.1;
@@ -188,7 +193,7 @@ TEST(Clusters, ARadialFieldMakesSectors) {
                 if (labels.of_particle[i] == labels.of_particle[j]) continue;
                 // A border between two clusters has the direction of the step across it.
                 const Vec3 step = (solid.particles[j].position - solid.particles[i].position).normalized();
-                const Vec3 radius = (0.5 * (solid.particles[i].position + solid.particles[j].position) - contact).normalized();
+                const Vec3 radius = (0.5 * (solid.particles[i].position + solid.particles[j].position) - contact.contact).normalized();
                 along += std::pow(step.dot(radius), 2);
                 across += 1 - std::pow(step.dot(radius), 2);
             }

@@ -92,8 +92,8 @@ std::vector<char> spread(const Discretisation& solid, const std::vector<char>& d
 class StressMetric {
   public:
     StressMetric(const Discretisation& solid, const Damage& damage, const std::vector<char>& state,
-                 const GuideField& guide, const Vec3& contact)
-        : solid_(solid), damage_(damage), state_(state), guide_(guide), contact_(contact) {}
+                 const GuideField& guide, const BlowAxis& blow)
+        : solid_(solid), damage_(damage), state_(state), guide_(guide), blow_(blow) {}
 
     /// Lowers `distance` from `source` along the neighbour table and claims what gets nearer for `label`.
     void claim(int source, int label, std::vector<double>& distance, std::vector<int>& labels) const {
@@ -122,7 +122,7 @@ class StressMetric {
     }
 
     double straight(int source, int i) const {
-        return penaltyDistance(solid_.particles[source].position, solid_.particles[i].position, guide_, contact_) *
+        return penaltyDistance(solid_.particles[source].position, solid_.particles[i].position, guide_, blow_) *
                density(damage_.overstress[i]);
     }
 
@@ -132,7 +132,7 @@ class StressMetric {
     const Damage& damage_;
     const std::vector<char>& state_;
     const GuideField& guide_;
-    const Vec3& contact_;
+    const BlowAxis& blow_;
 };
 
 /// Seeds by farthest point, the first at random; returns the number of clusters made.
@@ -158,15 +158,31 @@ int clusterDamaged(const StressMetric& metric, const std::vector<char>& state, i
 
 }  // namespace
 
-double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const Vec3& contact) {
-    const Vec3 offset = b - a, middle = 0.5 * (a + b);
-    Vec3 field = Vec3::Zero();
-    if (guide.kind == GuideField::Kind::constant) field = guide.direction;
-    if (guide.kind == GuideField::Kind::radial) field = middle - contact;
-    if (guide.kind == GuideField::Kind::custom) field = guide.custom(middle, contact);
-    if (!field.allFinite() || field.isZero(0)) return offset.norm();
-    const Vec3 v = field.normalized();
-    return (offset - (1 - guide.penalty) * offset.dot(v) * v).norm();
+double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const BlowAxis& blow) {
+    const Vec3 middle = 0.5 * (a + b);
+    Vec3 offset = b - a;
+    const auto penalise = [&](const Vec3& field) {
+        if (!field.allFinite() || field.isZero(0)) return;
+        const Vec3 v = field.normalized();
+        offset -= (1 - guide.penalty) * offset.dot(v) * v;
+    };
+    switch (guide.kind) {
+        case GuideField::Kind::none:
+            break;
+        case GuideField::Kind::constant:
+            penalise(guide.direction);
+            break;
+        case GuideField::Kind::radial: {
+            const Vec3 away = middle - blow.contact;
+            penalise(away - away.dot(blow.direction) * blow.direction);
+            penalise(blow.direction);
+            break;
+        }
+        case GuideField::Kind::custom:
+            penalise(guide.custom(middle, blow.contact));
+            break;
+    }
+    return offset.norm();
 }
 
 int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
@@ -184,7 +200,7 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
 
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
                               double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
-                              const Vec3& contact) {
+                              const BlowAxis& blow) {
     const std::vector<char> damaged =
         spread(solid, withoutSpecks(solid, damage.damaged), kAcrossWall * wall_thickness_m);
     const std::vector<char> state = withoutSpecks(solid, damaged);
@@ -198,7 +214,7 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         if (label < 0) label = labels.count++;
         labels.of_particle[i] = label;
     }
-    labels.count += clusterDamaged(StressMetric(solid, damage, state, guide, contact), state, clusters, labels.count,
+    labels.count += clusterDamaged(StressMetric(solid, damage, state, guide, blow), state, clusters, labels.count,
                                    seed, labels.of_particle);
     return labels;
 }

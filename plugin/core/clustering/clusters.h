@@ -6,6 +6,7 @@
 
 #include "core/clustering/fragment_labels.h"
 #include "core/damage/damage.h"
+#include "core/loads/blow.h"
 #include "core/sampling/discretisation.h"
 
 namespace sherd {
@@ -27,14 +28,16 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3);
 /// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Damage on one side of a wall reaches through it. Count 1 means:
 /// nothing came off.
 ///
-/// With a guide field about `contact` distances are those of Eq. 18 instead of path lengths, and clusters grow from
+/// With a guide field distances are those of Eq. 18 instead of path lengths, and clusters grow from
 /// their seeds along the neighbour table, so that they keep together.
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
                               double wall_thickness_m, std::uint64_t seed, const GuideField& guide = {},
-                              const Vec3& contact = Vec3::Zero());
+                              const BlowAxis& blow = {});
 
 /// Eq. 18: |AB - (1 - lambda) (AB . v) v|, v the field's unit vector in the middle between a and b. Points along the
 /// field are near to each other, so fragments grow along it (the paper's sentence says across; its figures say along).
-double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const Vec3& contact);
+/// A radial field runs away from the axis of the blow, and the component along that axis is penalised in the same way:
+/// the cracks of a struck pane go straight through it.
+double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const BlowAxis& blow);
 
 }  // namespace sherd

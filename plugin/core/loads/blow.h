@@ -38,4 +38,10 @@ ContactShare contactShare(const ContactImpulse& contact);
 /// Energy that all contacts together bring to the body at most, J.
 double blowEnergy(const Blow& blow);
 
+/// Where and along which direction a body is struck.
+struct BlowAxis {
+    Vec3 contact = Vec3::Zero();    ///< m
+    Vec3 direction = Vec3::Zero();  ///< unit, or zero: not known
+};
+
 }  // namespace sherd

@@ -60,14 +60,17 @@ ContactLoads contactLoads(const StruckBody& body, const Blow& blow, const Contac
     return loads;
 }
 
-Vec3 middleOf(const std::vector<PointForce>& forces) {
-    Vec3 sum = Vec3::Zero();
+BlowAxis axisOf(const std::vector<PointForce>& forces) {
+    Vec3 places = Vec3::Zero(), sum = Vec3::Zero();
     double weight = 0;
     for (const PointForce& force : forces) {
-        sum += force.force.norm() * force.position;
+        places += force.force.norm() * force.position;
+        sum += force.force;
         weight += force.force.norm();
     }
-    return weight > 0 ? Vec3(sum / weight) : Vec3(Vec3::Zero());
+    if (!(weight > 0)) return {};
+    constexpr double least = 1e-6;  // of all forces: below that they pull apart and have no direction
+    return {places / weight, sum.norm() > least * weight ? sum.normalized().eval() : Vec3(Vec3::Zero())};
 }
 
 }  // namespace sherd

@@ -31,7 +31,7 @@ struct ContactLoads {
 /// body's own radius (flat on flat).
 ContactLoads contactLoads(const StruckBody& body, const Blow& blow, const ContactSettings& settings);
 
-/// Where forces act on the whole: their places, weighted with their size.
-Vec3 middleOf(const std::vector<PointForce>& forces);
+/// Where forces act on the whole, their places weighted with their size, and the direction of their sum.
+BlowAxis axisOf(const std::vector<PointForce>& forces);
 
 }  // namespace sherd
