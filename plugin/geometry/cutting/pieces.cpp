@@ -1,11 +1,11 @@
 #include "geometry/cutting/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "geometry/cutting/point_location.h"
 #include "geometry/cutting/union_find.h"
+#include "geometry/mass_properties.h"
 
 namespace sherd {
 
@@ -13,7 +13,6 @@ namespace {
 
 // Less than this part of a particle is no fragment.
 constexpr double smallest_piece = 0.05;
-constexpr double volume_tolerance = 1e-9;
 
 /// The triangles that bound the labels: those of the body, then both sides of every crack face.
 struct Boundary {
@@ -159,12 +158,18 @@ std::vector<char> findStrays(const std::vector<Shell>& shells, const Boundary& b
     return is_stray;
 }
 
+// The shell of every boundary triangle.
+std::vector<int> shellOf(const std::vector<Shell>& shells, const Boundary& boundary) {
+    std::vector<int> shell_of(boundary.triangles.size(), -1);
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        for (int t : shells[s].triangles) shell_of[t] = static_cast<int>(s);
+    return shell_of;
+}
+
 // Crack area that each piece shares with each neighbour, m^2.
 std::vector<std::map<int, double>> contactAreas(const std::vector<Shell>& shells, const Boundary& boundary,
                                                 const std::vector<Vec3>& points) {
-    std::vector<int> piece_of(boundary.triangles.size());
-    for (std::size_t s = 0; s < shells.size(); ++s)
-        for (int t : shells[s].triangles) piece_of[t] = static_cast<int>(s);
+    const std::vector<int> piece_of = shellOf(shells, boundary);
     std::vector<std::map<int, double>> areas(shells.size());
     for (int t = boundary.body_count; t < static_cast<int>(boundary.triangles.size()); ++t) {
         const auto& [a, b, c] = boundary.triangles[t];
@@ -203,7 +208,8 @@ std::vector<int> mergeStrays(const std::vector<Shell>& shells, const Boundary& b
 }
 
 FragmentSurface extract(const Shell& shell, const Boundary& boundary, const TriangleMesh& body,
-                        const CutFaces& faces, std::vector<int>& new_index) {
+                        const CutFaces& faces, const std::vector<int>& piece_of,
+                        std::vector<int>& new_index) {
     FragmentSurface piece;
     piece.label = shell.label;
     for (int t : shell.triangles) {
@@ -218,6 +224,7 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
         const int parent = t < boundary.body_count ? faces.body_parent[t] : -1;
         piece.mesh.triangles.push_back(triangle);
         piece.parents.push_back(parent);
+        piece.across.push_back(parent < 0 ? piece_of[boundary.opposite(t)] : -1);
         piece.mesh.kinds.push_back(parent < 0           ? SurfaceKind::crack
                                    : body.kinds.empty() ? SurfaceKind::original
                                                         : body.kinds[parent]);
@@ -228,9 +235,8 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
 }
 
 void applyMerges(const std::vector<int>& joined, const Boundary& boundary, std::vector<Shell>& shells) {
-    std::vector<int> piece_of(boundary.triangles.size());
-    for (std::size_t s = 0; s < shells.size(); ++s)
-        for (int t : shells[s].triangles) piece_of[t] = joined[s];
+    std::vector<int> piece_of = shellOf(shells, boundary);
+    for (int& piece : piece_of) piece = joined[piece];
     for (std::size_t s = 0; s < shells.size(); ++s) {
         if (joined[s] == static_cast<int>(s)) continue;
         Shell& target = shells[joined[s]];
@@ -269,20 +275,21 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
                 boundary, shells);
 
     std::vector<FragmentSurface> pieces;
+    const std::vector<int> piece_of = shellOf(shells, boundary);
     std::vector<int> new_index(faces.points.size(), -1);
-    double sum = 0, whole = 0;
     for (const Shell& shell : shells) {
-        const double volume = signedVolumeOf(shell.triangles, boundary.triangles, faces.points, origin);
-        if (!(volume > 0)) return Error{"a fragment would have no volume"};
-        sum += volume;
-        pieces.push_back(extract(shell, boundary, body, faces, new_index));
+        if (!(signedVolumeOf(shell.triangles, boundary.triangles, faces.points, origin) > 0))
+            return Error{"a fragment would have no volume"};
+        pieces.push_back(extract(shell, boundary, body, faces, piece_of, new_index));
     }
-    for (const auto& [a, b, c] : body.triangles)
-        whole +=
-            (body.vertices[a] - origin).cross(body.vertices[b] - origin).dot(body.vertices[c] - origin) / 6;
-    if (!(std::abs(sum - whole) <= volume_tolerance * whole))
-        return Error{"the volumes of the fragments do not add up"};
     return pieces;
+}
+
+double volumeRatio(const TriangleMesh& body, const std::vector<FragmentSurface>& pieces) {
+    const Vec3& origin = body.vertices.front();
+    double sum = 0;
+    for (const FragmentSurface& piece : pieces) sum += enclosedVolume(piece.mesh, origin);
+    return sum / enclosedVolume(body, origin);
 }
 
 }  // namespace sherd
