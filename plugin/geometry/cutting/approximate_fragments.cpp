@@ -10,6 +10,7 @@
 
 #include "geometry/cutting/crack_complex.h"
 #include "geometry/cutting/pieces.h"
+#include "geometry/cutting/union_find.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 #include "geometry/triangle_tree.h"
@@ -91,6 +92,20 @@ class SurfaceFitting {
     int outside_;
 };
 
+// Triangles of one label that hang together.
+std::vector<int> connectLabels(const CutFaces& faces) {
+    const EdgeTable edges = buildEdgeTable(faces.body, static_cast<int>(faces.points.size()));
+    UnionFind sets(static_cast<int>(faces.body.size()));
+    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        const int first = edges.uses[edges.first_use[e]] / 3;
+        for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
+            if (faces.body_label[edges.uses[u] / 3] == faces.body_label[first]) sets.unite(first, edges.uses[u] / 3);
+    }
+    std::vector<int> roots;
+    for (int t = 0; t < static_cast<int>(faces.body.size()); ++t) roots.push_back(sets.root(t));
+    return roots;
+}
+
 CutFaces toFaces(const CrackComplex& complex, const TriangleTree& surface, int outside) {
     CutFaces faces;
     faces.points = complex.points;
@@ -109,6 +124,7 @@ CutFaces toFaces(const CrackComplex& complex, const TriangleTree& surface, int o
         faces.body_label.push_back(below);
         faces.body_parent.push_back(static_cast<int>(nearest - surface.triangles.cbegin()));
     }
+    faces.body_set = connectLabels(faces);
     return faces;
 }
 

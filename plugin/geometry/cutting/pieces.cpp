@@ -34,6 +34,8 @@ struct Shell {
 
 Boundary makeBoundary(const CutFaces& faces) {
     Boundary boundary;
+    boundary.triangles.reserve(faces.body.size() + 2 * faces.crack.size());
+    boundary.labels.reserve(faces.body.size() + 2 * faces.crack.size());
     boundary.triangles = faces.body;
     boundary.labels = faces.body_label;
     boundary.body_count = static_cast<int>(faces.body.size());
@@ -48,16 +50,40 @@ Boundary makeBoundary(const CutFaces& faces) {
     return boundary;
 }
 
-// At every edge the triangles of each label come in one pair of opposite directions. False if not: the
-// surface is open.
-bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
-    const EdgeTable edges = buildEdgeTable(boundary.triangles, point_count);
-    for (std::size_t e = 0; e < edges.edges.size(); ++e)
-        for (int u = edges.first_use[e]; u < edges.first_use[e + 1]; ++u) {
-            const int t = edges.uses[u] / 3, start = boundary.triangles[t][edges.uses[u] % 3];
+std::vector<char> findCrackPoints(const Boundary& boundary, std::size_t point_count) {
+    std::vector<char> on_crack(point_count, false);
+    for (std::size_t t = boundary.body_count; t < boundary.triangles.size(); ++t)
+        for (int v : boundary.triangles[t]) on_crack[v] = true;
+    return on_crack;
+}
+
+std::vector<int> trianglesAt(const Boundary& boundary, const std::vector<char>& marked) {
+    std::vector<int> selected;
+    for (std::size_t t = 0; t < boundary.triangles.size(); ++t) {
+        const auto& [a, b, c] = boundary.triangles[t];
+        if (marked[a] || marked[b] || marked[c]) selected.push_back(static_cast<int>(t));
+    }
+    return selected;
+}
+
+// At every edge that ends in a crack the triangles of each label come in one pair of opposite directions. False if not:
+// the surface is open. All other edges are those of the body, which is closed.
+bool connectShells(const Boundary& boundary, const CutFaces& faces, UnionFind& sets) {
+    for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
+    const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
+    const std::vector<int> selected = trianglesAt(boundary, on_crack);
+    std::vector<Triangle> triangles;
+    triangles.reserve(selected.size());
+    for (int t : selected) triangles.push_back(boundary.triangles[t]);
+    const EdgeTable edges = buildEdgeTable(triangles, static_cast<int>(faces.points.size()));
+    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        if (!on_crack[edges.edges[e][0]] && !on_crack[edges.edges[e][1]]) continue;
+        const int begin = edges.first_use[e], end = edges.first_use[e + 1];
+        for (int u = begin; u < end; ++u) {
+            const int t = selected[edges.uses[u] / 3], start = boundary.triangles[t][edges.uses[u] % 3];
             int partners = 0;
-            for (int w = edges.first_use[e]; w < edges.first_use[e + 1]; ++w) {
-                const int other = edges.uses[w] / 3;
+            for (int w = begin; w < end; ++w) {
+                const int other = selected[edges.uses[w] / 3];
                 if (w == u || boundary.labels[other] != boundary.labels[t]) continue;
                 if (boundary.triangles[other][edges.uses[w] % 3] == start) return false;
                 sets.unite(t, other);
@@ -65,6 +91,7 @@ bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
             }
             if (partners != 1) return false;
         }
+    }
     return true;
 }
 
@@ -212,6 +239,11 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
                         std::vector<int>& new_index) {
     FragmentSurface piece;
     piece.label = shell.label;
+    piece.mesh.vertices.reserve(shell.triangles.size() / 2 + 2);
+    piece.mesh.triangles.reserve(shell.triangles.size());
+    piece.mesh.kinds.reserve(shell.triangles.size());
+    piece.parents.reserve(shell.triangles.size());
+    piece.across.reserve(shell.triangles.size());
     for (int t : shell.triangles) {
         Triangle triangle = boundary.triangles[t];
         for (int& v : triangle) {
@@ -265,7 +297,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
                                                     const FragmentLabels& labels) {
     const Boundary boundary = makeBoundary(faces);
     UnionFind sets(static_cast<int>(boundary.triangles.size()));
-    if (!connectShells(boundary, static_cast<int>(faces.points.size()), sets))
+    if (!connectShells(boundary, faces, sets))
         return Error{"a fragment would be open"};
     const Vec3 origin = body.vertices.front();
     std::vector<Shell> shells = collectShells(boundary, faces.points, origin, sets);
@@ -278,8 +310,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
     const std::vector<int> piece_of = shellOf(shells, boundary);
     std::vector<int> new_index(faces.points.size(), -1);
     for (const Shell& shell : shells) {
-        if (!(signedVolumeOf(shell.triangles, boundary.triangles, faces.points, origin) > 0))
-            return Error{"a fragment would have no volume"};
+        if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};
         pieces.push_back(extract(shell, boundary, body, faces, piece_of, new_index));
     }
     return pieces;
