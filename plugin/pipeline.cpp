@@ -105,8 +105,9 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     });
     if (labels.count < 2) return;
 
-    const FragmentSurfaces surfaces =
-        require(timed(out.ms.surface, [&] { return cutFragments(body.surface(), solid, labels, seed); }));
+    const FragmentSurfaces surfaces = require(timed(out.ms.surface, [&] {
+        return cutFragments(body.surface(), solid, labels, {seed, settings.fracture.crack_roughness});
+    }));
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 

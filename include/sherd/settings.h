@@ -118,6 +118,7 @@ struct FractureSettings {
     double smallest_fragment_m3 = 0;   ///< smaller pieces are debris; 0: 1/200 of the first body
     Debris debris = Debris::unbreakable;
     GuideField guide;
+    double crack_roughness = 0;  ///< of crack faces, as a fraction of the particle spacing, 0 to 0.5; same on both sides
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 
     Status validate() const;

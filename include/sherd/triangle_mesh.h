@@ -18,14 +18,25 @@ struct TriangleMesh {
     std::vector<Vec3> vertices;                 ///< #V points, m
     std::vector<std::array<int, 3>> triangles;  ///< #T, counter-clockwise seen from outside
     std::vector<SurfaceKind> kinds;             ///< #T, or empty: all original
+
+    // What a renderer wants to know. Each is empty where a mesh has none of it, and goes through breaking:
+    // triangles that no crack crosses keep theirs, parts of crossed ones have them interpolated.
+    std::vector<std::array<Vec2, 3>> texture_coordinates;  ///< #T, at the corners; on crack faces in m
+    std::vector<std::array<Vec3, 3>> normals;  ///< #T, at the corners; zero where the mesh gives none
+    std::vector<int> material;                 ///< #T, index into `materials`
+    std::vector<std::string> materials;        ///< names; crack faces have one called `crack`
+    std::vector<Vec3> colours;                 ///< #V, red, green and blue from 0 to 1
 };
 
-/// Reads the `v` and `f` records of a Wavefront OBJ (polygons are split into triangles, texture and normal
-/// indices are ignored, vertices at the same position become one). The error names the file and the line.
+/// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`, `f`,
+/// `usemtl` and the group `crack`. Polygons are split into triangles. Vertices at the same position become one, which
+/// has their mean colour; texture coordinates and normals belong to corners, so seams stay. Corners without texture
+/// coordinates or a normal get zeros if others have some, vertices without a colour are white. The error names the file
+/// and the line.
 Result<TriangleMesh> readObj(const std::string& path);
 
-/// Writes vertices with up to 17 digits, so that reading them gives the same bits; crack faces are in the
-/// group `crack`.
+/// Writes numbers with up to 17 digits, so that reading them gives the same bits; crack faces are in the group `crack`.
+/// Materials are named (`usemtl`), not described: there is no MTL file.
 Status writeObj(const TriangleMesh& mesh, const std::string& path);
 
 }  // namespace sherd

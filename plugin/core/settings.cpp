@@ -72,6 +72,8 @@ Status FractureSettings::validate() const {
         .require(isNotNegative(smallest_fragment_m3), "smallest_fragment_m3", smallest_fragment_m3,
                  "0 (1/200 of the first body) or positive, in m^3")
         .require(isWithin(damage_waves, 1, 20), "damage_waves", damage_waves, "between 1 and 20")
+        .require(isWithin(crack_roughness, 0, 0.5), "crack_roughness", crack_roughness,
+                 "between 0 and 0.5 (fraction of the particle spacing)")
         .require(isNotNegative(rest_after_break_s), "rest_after_break_s", rest_after_break_s,
                  "0 or positive, in s")
         .status();

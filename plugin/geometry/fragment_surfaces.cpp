@@ -1,8 +1,12 @@
 #include "geometry/fragment_surfaces.h"
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
+#include <optional>
 
+#include "geometry/cutting/approximate_fragments.h"
+#include "geometry/cutting/carry_attributes.h"
 #include "geometry/cutting/cut_faces.h"
 #include "geometry/cutting/pieces.h"
 
@@ -11,7 +15,7 @@ namespace sherd {
 namespace {
 
 constexpr double largest_lattice = 2e6;  // nodes
-constexpr int smoothing_steps = 6;
+constexpr double volume_tolerance = 1e-9;
 constexpr int nudges = 8;  // of single crack triangles, before the whole lattice is drawn anew
 constexpr int lattices = 6;
 
@@ -43,45 +47,57 @@ CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, co
     return attempt;
 }
 
+std::optional<FragmentSurfaces> tryLattice(const TriangleMesh& surface, const EdgeTable& edges,
+                                           const Discretisation& solid, const FragmentLabels& labels,
+                                           const LatticeSettings& lattice_settings, double roughness, std::string& why) {
+    const LabelLattice lattice = buildLabelLattice(surface, solid, labels, lattice_settings);
+    CrackComplex crack = buildCrackComplex(lattice);
+    smoothCracks(crack, lattice, smoothing_steps);
+    if (roughness > 0) roughenCracks(crack, lattice, roughness * solid.spacing, lattice_settings.seed);
+    const CutAttempt attempt = cutWithNudges(surface, edges, lattice, crack, lattice_settings.seed);
+    if (attempt.failure) {
+        why = attempt.failure;
+        return {};
+    }
+    auto pieces = assemblePieces(surface, attempt.faces, solid, labels);
+    why = pieces ? "the volumes of the fragments do not add up" : pieces.error();
+    if (!pieces || !(std::abs(volumeRatio(surface, pieces.value()) - 1) <= volume_tolerance)) return {};
+    return FragmentSurfaces{std::move(pieces).value(), {}};
+}
+
 Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretisation& solid,
-                                    const FragmentLabels& labels, std::uint64_t seed) {
+                                    const FragmentLabels& labels, const CutSettings& settings) {
     if (surface.triangles.empty()) return Error{"The surface to be cut has no triangles."};
     const EdgeTable edges = buildEdgeTable(surface.triangles, static_cast<int>(surface.vertices.size()));
     if (const Status checked = checkInput(surface, edges, solid, labels); !checked)
         return Error{checked.error()};
     const double spacing = latticeSpacing(surface, solid, labels, largest_lattice);
-    std::string why;
-    for (int k = 0; k < lattices; ++k) {
+    std::string why = "no lattice was tried";
+    for (int k = 0; k < settings.lattices; ++k) {
         // Another lattice each time, and from the third on a coarser one, whose faces are larger and fewer.
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
-        const LatticeSettings settings = {spacing * coarser, 0.15,
-                                          seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
-        const LabelLattice lattice = buildLabelLattice(surface, solid, labels, settings);
-        CrackComplex crack = buildCrackComplex(lattice, smoothing_steps);
-        const CutAttempt attempt = cutWithNudges(surface, edges, lattice, crack, settings.seed);
-        why = attempt.failure ? attempt.failure : "";
-        if (attempt.failure) continue;
-        auto pieces = assemblePieces(surface, attempt.faces, solid, labels);
-        why = pieces.error();
-        if (!pieces) continue;
-        FragmentSurfaces result = {std::move(pieces).value(), {}};
+        auto cut = tryLattice(surface, edges, solid, labels,
+                              {spacing * coarser, 0.15, settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)},
+                              settings.roughness, why);
+        if (!cut) continue;
         if (k > 1)
-            result.notes.push_back("Crack faces are " +
-                                   std::to_string(static_cast<int>(100 * coarser - 99.5)) +
-                                   " % coarser than usual, since finer ones could not be cut cleanly.");
-        return result;
+            cut->notes.push_back("Crack faces are " + std::to_string(static_cast<int>(100 * coarser - 99.5)) +
+                                 " % coarser than usual, since finer ones could not be cut cleanly.");
+        return std::move(*cut);
     }
-    return Error{"The fragments' surfaces could not be cut (" + why +
-                 "); the body stays whole. Try another seed or another "
-                 "particle spacing, and check the surface for very thin or very small triangles."};
+    return approximateFragments(surface, solid, labels, settings, why);
 }
 
 }  // namespace
 
 Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
-                                      const FragmentLabels& labels, std::uint64_t seed) {
+                                      const FragmentLabels& labels, const CutSettings& settings) {
     try {
-        return cutOrThrow(surface, solid, labels, seed);
+        auto cut = cutOrThrow(surface, solid, labels, settings);
+        if (!cut) return Error{cut.error()};
+        FragmentSurfaces fragments = std::move(cut).value();
+        carryAttributes(surface, fragments.pieces);
+        return fragments;
     } catch (const std::exception& e) {
         return Error{std::string("The fragments' surfaces could not be cut (") + e.what() +
                      "); the body stays whole."};

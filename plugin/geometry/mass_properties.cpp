@@ -55,4 +55,12 @@ Moments solidMoments(const TriangleMesh& mesh) {
     return moments;
 }
 
+double enclosedVolume(const TriangleMesh& mesh, const Vec3& origin) {
+    double six_volumes = 0;
+    for (const auto& [a, b, c] : mesh.triangles)
+        six_volumes +=
+            (mesh.vertices[a] - origin).cross(mesh.vertices[b] - origin).dot(mesh.vertices[c] - origin);
+    return six_volumes / 6;
+}
+
 }  // namespace sherd

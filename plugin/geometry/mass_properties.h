@@ -10,4 +10,7 @@ namespace sherd {
 /// density.
 Moments solidMoments(const TriangleMesh& mesh);
 
+/// The volume alone, m^3; exact up to rounding if `origin` is near.
+double enclosedVolume(const TriangleMesh& mesh, const Vec3& origin);
+
 }  // namespace sherd

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/mesh_attributes.h"
+
 namespace sherd {
 namespace {
 
@@ -24,11 +26,25 @@ std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
     return first;
 }
 
+/// The mean colour of the vertices that became each one.
+std::vector<Vec3> meanColours(const TriangleMesh& mesh, const std::vector<int>& renumbered, std::size_t count) {
+    std::vector<Vec3> colours(count, Vec3::Zero());
+    std::vector<int> shares(count, 0);
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+        if (renumbered[v] < 0) continue;
+        colours[renumbered[v]] += mesh.colours[v];
+        ++shares[renumbered[v]];
+    }
+    for (std::size_t v = 0; v < count; ++v) colours[v] /= shares[v];
+    return colours;
+}
+
 }  // namespace
 
 TriangleMesh mergeEqualVertices(const TriangleMesh& mesh) {
     const std::vector<int> first = firstAtPosition(mesh.vertices);
     TriangleMesh merged;
+    merged.materials = mesh.materials;
     std::vector<int> used(mesh.vertices.size(), 0);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
         const auto& [a, b, c] = mesh.triangles[t];
@@ -36,6 +52,7 @@ TriangleMesh mergeEqualVertices(const TriangleMesh& mesh) {
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
         merged.triangles.push_back(triangle);
         if (!mesh.kinds.empty()) merged.kinds.push_back(mesh.kinds[t]);
+        copyCorners(mesh, static_cast<int>(t), merged);
         for (const int corner : triangle) used[corner] = 1;
     }
     std::vector<int> renumbered(mesh.vertices.size(), -1);
@@ -46,6 +63,9 @@ TriangleMesh mergeEqualVertices(const TriangleMesh& mesh) {
     }
     for (auto& triangle : merged.triangles)
         for (int& corner : triangle) corner = renumbered[corner];
+    if (mesh.colours.empty()) return merged;
+    for (std::size_t v = 0; v < mesh.vertices.size(); ++v) renumbered[v] = renumbered[first[v]];
+    merged.colours = meanColours(mesh, renumbered, merged.vertices.size());
     return merged;
 }
 

@@ -77,7 +77,7 @@ int main(int argc, char** argv) {
     const FragmentLabels labels = fragment_support::randomClusters(solid, 37, 1);
 
     double start = seconds();
-    const auto fragments = cutFragments(plate, solid, labels, 1);
+    const auto fragments = cutFragments(plate, solid, labels, {});
     const double ours = seconds() - start;
     if (!fragments) return std::printf("%s\n", fragments.error().c_str()), 1;
 

@@ -163,21 +163,14 @@ inline TriangleMesh tube(double outer_radius, double inner_radius, double length
                     segments);
 }
 
-/// An open cup about z, standing on z = 0: wall and floor of the same thickness. The floor is flat, its
-/// middle a fan.
-inline TriangleMesh cup(double outer_radius, double height, double wall, int segments, int rows) {
-    std::vector<std::pair<double, double>>
-        profile;  // from the axis out along the floor, up, over the rim and back
-    const double inner = outer_radius - wall;
-    for (int i = 1; i <= rows; ++i) profile.emplace_back(outer_radius * i / rows, 0);
-    for (int i = 1; i <= rows; ++i) profile.emplace_back(outer_radius, height * i / rows);
-    for (int i = 0; i < rows; ++i) profile.emplace_back(inner, height - (height - wall) * i / rows);
-    for (int i = 0; i < rows; ++i) profile.emplace_back(inner * (rows - i) / rows, wall);
+/// The same for a profile whose first and last point are next to the axis: fans about points on the axis, as high as
+/// these two, close it.
+inline TriangleMesh revolvedSolid(const std::vector<std::pair<double, double>>& profile, int segments) {
     TriangleMesh mesh = revolved(profile, segments);
     // The ring's innermost strip, from the last point of the profile to the first, becomes two fans.
     const int n = int(profile.size()), bottom = int(mesh.vertices.size()), top = bottom + 1;
-    mesh.vertices.emplace_back(0, 0, 0);
-    mesh.vertices.emplace_back(0, 0, wall);
+    mesh.vertices.emplace_back(0, 0, profile.front().second);
+    mesh.vertices.emplace_back(0, 0, profile.back().second);
     std::vector<std::array<int, 3>> kept;
     for (int t = 0; t < int(mesh.triangles.size()); ++t)
         if (t / 2 % n != n - 1) kept.push_back(mesh.triangles[t]);
@@ -188,6 +181,29 @@ inline TriangleMesh cup(double outer_radius, double height, double wall, int seg
     }
     mesh.triangles = kept;
     return mesh;
+}
+
+/// An open cup about z, standing on z = 0: wall and floor of the same thickness. The floor is flat, its
+/// middle a fan.
+inline TriangleMesh cup(double outer_radius, double height, double wall, int segments, int rows) {
+    std::vector<std::pair<double, double>>
+        profile;  // from the axis out along the floor, up, over the rim and back
+    const double inner = outer_radius - wall;
+    for (int i = 1; i <= rows; ++i) profile.emplace_back(outer_radius * i / rows, 0);
+    for (int i = 1; i <= rows; ++i) profile.emplace_back(outer_radius, height * i / rows);
+    for (int i = 0; i < rows; ++i) profile.emplace_back(inner, height - (height - wall) * i / rows);
+    for (int i = 0; i < rows; ++i) profile.emplace_back(inner * (rows - i) / rows, wall);
+    return revolvedSolid(profile, segments);
+}
+
+/// The lower half of a hollow sphere about the origin.
+inline TriangleMesh bowl(double outer_radius, double wall, int segments, int rows) {
+    const double step = std::acos(0.0) / rows, inner = outer_radius - wall;
+    std::vector<std::pair<double, double>> profile;
+    for (int i = 1; i <= rows; ++i)
+        profile.emplace_back(outer_radius * std::sin(step * i), -outer_radius * std::cos(step * i));
+    for (int i = rows; i >= 1; --i) profile.emplace_back(inner * std::sin(step * i), -inner * std::cos(step * i));
+    return revolvedSolid(profile, segments);
 }
 
 /// A square tray open at the top: a U in the x-z plane, drawn out along y. Legs of the given thickness on a

@@ -19,8 +19,9 @@ void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, s
             (a.cwiseMin(b).cwiseMin(c) - lattice.origin) / lattice.spacing - Vec3::Constant(margin);
         const Vec3 high =
             (a.cwiseMax(b).cwiseMax(c) - lattice.origin) / lattice.spacing + Vec3::Constant(margin);
-        const Eigen::Vector3i first = low.array().floor().cast<int>().max(0);
-        const Eigen::Vector3i last = high.array().floor().cast<int>().min(lattice.size.array() - 2);
+        // The air around keeps all of this positive, so that truncation rounds down.
+        const Eigen::Vector3i first = low.cast<int>();
+        const Eigen::Vector3i last = high.cast<int>().cwiseMin((lattice.size.array() - 2).matrix());
         for (int k = first.z(); k <= last.z(); ++k)
             for (int j = first.y(); j <= last.y(); ++j)
                 for (int i = first.x(); i <= last.x(); ++i) state[lattice.index(i, j, k)] = near_surface;

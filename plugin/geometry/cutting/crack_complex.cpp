@@ -13,10 +13,6 @@ namespace {
 constexpr double smallest_t = 0.15;
 constexpr double smallest_weight = 0.1;
 
-double clampToEdge(double t) {
-    return std::min(1 - smallest_t, std::max(smallest_t, t));
-}
-
 // Where two labels are equally dense on the edge: the contrast (f_a - f_b) / (f_a + f_b) goes through zero.
 // It does not change when both fade into the air.
 double crossingOnEdge(const LabelLattice& lattice, int a, int b) {
@@ -216,7 +212,7 @@ void smoothOnce(CrackComplex& complex, const LabelLattice& lattice) {
     const NeighbourMeans means = sumNeighbours(complex);
     for (std::size_t p = 0; p < complex.points.size(); ++p) {
         CrackPoint& origin = complex.origins[p];
-        if (means.count[p] == 0 || origin.between[3] >= 0) continue;
+        if (means.count[p] == 0 || origin.between[3] >= 0 || origin.fixed) continue;
         const Vec3 wanted = 0.5 * (complex.points[p] + means.sum[p] / means.count[p]);
         if (origin.nodes[0] >= 0)
             origin.t = placeOnEdge(origin, lattice, wanted);
@@ -241,16 +237,35 @@ void nudgePoint(CrackComplex& complex, int point, std::uint64_t seed, int attemp
 
 }  // namespace
 
-CrackComplex buildCrackComplex(const LabelLattice& lattice, int smoothing_steps) {
+double clampToEdge(double t) {
+    return std::min(1 - smallest_t, std::max(smallest_t, t));
+}
+
+CrackComplex buildCrackComplex(const LabelLattice& lattice) {
     Marching marching(lattice);
     for (int k = 0; k + 1 < lattice.size.z(); ++k)
         for (int j = 0; j + 1 < lattice.size.y(); ++j)
             for (int i = 0; i + 1 < lattice.size.x(); ++i)
                 if (lattice.active_cells[lattice.index(i, j, k)] && !isUniform(lattice, i, j, k))
                     addCell(marching, lattice, i, j, k);
-    CrackComplex complex = marching.take();
-    for (int step = 0; step < smoothing_steps; ++step) smoothOnce(complex, lattice);
-    return complex;
+    return marching.take();
+}
+
+void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps) {
+    for (int step = 0; step < steps; ++step) smoothOnce(complex, lattice);
+}
+
+void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed) {
+    for (std::size_t p = 0; p < complex.origins.size(); ++p) {
+        CrackPoint& origin = complex.origins[p];
+        if (origin.nodes[0] < 0 || origin.fixed) continue;
+        const double length = (lattice.nodes[origin.nodes[1]] - lattice.nodes[origin.nodes[0]]).norm();
+        const double random = hashedRandom(seed, p, 3);
+        // Scaled to the room there is, not cut off there: points would gather at the ends.
+        const double room = random > 0 ? 1 - smallest_t - origin.t : origin.t - smallest_t;
+        origin.t = clampToEdge(origin.t + random * std::min(room, amplitude / length));
+    }
+    placePoints(complex, lattice);
 }
 
 void nudgeTriangle(CrackComplex& complex, const LabelLattice& lattice, int triangle, std::uint64_t seed,

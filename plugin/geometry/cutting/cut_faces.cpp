@@ -1,6 +1,7 @@
 #include "geometry/cutting/cut_faces.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "geometry/cutting/point_location.h"
 #include "geometry/cutting/triangle_subdivision.h"
@@ -10,10 +11,12 @@ namespace sherd {
 
 namespace {
 
-/// Triangles of one of the two surfaces after splitting.
-struct SplitSurface {
-    std::vector<Triangle> triangles;
-    std::vector<int> parents;
+/// Segments sorted by the triangle that they lie in.
+struct SegmentGroups {
+    std::vector<int> first;  // #T + 1, offsets into `segments`
+    std::vector<int> segments;
+
+    bool isEmpty(int t) const { return first[t] == first[t + 1]; }
 };
 
 /// One of the two surfaces, its edges and its crossings, with points numbered as in `SurfaceCrossing`.
@@ -21,7 +24,14 @@ struct Side {
     std::vector<Triangle> triangles;
     const EdgeTable& edges;
     const std::vector<EdgeCrossing>& on_edges;
-    std::vector<std::vector<int>> segments;  // of every triangle
+    SegmentGroups groups;
+};
+
+/// Triangles of one of the two surfaces after splitting.
+struct SplitSurface {
+    std::vector<Triangle> triangles;
+    std::vector<int> parents;
+    std::vector<int> first_part;  // #parents + 1
 };
 
 // Corners and crossings along the edges of a triangle, counter-clockwise.
@@ -43,23 +53,30 @@ std::vector<int> boundaryLoop(const Side& side, int triangle) {
 
 SplitSurface splitSurface(const Side& side, const SurfaceCrossing& crossing, std::vector<int>& troubled) {
     SplitSurface result;
+    result.triangles.reserve(side.triangles.size() + 2 * crossing.points.size());
+    result.first_part.reserve(side.triangles.size() + 1);
     TriangleSubdivision subdivision;
     std::vector<std::pair<int, int>> pairs;
+    const std::vector<Vec3>& x = crossing.points;
     for (int t = 0; t < static_cast<int>(side.triangles.size()); ++t) {
-        if (side.segments[t].empty()) {
+        result.first_part.push_back(static_cast<int>(result.triangles.size()));
+        if (side.groups.isEmpty(t)) {
             result.triangles.push_back(side.triangles[t]);
-        } else {
-            pairs.clear();
-            for (int s : side.segments[t])
-                pairs.emplace_back(crossing.segments[s].source, crossing.segments[s].target);
-            const auto& [a, b, c] = side.triangles[t];
-            const std::vector<Vec3>& x = crossing.points;
-            if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs,
-                                   result.triangles))
-                for (int s : side.segments[t]) troubled.push_back(crossing.segments[s].crack_triangle);
+            continue;
         }
-        result.parents.resize(result.triangles.size(), t);
+        pairs.clear();
+        const auto begin = side.groups.segments.begin() + side.groups.first[t],
+                   end = side.groups.segments.begin() + side.groups.first[t + 1];
+        for (auto s = begin; s != end; ++s)
+            pairs.emplace_back(crossing.segments[*s].source, crossing.segments[*s].target);
+        const auto& [a, b, c] = side.triangles[t];
+        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs, result.triangles))
+            for (auto s = begin; s != end; ++s) troubled.push_back(crossing.segments[*s].crack_triangle);
     }
+    result.first_part.push_back(static_cast<int>(result.triangles.size()));
+    result.parents.resize(result.triangles.size());
+    for (int t = 0; t < static_cast<int>(side.triangles.size()); ++t)
+        std::fill(result.parents.begin() + result.first_part[t], result.parents.begin() + result.first_part[t + 1], t);
     return result;
 }
 
@@ -69,23 +86,59 @@ struct SideValues {
     int left, right;
 };
 
+/// The triangles that lie in split parents, and their edges; those of whole ones are known from before.
+struct PartEdges {
+    std::vector<int> parts;  // in the split surface
+    EdgeTable edges;         // of `parts`, by their place there
+};
+
+PartEdges findPartEdges(const Side& side, const SplitSurface& split, int point_count) {
+    PartEdges result;
+    std::vector<Triangle> triangles;
+    for (std::size_t t = 0; t < split.triangles.size(); ++t) {
+        if (side.groups.isEmpty(split.parents[t])) continue;
+        result.parts.push_back(static_cast<int>(t));
+        triangles.push_back(split.triangles[t]);
+    }
+    result.edges = buildEdgeTable(triangles, point_count);
+    return result;
+}
+
 // Sets of triangles that hang together without crossing a segment.
-UnionFind connectWithin(const std::vector<Triangle>& triangles, const EdgeTable& edges,
+UnionFind connectWithin(const Side& side, const SplitSurface& split, const PartEdges& part_edges,
                         const std::vector<char>& is_barrier) {
-    UnionFind sets(static_cast<int>(triangles.size()));
+    UnionFind sets(static_cast<int>(split.triangles.size()));
+    const auto& [parts, edges] = part_edges;
     for (std::size_t e = 0; e < edges.edges.size(); ++e)
         if (!is_barrier[e])
             for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
-                sets.unite(edges.uses[u] / 3, edges.uses[edges.first_use[e]] / 3);
+                sets.unite(parts[edges.uses[u] / 3], parts[edges.uses[edges.first_use[e]] / 3]);
+    // Whole triangles have no crossing on their edges: a split neighbour has a part with the same edge.
+    for (std::size_t e = 0; e < side.edges.edges.size(); ++e) {
+        int first = -1;
+        for (int u = side.edges.first_use[e]; u < side.edges.first_use[e + 1]; ++u) {
+            const int parent = side.edges.uses[u] / 3;
+            int t = split.first_part[parent];
+            if (!side.groups.isEmpty(parent)) {
+                const Triangle& corners = side.triangles[parent];
+                const int i = side.edges.uses[u] % 3, edge = edges.find(corners[i], corners[(i + 1) % 3]);
+                if (edge < 0) break;
+                t = parts[edges.uses[edges.first_use[edge]] / 3];
+            }
+            if (first >= 0) sets.unite(first, t);
+            first = t;
+        }
+    }
     return sets;
 }
 
 /// Spreads the values that the segments give to the triangles beside them; -1 where no segment is in reach.
 /// False if two segments disagree, or one is not an edge between two triangles.
-bool spreadFromSegments(const std::vector<Triangle>& triangles, int point_count,
+bool spreadFromSegments(const Side& side, const SplitSurface& split, int point_count,
                         const std::vector<CutSegment>& segments, const std::vector<SideValues>& values,
                         std::vector<int>& value, std::vector<int>& set) {
-    const EdgeTable edges = buildEdgeTable(triangles, point_count);
+    const PartEdges part_edges = findPartEdges(side, split, point_count);
+    const auto& [parts, edges] = part_edges;
     std::vector<char> is_barrier(edges.edges.size(), false);
     std::vector<int> edge_of(segments.size());
     for (std::size_t s = 0; s < segments.size(); ++s) {
@@ -94,20 +147,20 @@ bool spreadFromSegments(const std::vector<Triangle>& triangles, int point_count,
             return false;
         is_barrier[edge_of[s]] = true;
     }
-    UnionFind sets = connectWithin(triangles, edges, is_barrier);
-    std::vector<int> of_set(triangles.size(), -1);
+    UnionFind sets = connectWithin(side, split, part_edges, is_barrier);
+    std::vector<int> of_set(split.triangles.size(), -1);
     for (std::size_t s = 0; s < segments.size(); ++s)
         for (int u = edges.first_use[edge_of[s]]; u < edges.first_use[edge_of[s] + 1]; ++u) {
-            const int half_edge = edges.uses[u];
-            const bool on_left = triangles[half_edge / 3][half_edge % 3] == segments[s].source;
+            const int t = parts[edges.uses[u] / 3];
+            const bool on_left = split.triangles[t][edges.uses[u] % 3] == segments[s].source;
             const int wanted = on_left ? values[s].left : values[s].right;
-            int& known = of_set[sets.root(half_edge / 3)];
+            int& known = of_set[sets.root(t)];
             if (known >= 0 && known != wanted) return false;
             known = wanted;
         }
-    value.resize(triangles.size());
-    set.resize(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t) {
+    value.resize(split.triangles.size());
+    set.resize(split.triangles.size());
+    for (std::size_t t = 0; t < split.triangles.size(); ++t) {
         set[t] = sets.root(static_cast<int>(t));
         value[t] = of_set[set[t]];
     }
@@ -127,18 +180,18 @@ int labelAt(const Vec3& x, const LabelLattice& lattice, const CrackComplex& crac
 
 // Shells that no crack crosses.
 bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice, const CrackComplex& crack,
-                          const std::vector<int>& set, CutFaces& faces) {
+                          CutFaces& faces) {
     std::vector<int> of_set(faces.body.size(), -1);
     for (std::size_t t = 0; t < faces.body.size(); ++t) {
         if (faces.body_label[t] >= 0) continue;
-        int& label = of_set[set[t]];
+        int& label = of_set[faces.body_set[t]];
         for (int i = 0; i < 3 && label < 0; ++i)
             label = labelAt(body.vertices[faces.body[t][i]], lattice, crack);
         faces.body_label[t] = label;
     }
     // A degenerate first triangle leaves -1 where a later one of the same shell found the label.
     for (std::size_t t = 0; t < faces.body.size(); ++t)
-        if (faces.body_label[t] < 0) faces.body_label[t] = of_set[set[t]];
+        if (faces.body_label[t] < 0) faces.body_label[t] = of_set[faces.body_set[t]];
     return std::find(faces.body_label.begin(), faces.body_label.end(), -1) == faces.body_label.end();
 }
 
@@ -160,11 +213,15 @@ void keepInsideCracks(const SplitSurface& split, const std::vector<int>& inside,
     }
 }
 
-std::vector<std::vector<int>> groupSegments(const std::vector<CutSegment>& segments,
-                                            int CutSegment::*triangle, std::size_t count) {
-    std::vector<std::vector<int>> groups(count);
+SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegment::*triangle, std::size_t count) {
+    SegmentGroups groups;
+    groups.first.assign(count + 1, 0);
+    for (const CutSegment& s : segments) ++groups.first[s.*triangle + 1];
+    for (std::size_t t = 1; t <= count; ++t) groups.first[t] += groups.first[t - 1];
+    groups.segments.resize(segments.size());
+    std::vector<int> next(groups.first.begin(), groups.first.end() - 1);
     for (std::size_t s = 0; s < segments.size(); ++s)
-        groups[segments[s].*triangle].push_back(static_cast<int>(s));
+        groups.segments[next[segments[s].*triangle]++] = static_cast<int>(s);
     return groups;
 }
 
@@ -180,7 +237,7 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
                     const CrackComplex& crack) {
     CutAttempt attempt;
     const EdgeTable crack_edges = buildEdgeTable(crack.triangles, static_cast<int>(crack.points.size()));
-    const SurfaceCrossing crossing = crossSurfaces(body, body_edges, crack, crack_edges);
+    SurfaceCrossing crossing = crossSurfaces(body, body_edges, crack, crack_edges);
     attempt.troubled = crossing.degenerate;
     if (!attempt.troubled.empty()) return attempt;
 
@@ -190,26 +247,28 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
     const Side crack_side = {
         shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,
         groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())};
-    const SplitSurface split_body = splitSurface(body_side, crossing, attempt.troubled);
+    SplitSurface split_body = splitSurface(body_side, crossing, attempt.troubled);
     const SplitSurface split_crack = splitSurface(crack_side, crossing, attempt.troubled);
     if (!attempt.troubled.empty()) return attempt;
 
     CutFaces& faces = attempt.faces;
-    faces.points = crossing.points;
-    faces.body = split_body.triangles;
-    faces.body_parent = split_body.parents;
     std::vector<SideValues> labels, insides;
     for (const CutSegment& s : crossing.segments) {
         labels.push_back({crack.sides[s.crack_triangle].below, crack.sides[s.crack_triangle].above});
         insides.push_back({0, 1});
     }
-    const int point_count = static_cast<int>(faces.points.size());
-    std::vector<int> body_set, inside, crack_set;
-    if (!spreadFromSegments(faces.body, point_count, crossing.segments, labels, faces.body_label, body_set) ||
-        !spreadFromSegments(split_crack.triangles, point_count, crossing.segments, insides, inside,
-                            crack_set)) {
+    const int point_count = static_cast<int>(crossing.points.size());
+    std::vector<int> inside, crack_set;
+    if (!spreadFromSegments(body_side, split_body, point_count, crossing.segments, labels, faces.body_label,
+                            faces.body_set) ||
+        !spreadFromSegments(crack_side, split_crack, point_count, crossing.segments, insides, inside, crack_set)) {
         attempt.failure = "the lines of the crack on the surface do not close";
-    } else if (!labelUntouchedShells(body, lattice, crack, body_set, faces)) {
+        return attempt;
+    }
+    faces.points = std::move(crossing.points);
+    faces.body = std::move(split_body.triangles);
+    faces.body_parent = std::move(split_body.parents);
+    if (!labelUntouchedShells(body, lattice, crack, faces)) {
         attempt.failure = "a part of the surface could not be told from its neighbours";
     } else {
         keepInsideCracks(split_crack, inside, crack_set, crack, body, faces);

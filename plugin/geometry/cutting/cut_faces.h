@@ -12,6 +12,7 @@ struct CutFaces {
     std::vector<Triangle> body;                    ///< in the order of their parents
     std::vector<int> body_parent;                  ///< #body
     std::vector<int> body_label;                   ///< #body
+    std::vector<int> body_set;                     ///< #body; equal for those that hang together and share a label
     std::vector<Triangle> crack;                   ///< those inside the solid only
     std::vector<CrackComplex::Sides> crack_sides;  ///< #crack
 };

@@ -1,29 +1,38 @@
 #include "geometry/cutting/edge_table.h"
 
 #include <algorithm>
-#include <tuple>
+#include <cstdint>
 
 namespace sherd {
 
 namespace {
 
-struct HalfEdge {
-    int other;  // the higher vertex
-    int id;
-};
+// A half-edge by its higher vertex and its number, as one number to be sorted by.
+using HalfEdge = std::uint64_t;
+
+HalfEdge halfEdge(int other, int id) {
+    return static_cast<std::uint64_t>(other) << 32 | static_cast<std::uint32_t>(id);
+}
+int otherOf(HalfEdge h) {
+    return static_cast<int>(h >> 32);
+}
+int idOf(HalfEdge h) {
+    return static_cast<int>(h & 0xffffffffU);
+}
 
 // Half-edges grouped by their lower vertex: a counting sort, since a comparison sort would dominate on large
 // meshes.
 std::vector<HalfEdge> groupByLowerVertex(const std::vector<Triangle>& triangles, std::vector<int>& offset) {
     for (const Triangle& t : triangles)
-        for (int i = 0; i < 3; ++i) ++offset[std::min(t[i], t[(i + 1) % 3]) + 1];
+        for (int i = 0; i < 3; ++i) ++offset[std::min(t[i], t[i < 2 ? i + 1 : 0]) + 1];
     for (std::size_t v = 1; v < offset.size(); ++v) offset[v] += offset[v - 1];
     std::vector<HalfEdge> grouped(3 * triangles.size());
     std::vector<int> next(offset.begin(), offset.end() - 1);
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        for (int i = 0; i < 3; ++i) {
-            const auto [low, high] = std::minmax(triangles[t][i], triangles[t][(i + 1) % 3]);
-            grouped[next[low]++] = {high, static_cast<int>(3 * t) + i};
+    int id = 0;
+    for (const Triangle& t : triangles)
+        for (int i = 0; i < 3; ++i, ++id) {
+            const int a = t[i], b = t[i < 2 ? i + 1 : 0];
+            grouped[next[std::min(a, b)]++] = halfEdge(std::max(a, b), id);
         }
     return grouped;
 }
@@ -42,23 +51,21 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
     std::vector<HalfEdge> grouped = groupByLowerVertex(triangles, offset);
     EdgeTable table;
     table.edges.reserve(grouped.size() / 2);
+    table.first_use.reserve(grouped.size() / 2 + 1);
     table.of_triangle.resize(triangles.size());
     table.uses.reserve(grouped.size());
     table.first_edge.resize(vertex_count + 1);
     for (int v = 0; v < vertex_count; ++v) {
         table.first_edge[v] = static_cast<int>(table.edges.size());
-        std::sort(grouped.begin() + offset[v], grouped.begin() + offset[v + 1],
-                  [](const HalfEdge& a, const HalfEdge& b) {
-                      return std::tie(a.other, a.id) < std::tie(b.other, b.id);
-                  });
+        std::sort(grouped.begin() + offset[v], grouped.begin() + offset[v + 1]);
         for (int k = offset[v]; k < offset[v + 1]; ++k) {
-            if (k == offset[v] || grouped[k].other != grouped[k - 1].other) {
-                table.edges.push_back({v, grouped[k].other});
+            const int other = otherOf(grouped[k]), id = idOf(grouped[k]);
+            if (k == offset[v] || other != otherOf(grouped[k - 1])) {
+                table.edges.push_back({v, other});
                 table.first_use.push_back(k);
             }
-            table.of_triangle[grouped[k].id / 3][grouped[k].id % 3] =
-                static_cast<int>(table.edges.size()) - 1;
-            table.uses.push_back(grouped[k].id);
+            table.of_triangle[id / 3][id % 3] = static_cast<int>(table.edges.size()) - 1;
+            table.uses.push_back(id);
         }
     }
     table.first_edge[vertex_count] = static_cast<int>(table.edges.size());

@@ -150,7 +150,7 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
 }
 
 double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                      double largest_node_count) {
+                      double largest_node_count, double largest) {
     std::vector<double> at_borders;
     for (std::size_t i = 0; i < solid.neighbours.size(); ++i)
         for (int j : solid.neighbours[i])
@@ -164,9 +164,11 @@ double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, 
         std::nth_element(at_borders.begin(), fine, at_borders.end());
         spacing = *fine;
     }
+    spacing *= spacing_share;
+    if (largest > 0) spacing = std::min(spacing, largest);
     const auto [low, high] = boundingBox(surface);
-    const Vec3 box = (high - low).array() + 2 * margin_cells * spacing_share * spacing;
-    return std::max(spacing_share * spacing, std::cbrt(box.prod() / largest_node_count));
+    const Vec3 box = (high - low).array() + 2 * margin_cells * spacing;
+    return std::max(spacing, std::cbrt(box.prod() / largest_node_count));
 }
 
 }  // namespace sherd

@@ -46,9 +46,9 @@ struct LabelLattice {
 LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
                                const FragmentLabels& labels, const LatticeSettings& settings);
 
-/// Somewhat less than the spacing of the particles where fragments meet, but no finer than about
-/// `largest_node_count` nodes allow, m.
+/// Somewhat less than the spacing of the particles where fragments meet, and no more than `largest` (m; 0: any), but no
+/// finer than about `largest_node_count` nodes allow, m.
 double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
-                      double largest_node_count);
+                      double largest_node_count, double largest = 0);
 
 }  // namespace sherd

@@ -1,11 +1,11 @@
 #include "geometry/cutting/pieces.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 
 #include "geometry/cutting/point_location.h"
 #include "geometry/cutting/union_find.h"
+#include "geometry/mass_properties.h"
 
 namespace sherd {
 
@@ -13,7 +13,6 @@ namespace {
 
 // Less than this part of a particle is no fragment.
 constexpr double smallest_piece = 0.05;
-constexpr double volume_tolerance = 1e-9;
 
 /// The triangles that bound the labels: those of the body, then both sides of every crack face.
 struct Boundary {
@@ -35,6 +34,8 @@ struct Shell {
 
 Boundary makeBoundary(const CutFaces& faces) {
     Boundary boundary;
+    boundary.triangles.reserve(faces.body.size() + 2 * faces.crack.size());
+    boundary.labels.reserve(faces.body.size() + 2 * faces.crack.size());
     boundary.triangles = faces.body;
     boundary.labels = faces.body_label;
     boundary.body_count = static_cast<int>(faces.body.size());
@@ -49,16 +50,40 @@ Boundary makeBoundary(const CutFaces& faces) {
     return boundary;
 }
 
-// At every edge the triangles of each label come in one pair of opposite directions. False if not: the
-// surface is open.
-bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
-    const EdgeTable edges = buildEdgeTable(boundary.triangles, point_count);
-    for (std::size_t e = 0; e < edges.edges.size(); ++e)
-        for (int u = edges.first_use[e]; u < edges.first_use[e + 1]; ++u) {
-            const int t = edges.uses[u] / 3, start = boundary.triangles[t][edges.uses[u] % 3];
+std::vector<char> findCrackPoints(const Boundary& boundary, std::size_t point_count) {
+    std::vector<char> on_crack(point_count, false);
+    for (std::size_t t = boundary.body_count; t < boundary.triangles.size(); ++t)
+        for (int v : boundary.triangles[t]) on_crack[v] = true;
+    return on_crack;
+}
+
+std::vector<int> trianglesAt(const Boundary& boundary, const std::vector<char>& marked) {
+    std::vector<int> selected;
+    for (std::size_t t = 0; t < boundary.triangles.size(); ++t) {
+        const auto& [a, b, c] = boundary.triangles[t];
+        if (marked[a] || marked[b] || marked[c]) selected.push_back(static_cast<int>(t));
+    }
+    return selected;
+}
+
+// At every edge that ends in a crack the triangles of each label come in one pair of opposite directions. False if not:
+// the surface is open. All other edges are those of the body, which is closed.
+bool connectShells(const Boundary& boundary, const CutFaces& faces, UnionFind& sets) {
+    for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
+    const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
+    const std::vector<int> selected = trianglesAt(boundary, on_crack);
+    std::vector<Triangle> triangles;
+    triangles.reserve(selected.size());
+    for (int t : selected) triangles.push_back(boundary.triangles[t]);
+    const EdgeTable edges = buildEdgeTable(triangles, static_cast<int>(faces.points.size()));
+    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        if (!on_crack[edges.edges[e][0]] && !on_crack[edges.edges[e][1]]) continue;
+        const int begin = edges.first_use[e], end = edges.first_use[e + 1];
+        for (int u = begin; u < end; ++u) {
+            const int t = selected[edges.uses[u] / 3], start = boundary.triangles[t][edges.uses[u] % 3];
             int partners = 0;
-            for (int w = edges.first_use[e]; w < edges.first_use[e + 1]; ++w) {
-                const int other = edges.uses[w] / 3;
+            for (int w = begin; w < end; ++w) {
+                const int other = selected[edges.uses[w] / 3];
                 if (w == u || boundary.labels[other] != boundary.labels[t]) continue;
                 if (boundary.triangles[other][edges.uses[w] % 3] == start) return false;
                 sets.unite(t, other);
@@ -66,6 +91,7 @@ bool connectShells(const Boundary& boundary, int point_count, UnionFind& sets) {
             }
             if (partners != 1) return false;
         }
+    }
     return true;
 }
 
@@ -159,12 +185,18 @@ std::vector<char> findStrays(const std::vector<Shell>& shells, const Boundary& b
     return is_stray;
 }
 
+// The shell of every boundary triangle.
+std::vector<int> shellOf(const std::vector<Shell>& shells, const Boundary& boundary) {
+    std::vector<int> shell_of(boundary.triangles.size(), -1);
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        for (int t : shells[s].triangles) shell_of[t] = static_cast<int>(s);
+    return shell_of;
+}
+
 // Crack area that each piece shares with each neighbour, m^2.
 std::vector<std::map<int, double>> contactAreas(const std::vector<Shell>& shells, const Boundary& boundary,
                                                 const std::vector<Vec3>& points) {
-    std::vector<int> piece_of(boundary.triangles.size());
-    for (std::size_t s = 0; s < shells.size(); ++s)
-        for (int t : shells[s].triangles) piece_of[t] = static_cast<int>(s);
+    const std::vector<int> piece_of = shellOf(shells, boundary);
     std::vector<std::map<int, double>> areas(shells.size());
     for (int t = boundary.body_count; t < static_cast<int>(boundary.triangles.size()); ++t) {
         const auto& [a, b, c] = boundary.triangles[t];
@@ -203,9 +235,15 @@ std::vector<int> mergeStrays(const std::vector<Shell>& shells, const Boundary& b
 }
 
 FragmentSurface extract(const Shell& shell, const Boundary& boundary, const TriangleMesh& body,
-                        const CutFaces& faces, std::vector<int>& new_index) {
+                        const CutFaces& faces, const std::vector<int>& piece_of,
+                        std::vector<int>& new_index) {
     FragmentSurface piece;
     piece.label = shell.label;
+    piece.mesh.vertices.reserve(shell.triangles.size() / 2 + 2);
+    piece.mesh.triangles.reserve(shell.triangles.size());
+    piece.mesh.kinds.reserve(shell.triangles.size());
+    piece.parents.reserve(shell.triangles.size());
+    piece.across.reserve(shell.triangles.size());
     for (int t : shell.triangles) {
         Triangle triangle = boundary.triangles[t];
         for (int& v : triangle) {
@@ -218,6 +256,7 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
         const int parent = t < boundary.body_count ? faces.body_parent[t] : -1;
         piece.mesh.triangles.push_back(triangle);
         piece.parents.push_back(parent);
+        piece.across.push_back(parent < 0 ? piece_of[boundary.opposite(t)] : -1);
         piece.mesh.kinds.push_back(parent < 0           ? SurfaceKind::crack
                                    : body.kinds.empty() ? SurfaceKind::original
                                                         : body.kinds[parent]);
@@ -228,9 +267,8 @@ FragmentSurface extract(const Shell& shell, const Boundary& boundary, const Tria
 }
 
 void applyMerges(const std::vector<int>& joined, const Boundary& boundary, std::vector<Shell>& shells) {
-    std::vector<int> piece_of(boundary.triangles.size());
-    for (std::size_t s = 0; s < shells.size(); ++s)
-        for (int t : shells[s].triangles) piece_of[t] = joined[s];
+    std::vector<int> piece_of = shellOf(shells, boundary);
+    for (int& piece : piece_of) piece = joined[piece];
     for (std::size_t s = 0; s < shells.size(); ++s) {
         if (joined[s] == static_cast<int>(s)) continue;
         Shell& target = shells[joined[s]];
@@ -259,7 +297,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
                                                     const FragmentLabels& labels) {
     const Boundary boundary = makeBoundary(faces);
     UnionFind sets(static_cast<int>(boundary.triangles.size()));
-    if (!connectShells(boundary, static_cast<int>(faces.points.size()), sets))
+    if (!connectShells(boundary, faces, sets))
         return Error{"a fragment would be open"};
     const Vec3 origin = body.vertices.front();
     std::vector<Shell> shells = collectShells(boundary, faces.points, origin, sets);
@@ -269,20 +307,20 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
                 boundary, shells);
 
     std::vector<FragmentSurface> pieces;
+    const std::vector<int> piece_of = shellOf(shells, boundary);
     std::vector<int> new_index(faces.points.size(), -1);
-    double sum = 0, whole = 0;
     for (const Shell& shell : shells) {
-        const double volume = signedVolumeOf(shell.triangles, boundary.triangles, faces.points, origin);
-        if (!(volume > 0)) return Error{"a fragment would have no volume"};
-        sum += volume;
-        pieces.push_back(extract(shell, boundary, body, faces, new_index));
+        if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};
+        pieces.push_back(extract(shell, boundary, body, faces, piece_of, new_index));
     }
-    for (const auto& [a, b, c] : body.triangles)
-        whole +=
-            (body.vertices[a] - origin).cross(body.vertices[b] - origin).dot(body.vertices[c] - origin) / 6;
-    if (!(std::abs(sum - whole) <= volume_tolerance * whole))
-        return Error{"the volumes of the fragments do not add up"};
     return pieces;
+}
+
+double volumeRatio(const TriangleMesh& body, const std::vector<FragmentSurface>& pieces) {
+    const Vec3& origin = body.vertices.front();
+    double sum = 0;
+    for (const FragmentSurface& piece : pieces) sum += enclosedVolume(piece.mesh, origin);
+    return sum / enclosedVolume(body, origin);
 }
 
 }  // namespace sherd

@@ -13,9 +13,10 @@ constexpr double largest_cell_count = 2e6;
 
 template <class Visit>
 void TriangleGrid::forEachCell(const Vec3& low, const Vec3& high, Visit visit) const {
-    const Eigen::Vector3i first = ((low - origin_) / cell_).array().floor().max(0).min(1e9).cast<int>();
-    const Eigen::Vector3i last =
-        ((high - origin_) / cell_).array().floor().max(-1).min(size_.array().cast<double>() - 1).cast<int>();
+    // Truncation rounds down what is not negative; what ends below the grid is never asked for.
+    const Vec3 top = size_.cast<double>() - Vec3::Ones();
+    const Eigen::Vector3i first = ((low - origin_) * cells_per_m_).cwiseMax(0).cwiseMin(top).cast<int>();
+    const Eigen::Vector3i last = ((high - origin_) * cells_per_m_).cwiseMax(0).cwiseMin(top).cast<int>();
     for (int k = first.z(); k <= last.z(); ++k)
         for (int j = first.y(); j <= last.y(); ++j)
             for (int i = first.x(); i <= last.x(); ++i) visit(i + size_.x() * (j + size_.y() * k));
@@ -34,8 +35,8 @@ TriangleGrid::TriangleGrid(const std::vector<Vec3>& points, const std::vector<Tr
     for (const Vec3& p : low_) origin_ = origin_.cwiseMin(p);
     for (const Vec3& p : high_) end_ = end_.cwiseMax(p);
     const Vec3 extent = (end_ - origin_).array() + mean_edge;
-    cell_ = std::max(mean_edge, std::cbrt(extent.prod() / largest_cell_count));
-    size_ = (extent / cell_).array().ceil().cast<int>();
+    cells_per_m_ = 1 / std::max(mean_edge, std::cbrt(extent.prod() / largest_cell_count));
+    size_ = (extent * cells_per_m_).array().ceil().cast<int>();
     first_.assign(size_.prod() + 1, 0);
     for (std::size_t t = 0; t < triangles.size(); ++t)
         forEachCell(low_[t], high_[t], [&](int cell) { ++first_[cell + 1]; });

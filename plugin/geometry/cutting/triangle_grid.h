@@ -22,7 +22,7 @@ class TriangleGrid {
 
     std::vector<Vec3> low_, high_;  // boxes of the triangles
     Vec3 origin_ = Vec3::Zero(), end_ = Vec3::Zero();
-    double cell_ = 1;
+    double cells_per_m_ = 1;
     Eigen::Vector3i size_ = Eigen::Vector3i::Zero();
     std::vector<int> first_, entries_;
 };

@@ -1,0 +1,191 @@
+#include "geometry/cutting/approximate_fragments.h"
+
+#include <CGAL/Side_of_triangle_mesh.h>
+#include <CGAL/Surface_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <utility>
+
+#include "geometry/cutting/crack_complex.h"
+#include "geometry/cutting/pieces.h"
+#include "geometry/cutting/union_find.h"
+#include "geometry/mass_properties.h"
+#include "geometry/surface_checks.h"
+#include "geometry/triangle_tree.h"
+
+namespace sherd {
+
+namespace {
+
+using Kernel = TriangleTree::Kernel;
+using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
+
+constexpr double largest_lattice = 5e5;  // nodes
+constexpr double nodes_across_wall = 3;
+constexpr double smallest_crumb = 0.05;  // of a particle: less, apart from all others, is no fragment
+
+CgalMesh toCgal(const TriangleMesh& mesh) {
+    CgalMesh result;
+    for (const Vec3& v : mesh.vertices) result.add_vertex(TriangleTree::toPoint(v));
+    for (const auto& [a, b, c] : mesh.triangles)
+        result.add_face(CgalMesh::Vertex_index(a), CgalMesh::Vertex_index(b), CgalMesh::Vertex_index(c));
+    return result;
+}
+
+void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattice) {
+    const CgalMesh mesh = toCgal(surface);
+    const CGAL::Side_of_triangle_mesh<CgalMesh, Kernel> side(mesh);
+    for (std::size_t node = 0; node < lattice.nodes.size(); ++node)
+        if (lattice.labels[node] >= 0 && side(TriangleTree::toPoint(lattice.nodes[node])) != CGAL::ON_BOUNDED_SIDE)
+            lattice.labels[node] = outside;
+}
+
+/// Places the points between inside and outside where the surface is.
+class SurfaceFitting {
+  public:
+    SurfaceFitting(const TriangleTree& surface, const LabelLattice& lattice, int outside)
+        : surface_(surface), lattice_(lattice), outside_(outside) {}
+
+    void fit(CrackComplex& complex) const {
+        for (CrackPoint& point : complex.origins)
+            if (isOnSurface(point)) fitToEdge(point);
+        for (CrackPoint& point : complex.origins)
+            if (point.nodes[0] < 0 && point.between[3] < 0) leanOnSurface(complex, point);
+        placePoints(complex, lattice_);
+    }
+
+  private:
+    bool isOutside(int node) const { return lattice_.labels[node] == outside_; }
+
+    bool isOnSurface(const CrackPoint& point) const {
+        return point.nodes[0] >= 0 && isOutside(point.nodes[0]) != isOutside(point.nodes[1]);
+    }
+
+    void fitToEdge(CrackPoint& point) const {
+        const bool starts_inside = isOutside(point.nodes[1]);
+        const Vec3 &inside = lattice_.nodes[point.nodes[starts_inside ? 0 : 1]],
+                   &outside = lattice_.nodes[point.nodes[starts_inside ? 1 : 0]];
+        point.fixed = true;
+        const Kernel::Ray_3 ray(TriangleTree::toPoint(inside), TriangleTree::toPoint(outside));
+        const auto hit = surface_.tree.first_intersection(ray);
+        const auto* place = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
+        if (!place) return;  // along a triangle: the middle will do
+        const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
+        point.t = clampToEdge(starts_inside ? t : 1 - t);
+    }
+
+    // Where a crack meets the surface it has two neighbours there and one inside.
+    void leanOnSurface(const CrackComplex& complex, CrackPoint& point) const {
+        std::array<double, 4> weights = {0.1, 0.1, 0.1, 0};
+        int count = 0;
+        for (int i = 0; i < 3; ++i)
+            if (isOnSurface(complex.origins[point.between[i]])) weights[i] = 0.45, ++count;
+        if (count != 2) return;
+        point.weights = weights;
+        point.fixed = true;
+    }
+
+    const TriangleTree& surface_;
+    const LabelLattice& lattice_;
+    int outside_;
+};
+
+// Triangles of one label that hang together.
+std::vector<int> connectLabels(const CutFaces& faces) {
+    const EdgeTable edges = buildEdgeTable(faces.body, static_cast<int>(faces.points.size()));
+    UnionFind sets(static_cast<int>(faces.body.size()));
+    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        const int first = edges.uses[edges.first_use[e]] / 3;
+        for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
+            if (faces.body_label[edges.uses[u] / 3] == faces.body_label[first]) sets.unite(first, edges.uses[u] / 3);
+    }
+    std::vector<int> roots;
+    for (int t = 0; t < static_cast<int>(faces.body.size()); ++t) roots.push_back(sets.root(t));
+    return roots;
+}
+
+CutFaces toFaces(const CrackComplex& complex, const TriangleTree& surface, int outside) {
+    CutFaces faces;
+    faces.points = complex.points;
+    for (std::size_t k = 0; k < complex.triangles.size(); ++k) {
+        Triangle t = complex.triangles[k];
+        auto [below, above] = complex.sides[k];
+        if (below != outside && above != outside) {
+            faces.crack.push_back(t);
+            faces.crack_sides.push_back(complex.sides[k]);
+            continue;
+        }
+        if (below == outside) std::swap(t[1], t[2]), std::swap(below, above);
+        const Vec3 middle = (faces.points[t[0]] + faces.points[t[1]] + faces.points[t[2]]) / 3;
+        const auto nearest = surface.tree.closest_point_and_primitive(TriangleTree::toPoint(middle)).second;
+        faces.body.push_back(t);
+        faces.body_label.push_back(below);
+        faces.body_parent.push_back(static_cast<int>(nearest - surface.triangles.cbegin()));
+    }
+    faces.body_set = connectLabels(faces);
+    return faces;
+}
+
+void dropCrumbs(const Discretisation& solid, std::vector<FragmentSurface>& pieces) {
+    double mean_volume = 0;
+    for (const Particle& p : solid.particles) mean_volume += p.volume / static_cast<double>(solid.particles.size());
+    const auto is_crumb = [&](const FragmentSurface& piece) {
+        return std::all_of(piece.across.begin(), piece.across.end(), [](int other) { return other < 0; }) &&
+               enclosedVolume(piece.mesh, piece.mesh.vertices.front()) < smallest_crumb * mean_volume;
+    };
+    std::vector<int> new_index;
+    int kept = 0;
+    for (const FragmentSurface& piece : pieces) new_index.push_back(is_crumb(piece) ? -1 : kept++);
+    for (FragmentSurface& piece : pieces)
+        for (int& other : piece.across) other = other < 0 ? -1 : new_index[other];
+    pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_crumb), pieces.end());
+}
+
+// All by the same factor about one point, so that they still fit together.
+void scaleToVolume(const TriangleMesh& surface, double ratio, std::vector<FragmentSurface>& pieces) {
+    const Vec3 centre = solidMoments(surface).centroid;
+    const double scale = 1 / std::cbrt(ratio);
+    for (FragmentSurface& piece : pieces)
+        for (Vec3& v : piece.mesh.vertices) v = centre + scale * (v - centre);
+}
+
+std::string describe(const std::string& why, double spacing, double ratio) {
+    char text[300];
+    std::snprintf(text, sizeof text,
+                  "The surface could not be cut cleanly (%s): the fragments follow it to within %.3g mm only, and "
+                  "were scaled to make up for %.2g %% of the volume.",
+                  why.c_str(), 1000 * spacing, 100 * std::abs(ratio - 1));
+    return text;
+}
+
+}  // namespace
+
+Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const Discretisation& solid,
+                                              const FragmentLabels& labels, const CutSettings& settings,
+                                              const std::string& why) {
+    const double spacing =
+        latticeSpacing(surface, solid, labels, largest_lattice, wallThickness(surface) / nodes_across_wall);
+    const int outside = labels.count;
+    LabelLattice lattice = buildLabelLattice(surface, solid, labels, {spacing, 0.15, settings.seed});
+    labelOutside(surface, outside, lattice);
+    CrackComplex complex = buildCrackComplex(lattice);
+    const TriangleTree tree(surface);
+    SurfaceFitting(tree, lattice, outside).fit(complex);
+    smoothCracks(complex, lattice, smoothing_steps);
+    if (settings.roughness > 0) roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
+    auto assembled = assemblePieces(surface, toFaces(complex, tree, outside), solid, labels);
+    if (!assembled)
+        return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " + assembled.error() +
+                     "); the body stays whole. Try another seed or another particle spacing, and check the surface for "
+                     "very thin or very small triangles."};
+    FragmentSurfaces result = {std::move(assembled).value(), {}};
+    dropCrumbs(solid, result.pieces);
+    const double ratio = volumeRatio(surface, result.pieces);
+    scaleToVolume(surface, ratio, result.pieces);
+    result.notes.push_back(describe(why, spacing, ratio));
+    return result;
+}
+
+}  // namespace sherd

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "geometry/fragment_surfaces.h"
+
+namespace sherd::fragment_support {
+
+/// What is wrong with the pieces of a body: a fault of one of them (see piece_checks.h), volumes that do not add up to
+/// a thousandth, or a crack triangle without exactly one partner, turned the other way round and equal bit for bit, in
+/// the piece that is said to lie across. Empty: nothing.
+std::string faultOfCut(const TriangleMesh& body, const FragmentSurfaces& cut);
+
+}  // namespace sherd::fragment_support
