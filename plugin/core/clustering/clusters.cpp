@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 #include <random>
+#include <tuple>
 
 namespace sherd {
 
@@ -87,6 +88,12 @@ std::vector<char> spread(const Discretisation& solid, const std::vector<char>& d
     return reached;
 }
 
+/// The two seeds that are nearest to a particle.
+struct TwoNearest {
+    double distance = kFar, second_distance = kFar;
+    int label = -1, second = -1;
+};
+
 /// Distances from seeds among the damaged particles, longer where the stress is higher, so that seeds lie denser there:
 /// path lengths, or with a guide field those of Eq. 18.
 class StressMetric {
@@ -95,23 +102,39 @@ class StressMetric {
                  const GuideField& guide, const BlowAxis& blow)
         : solid_(solid), damage_(damage), state_(state), guide_(guide), blow_(blow) {}
 
-    /// Lowers `distance` from `source` along the neighbour table and claims what gets nearer for `label`.
-    void claim(int source, int label, std::vector<double>& distance, std::vector<int>& labels) const {
-        using Entry = std::pair<double, int>;
+    /// Claims what is nearer to `source` than to all seeds before for `label`, going along the neighbour table through
+    /// what it wins; beyond, as far as it comes second, it is noted as the second.
+    void claim(int source, int label, std::vector<TwoNearest>& nearest) const {
+        using Entry = std::tuple<double, int, bool>;  // distance, particle, whether it was won
         std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-        const auto reach = [&](int i, double d) {
-            if (!(d < distance[i])) return;
-            distance[i] = d;
-            labels[i] = label;
-            front.push({d, i});
+        const auto reach = [&](int i, double d, bool through_own) {
+            TwoNearest& there = nearest[i];
+            const bool won = through_own && d < there.distance;
+            if (won && there.label != label) {
+                there.second = there.label;
+                there.second_distance = there.distance;
+            }
+            if (won) {
+                there.label = label;
+                there.distance = d;
+            } else if (there.label != label && d < there.second_distance) {
+                there.second = label;
+                there.second_distance = d;
+            } else {
+                return;
+            }
+            front.push({d, i, won});
         };
-        reach(source, 0);
+        reach(source, 0, true);
         while (!front.empty()) {
-            const auto [d, i] = front.top();
+            const auto [d, i, won] = front.top();
             front.pop();
-            if (d > distance[i]) continue;
+            const bool outdated = won ? nearest[i].label != label || d > nearest[i].distance
+                                      : nearest[i].second != label || d > nearest[i].second_distance;
+            if (outdated) continue;
             for (int j : solid_.neighbours[i])
-                if (state_[j]) reach(j, guide_.kind == GuideField::Kind::none ? d + step(i, j) : straight(source, j));
+                if (state_[j])
+                    reach(j, guide_.kind == GuideField::Kind::none ? d + step(i, j) : straight(source, j), won);
         }
     }
 
@@ -137,23 +160,33 @@ class StressMetric {
 
 /// Seeds by farthest point, the first at random; returns the number of clusters made.
 int clusterDamaged(const StressMetric& metric, const std::vector<char>& state, int clusters, int first_label,
-                   std::uint64_t seed, std::vector<int>& labels) {
+                   std::uint64_t seed, FragmentLabels& labels) {
     std::vector<int> candidates;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state[i]) candidates.push_back(static_cast<int>(i));
     if (candidates.empty()) return 0;
-    std::vector<double> distance(state.size(), kFar);
+    std::vector<TwoNearest> nearest(state.size());
     std::mt19937_64 random(seed);
     int next = candidates[random() % candidates.size()];
     int made = 0;
     while (true) {
-        metric.claim(next, first_label + made, distance, labels);
+        metric.claim(next, first_label + made, nearest);
         ++made;
-        next = *std::max_element(candidates.begin(), candidates.end(),
-                                 [&](int a, int b) { return distance[a] < distance[b]; });
+        next = *std::max_element(candidates.begin(), candidates.end(), [&](int a, int b) {
+            return nearest[a].distance < nearest[b].distance;
+        });
         // Beyond the wanted number only parts that no seed reaches yet get one.
-        if (distance[next] == 0 || (made >= clusters && distance[next] != kFar)) return made;
+        const double farthest = nearest[next].distance;
+        if (farthest == 0 || (made >= clusters && farthest != kFar)) break;
     }
+    for (const int i : candidates) {
+        const TwoNearest& here = nearest[i];
+        labels.of_particle[i] = here.label;
+        // Linear between two seeds, and 1/2 where a particle is as near to both.
+        const double both = here.distance + here.second_distance;
+        if (here.second >= 0 && both > 0) labels.shared[i] = {here.second, std::min(0.5, here.distance / both)};
+    }
+    return made;
 }
 
 }  // namespace
@@ -207,6 +240,7 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
     const Parts parts = connectedParts(solid, state);
     FragmentLabels labels;
     labels.of_particle.assign(state.size(), -1);
+    labels.shared.resize(state.size());
     std::vector<int> label_of_part(parts.sizes.size(), -1);
     for (std::size_t i = 0; i < state.size(); ++i) {
         if (state[i]) continue;
@@ -215,7 +249,7 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         labels.of_particle[i] = label;
     }
     labels.count += clusterDamaged(StressMetric(solid, damage, state, guide, blow), state, clusters, labels.count,
-                                   seed, labels.of_particle);
+                                   seed, labels);
     return labels;
 }
 

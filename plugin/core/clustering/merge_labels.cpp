@@ -64,9 +64,15 @@ void mergeSmallest(const Discretisation& solid, double smallest_m3, int largest_
     labels.count = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
         if (pieces[p].into < 0) number[p] = labels.count++;
-    for (int& label : labels.of_particle) {
+    const auto renumbered = [&](int label) {
         while (pieces[label].into >= 0) label = pieces[label].into;
-        label = number[label];
+        return number[label];
+    };
+    for (int& label : labels.of_particle) label = renumbered(label);
+    for (std::size_t i = 0; i < labels.shared.size(); ++i) {
+        SharedLabel& shared = labels.shared[i];
+        if (shared.second >= 0) shared.second = renumbered(shared.second);
+        if (shared.second == labels.of_particle[i]) shared = {};
     }
 }
 

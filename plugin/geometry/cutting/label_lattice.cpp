@@ -62,7 +62,8 @@ void addDensity(LabelLattice& lattice, int node, int label, double value) {
     lattice.first_density[node] = static_cast<int>(lattice.densities.size()) - 1;
 }
 
-void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, double weight) {
+void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, const SharedLabel& shared,
+                    double weight) {
     const double radius = kernelRadius(particle);
     const Vec3 centre = (particle.position - lattice.origin) / lattice.spacing;
     const double reach = radius / lattice.spacing + 0.5;  // nodes are jittered
@@ -75,7 +76,9 @@ void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, 
                 if (lattice.labels[node] == -1) continue;
                 const double value =
                     kernel((lattice.nodes[node] - particle.position).squaredNorm() / (radius * radius));
-                if (value > 0) addDensity(lattice, node, label, weight * value);
+                if (!(value > 0)) continue;
+                addDensity(lattice, node, label, (1 - shared.share) * weight * value);
+                if (shared.share > 0) addDensity(lattice, node, shared.second, shared.share * weight * value);
             }
 }
 
@@ -143,7 +146,7 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
     lattice.first_density.assign(lattice.nodes.size(), -1);
     const std::vector<double> weights = particleWeights(solid, labels);
     for (std::size_t i = 0; i < solid.particles.size(); ++i)
-        spreadParticle(lattice, solid.particles[i], labels.of_particle[i], weights[i]);
+        spreadParticle(lattice, solid.particles[i], labels.of_particle[i], labels.sharedAt(static_cast<int>(i)), weights[i]);
     chooseLabels(lattice);
     fillTheRest(lattice, solid, labels);
     return lattice;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace sherd {
@@ -63,13 +64,18 @@ std::vector<std::vector<Contribution>> contributionsAtParticles(const Discretisa
 }
 
 double ownOverNext(const std::vector<Contribution>& near, const std::vector<double>& weights,
-                   const std::vector<int>& labels, int own) {
+                   const FragmentLabels& labels, int own) {
     std::map<int, double> sums;
-    for (const Contribution& c : near) sums[labels[c.particle]] += weights[c.particle] * c.kernel;
+    for (const Contribution& c : near) {
+        const SharedLabel shared = labels.sharedAt(c.particle);
+        const double value = weights[c.particle] * c.kernel;
+        sums[labels.of_particle[c.particle]] += (1 - shared.share) * value;
+        if (shared.share > 0) sums[shared.second] += shared.share * value;
+    }
     double next = 0;
     for (const auto& [label, sum] : sums)
         if (label != own) next = std::max(next, sum);
-    return next > 0 ? sums[own] / next : HUGE_VAL;
+    return next > 0 ? sums[own] / next : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -84,10 +90,12 @@ std::vector<double> particleWeights(const Discretisation& solid, const FragmentL
     for (int round = 0; round < raising_rounds; ++round) {
         bool raised = false;
         for (int i = 0; i < count; ++i) {
-            const double ratio = ownOverNext(near[i], weights, labels.of_particle, labels.of_particle[i]);
-            if (ratio >= winning_ratio || weights[i] >= largest_raise * fill[i]) continue;
-            weights[i] =
-                std::min(largest_raise * fill[i], weights[i] * std::min(3.0, winning_ratio / ratio * 1.1));
+            const double ratio = ownOverNext(near[i], weights, labels, labels.of_particle[i]);
+            // A particle right beside a crack shares its place with the other side.
+            const double share = labels.sharedAt(i).share;
+            const double wanted = std::min(winning_ratio, (1 - share) / share);
+            if (ratio >= wanted || weights[i] >= largest_raise * fill[i]) continue;
+            weights[i] = std::min(largest_raise * fill[i], weights[i] * std::min(3.0, wanted / ratio * 1.1));
             raised = true;
         }
         if (!raised) break;
