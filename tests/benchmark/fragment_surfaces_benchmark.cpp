@@ -96,5 +96,6 @@ int main(int argc, char** argv) {
     }
     std::printf("%zu triangles, %zu particles\n", body.triangles.size(), solid.particles.size());
     std::printf("Sherd %7.3f s, %zu pieces\nCGAL  %7.3f s, %zu pieces, volume %.6g of %.6g\nratio %.0f\n",
-                ours, fragments.value().pieces.size(), theirs, centres.size(), volume, solidMoments(body).volume, theirs / ours);
+                ours, fragments.value().pieces.size(), theirs, centres.size(), volume, solidMoments(body).volume,
+                theirs / ours);
 }

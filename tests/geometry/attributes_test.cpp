@@ -179,8 +179,8 @@ void expectInherited(const TriangleMesh& body, const FragmentSurface& piece, int
     }
 }
 
-// Crack coordinates measure lengths: they show no triangle smaller than 0.3 of its area, most areas nearly whole, and are
-// shared along edges but for places where the crack turns.
+// Crack coordinates measure lengths: they show no triangle smaller than 0.3 of its area, most areas nearly whole, and
+// are shared along edges but for places where the crack turns.
 void expectUsableCracks(const FragmentSurface& piece) {
     const TriangleMesh& mesh = piece.mesh;
     std::map<std::pair<int, int>, std::array<Vec2, 2>> across_edge;
@@ -218,7 +218,7 @@ TEST(Attributes, GoThroughTwoBreaks) {
         expectUsableCracks(piece);
         EXPECT_EQ(piece.mesh.materials, (std::vector<std::string>{"clay", "glaze", "crack"}));
         for (std::size_t v = 0; v < piece.mesh.vertices.size(); ++v)
-            for (int k = 0; k < 3; ++k) EXPECT_EQ(piece.mesh.colours[v][k], std::clamp(piece.mesh.colours[v][k], 0., 1.));
+            for (const double c : piece.mesh.colours[v]) EXPECT_EQ(c, std::clamp(c, 0., 1.));
         const FragmentSurfaces again = cut(piece.mesh, 0.03, 4);
         EXPECT_EQ(faultOfCut(piece.mesh, again), "");
         for (const FragmentSurface& smaller : again.pieces) {
