@@ -17,7 +17,6 @@ namespace {
 constexpr double largest_lattice = 2e6;  // nodes
 constexpr double volume_tolerance = 1e-9;
 constexpr int nudges = 8;  // of single crack triangles, before the whole lattice is drawn anew
-constexpr int lattices = 6;
 
 Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Discretisation& solid,
                   const FragmentLabels& labels) {

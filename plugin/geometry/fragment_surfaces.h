@@ -38,7 +38,8 @@ struct CutSettings {
 /// The fallback, when no lattice can be cut cleanly (`notes` says so): pieces made on a lattice, where the outside is
 /// one more fragment. They are as closed and free of self-intersection as all others, but their outside follows the
 /// body's to within a lattice spacing only, so they are scaled about the body's centroid until their volumes, and with
-/// them their masses, add up to the body's. Their `parents` are the nearest triangles.
+/// them their masses, add up to the body's. Their `parents` are triangles near by. An error only if the input is bad,
+/// or if walls of a quarter of the body are too thin for that lattice.
 Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings);
 

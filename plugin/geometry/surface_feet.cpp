@@ -44,7 +44,7 @@ std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector
         SurfaceFoot foot;
         foot.position = TriangleTree::toVec3(nearest);
         foot.distance = (foot.position - x).norm();
-        foot.triangle = static_cast<int>(triangle - surface.triangles.cbegin());
+        foot.triangle = surface.indexOf(triangle);
         const auto [normal, smooth] = normalAt(surface, nearest, tolerance);
         if (smooth) foot.normal = normal.normalized();
         foot.outside = (x - foot.position).dot(normal) > 0;

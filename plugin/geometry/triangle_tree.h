@@ -22,6 +22,7 @@ struct TriangleTree {
 
     explicit TriangleTree(const TriangleMesh& mesh) : triangles(trianglesOf(mesh)), tree(triangles.cbegin(), triangles.cend()) {}
 
+    int indexOf(Triangles::const_iterator triangle) const { return static_cast<int>(triangle - triangles.cbegin()); }
     static Kernel::Point_3 toPoint(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
     static Vec3 toVec3(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 

@@ -71,7 +71,8 @@ TEST(CrackRoughness, ActsOnApproximateFragments) {
     const TriangleMesh mesh = shapes::slab({1, 1, 0.3}, 8, 8, 3);
     const Discretisation solid = particlesOnly(mesh, 0.06);
     const FragmentLabels labels = randomClusters(solid, 8, 5);
-    const auto smooth = cutFragments(mesh, solid, labels, {5, 0, 0}), rough = cutFragments(mesh, solid, labels, {5, 0.3, 0});
+    const auto smooth = cutFragments(mesh, solid, labels, {5, 0, 0}),
+               rough = cutFragments(mesh, solid, labels, {5, 0.3, 0});
     ASSERT_TRUE(smooth && rough);
     EXPECT_EQ(faultOfCut(mesh, rough.value()), "");
     EXPECT_GT(meanTurn(rough.value()), meanTurn(smooth.value()) + 4);

@@ -22,9 +22,10 @@ namespace {
 using Kernel = TriangleTree::Kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
-constexpr double largest_lattice = 5e5;  // nodes
+constexpr double largest_lattice = 2e5;  // nodes
 constexpr double nodes_across_wall = 3;
-constexpr double smallest_crumb = 0.05;  // of a particle: less, apart from all others, is no fragment
+constexpr double smallest_crumb = 0.05;       // of a particle: less, apart from all others, is no fragment
+constexpr double largest_volume_change = 1.25;  // more than that, and walls are missing
 
 CgalMesh toCgal(const TriangleMesh& mesh) {
     CgalMesh result;
@@ -42,18 +43,19 @@ void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattic
             lattice.labels[node] = outside;
 }
 
-/// Places the points between inside and outside where the surface is.
+/// Places the points between inside and outside where the surface is, and tells on which triangle.
 class SurfaceFitting {
   public:
     SurfaceFitting(const TriangleTree& surface, const LabelLattice& lattice, int outside)
         : surface_(surface), lattice_(lattice), outside_(outside) {}
 
-    void fit(CrackComplex& complex) const {
-        for (CrackPoint& point : complex.origins)
-            if (isOnSurface(point)) fitToEdge(point);
+    std::vector<int> fit(CrackComplex& complex) const {
+        std::vector<int> triangle_at;  // #points; -1 elsewhere
+        for (CrackPoint& point : complex.origins) triangle_at.push_back(isOnSurface(point) ? fitToEdge(point) : -1);
         for (CrackPoint& point : complex.origins)
             if (point.nodes[0] < 0 && point.between[3] < 0) leanOnSurface(complex, point);
         placePoints(complex, lattice_);
+        return triangle_at;
     }
 
   private:
@@ -63,7 +65,7 @@ class SurfaceFitting {
         return point.nodes[0] >= 0 && isOutside(point.nodes[0]) != isOutside(point.nodes[1]);
     }
 
-    void fitToEdge(CrackPoint& point) const {
+    int fitToEdge(CrackPoint& point) const {
         const bool starts_inside = isOutside(point.nodes[1]);
         const Vec3 &inside = lattice_.nodes[point.nodes[starts_inside ? 0 : 1]],
                    &outside = lattice_.nodes[point.nodes[starts_inside ? 1 : 0]];
@@ -71,9 +73,11 @@ class SurfaceFitting {
         const Kernel::Ray_3 ray(TriangleTree::toPoint(inside), TriangleTree::toPoint(outside));
         const auto hit = surface_.tree.first_intersection(ray);
         const auto* place = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
-        if (!place) return;  // along a triangle: the middle will do
+        if (!place)  // along a triangle: the middle will do
+            return surface_.indexOf(surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
         const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
         point.t = clampToEdge(starts_inside ? t : 1 - t);
+        return surface_.indexOf(hit->second);
     }
 
     // Where a crack meets the surface it has two neighbours there and one inside.
@@ -106,7 +110,7 @@ std::vector<int> connectLabels(const CutFaces& faces) {
     return roots;
 }
 
-CutFaces toFaces(const CrackComplex& complex, const TriangleTree& surface, int outside) {
+CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_at, int outside) {
     CutFaces faces;
     faces.points = complex.points;
     for (std::size_t k = 0; k < complex.triangles.size(); ++k) {
@@ -118,11 +122,10 @@ CutFaces toFaces(const CrackComplex& complex, const TriangleTree& surface, int o
             continue;
         }
         if (below == outside) std::swap(t[1], t[2]), std::swap(below, above);
-        const Vec3 middle = (faces.points[t[0]] + faces.points[t[1]] + faces.points[t[2]]) / 3;
-        const auto nearest = surface.tree.closest_point_and_primitive(TriangleTree::toPoint(middle)).second;
         faces.body.push_back(t);
         faces.body_label.push_back(below);
-        faces.body_parent.push_back(static_cast<int>(nearest - surface.triangles.cbegin()));
+        // One corner at least is on an edge between inside and outside.
+        faces.body_parent.push_back(std::max({triangle_at[t[0]], triangle_at[t[1]], triangle_at[t[2]]}));
     }
     faces.body_set = connectLabels(faces);
     return faces;
@@ -172,10 +175,10 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     labelOutside(surface, outside, lattice);
     CrackComplex complex = buildCrackComplex(lattice);
     const TriangleTree tree(surface);
-    SurfaceFitting(tree, lattice, outside).fit(complex);
+    const std::vector<int> triangle_at = SurfaceFitting(tree, lattice, outside).fit(complex);
     smoothCracks(complex, lattice, smoothing_steps);
     if (settings.roughness > 0) roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
-    auto assembled = assemblePieces(surface, toFaces(complex, tree, outside), solid, labels);
+    auto assembled = assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels);
     if (!assembled)
         return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " + assembled.error() +
                      "); the body stays whole. Try another seed or another particle spacing, and check the surface for "
@@ -183,6 +186,10 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     FragmentSurfaces result = {std::move(assembled).value(), {}};
     dropCrumbs(solid, result.pieces);
     const double ratio = volumeRatio(surface, result.pieces);
+    if (!(ratio > 1 / largest_volume_change && ratio < largest_volume_change))
+        return Error{"The fragments' surfaces could not be cut (" + why +
+                     "), and the body's walls are too thin for the lattice that replaces cutting; the body stays whole. "
+                     "Try another seed, or give the walls more thickness."};
     scaleToVolume(surface, ratio, result.pieces);
     result.notes.push_back(describe(why, spacing, ratio));
     return result;
