@@ -110,6 +110,21 @@ TEST(Octree, EveryRoundHelpsNearTheLoadAndHarmsNothingElsewhere) {
     EXPECT_LT(before, 0.25);
 }
 
+// Next to its border little of the finer grid may move, and the more so toward nu 0.5: the coarser one is read there.
+TEST(Octree, FinerGridIsNotReadAtItsBorder) {
+    const auto solid = sampledForSplines(shapes::slab({1.2, 0.2, 0.2}), 0.1, Basis::quadratic);
+    StressSettings settings = quadratic_splines;
+    settings.resampling_rounds = 1;
+    const std::vector<PointForce> loads{{{0.6, 0, 0}, {-1e4, 0, 0}}, {{-0.6, 0, 0}, {1e4, 0, 0}}};
+    // The finer grid begins two cells from the load, at 0.4.
+    const std::vector<Vec3> points{{0.3, 0.05, 0}, {0.42, 0.05, 0}, {0.48, 0.05, 0}, {0.58, 0.05, 0}};
+    const StressField field = valueOf(build(solid, elasticMaterial(), settings).solve(loads, points));
+    const double coarse = field.point_spacing_m[0];
+    EXPECT_DOUBLE_EQ(field.point_spacing_m[1], coarse);
+    EXPECT_DOUBLE_EQ(field.point_spacing_m[2], coarse / 2);
+    EXPECT_DOUBLE_EQ(field.point_spacing_m[3], coarse / 2);
+}
+
 // From one particle up: constant stress is right in bodies of any number, in plates and rods of one layer too.
 TEST(BodySize, FromOneParticleUp) {
     const Mat3 stress = (Mat3() << 2, 1, 0, 1, -1, 0.5, 0, 0.5, 3).finished() * 1e6;

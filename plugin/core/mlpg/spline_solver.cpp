@@ -292,7 +292,7 @@ class SplineSolver : public StressSolver::Impl {
         const auto stress_at = [&](const Vec3& x, const GridPoint& on_whole) -> Voigt {
             Mat3 gradient;
             for (size_t z = zooms.size(); z-- > 0;)
-                if (displacementGradient(zooms[z].field, x, gradient)) {
+                if (displacementGradient(zooms[z], x, gradient)) {
                     spacing = zooms[z].field.parts->edges.maxCoeff();
                     return toVoigt(elasticity_.stress(gradient));
                 }

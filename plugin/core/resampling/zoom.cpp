@@ -13,6 +13,7 @@ namespace sherd {
 namespace {
 
 constexpr int cells_across_patch = 4;  // that a grid needs to see how a load is spread
+constexpr int cells_of_rim = 1;  // along the border of a box, with too few functions left that may move
 
 struct PatchBounds {
     Vec3 lower, upper;
@@ -100,16 +101,20 @@ BodyLoads loadsInside(const CellParts& fine, const std::vector<int>& parents, co
     return inside;
 }
 
+/// The box in cells of the fine grid, which begin along x where the coarse grid or the box does, whichever comes first.
+CellBox onFineGrid(const CellBox& box) {
+    const Eigen::Vector3i begin(2 * (box.lower.x() - std::min(0, box.lower.x())), 0, 0);
+    return {begin, begin + 2 * (box.upper - box.lower)};
+}
+
 /// What must not move: functions that reach beyond the box, and where nothing of a component does and no support holds
 /// it, six unknowns against its rigid motions.
-std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const CellBox& box, const std::vector<PointSpring>& springs) {
-    // Cells of the fine grid begin where the coarse grid or the box does, whichever comes first.
-    const Eigen::Vector3i begin(2 * (box.lower.x() - std::min(0, box.lower.x())), 0, 0);
-    const Eigen::Vector3i end = begin + 2 * (box.upper - box.lower);
+std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const CellBox& fine_box,
+                              const std::vector<PointSpring>& springs) {
     std::vector<int> held;
     std::vector<char> is_held(space.component_count, 0);
     for (const PointSpring& spring : springs) is_held[space.component_of_part[spring.part]] = 1;
-    for (const int function : functionsAcrossBorder(space, begin, end)) {
+    for (const int function : functionsAcrossBorder(space, fine_box.lower, fine_box.upper)) {
         is_held[space.component[function]] = 1;
         for (int i = 0; i < 3; ++i) held.push_back(3 * function + i);
     }
@@ -165,7 +170,8 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     Eigen::VectorXd residual =
         space->gather(externalForces(field, zoom.loads) -
                       splineInternalForces(fine, *space, elasticity, springs, field.raw));
-    const std::vector<int> held = heldUnknowns(fine, *space, box, springs);
+    const CellBox fine_box = onFineGrid(box);
+    const std::vector<int> held = heldUnknowns(fine, *space, fine_box, springs);
     pinUnknowns(stiffness, held);
     for (const int unknown : held) residual[unknown] = 0;
 
@@ -173,6 +179,8 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     const Result<Eigen::VectorXd> correction = solveByConjugateGradients(stiffness, residual, tolerance);
     if (!correction) return Error{correction.error()};
     field.raw += space->expand(correction.value());
+    const Eigen::Vector3i rim = Eigen::Vector3i::Constant(cells_of_rim);
+    zoom.inner = {fine_box.lower + rim, fine_box.upper - rim};
     zoom.stiffness_entries = static_cast<long long>(stiffness.values.size());
     return zoom;
 }
@@ -193,10 +201,14 @@ GridPoint locate(const CellParts& solid, const Vec3& x) {
     return {part, solid.toCell(x, solid.parts[part].cell)};
 }
 
-bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient) {
-    const GridPoint point = locate(*field.parts, x);
+bool displacementGradient(const Zoom& zoom, const Vec3& x, Mat3& gradient) {
+    const CellParts& grid = *zoom.field.parts;
+    const Eigen::Array3d u = (x - grid.origin).cwiseQuotient(grid.edges);
+    const bool inside = (u >= zoom.inner.lower.cast<double>().array()).all() &&
+                        (u < zoom.inner.upper.cast<double>().array()).all();
+    const GridPoint point = inside ? locate(grid, x) : GridPoint{};
     if (point.part < 0) return false;
-    gradient = gradientOn(field, point.part, point.xi);
+    gradient = gradientOn(zoom.field, point.part, point.xi);
     return true;
 }
 

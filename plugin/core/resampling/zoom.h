@@ -27,9 +27,6 @@ struct GridPoint {
 };
 GridPoint locate(const CellParts& solid, const Vec3& x);
 
-/// Displacement gradient of a field at x; false if x is not near its parts.
-bool displacementGradient(const SplineField& field, const Vec3& x, Mat3& gradient);
-
 /// A body force that is an affine function of place, N/m^3: value + gradient (x - about).
 struct AffineForce {
     Vec3 value = Vec3::Zero();
@@ -58,8 +55,12 @@ std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<P
 struct Zoom {
     SplineField field;
     BodyLoads loads;  ///< what acts on it
+    CellBox inner;    ///< cells of the field's grid where it is better than the coarser one: not those at the border
     long long stiffness_entries = 0;  ///< numbers stored for its solve, which needs no factor
 };
+
+/// Displacement gradient of a zoom at x; false where the coarser grid is to be read.
+bool displacementGradient(const Zoom& zoom, const Vec3& x, Mat3& gradient);
 
 /// Resampling (paper, section 5) as a local zoom: cells half as long inside the box. The fine displacement is the coarse
 /// one plus a correction that vanishes with its derivative at the border of the box,
