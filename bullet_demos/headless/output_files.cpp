@@ -18,7 +18,8 @@ Status clearFolder(const fs::path& folder) {
     fs::create_directories(folder, failure);
     for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
         const std::string extension = at->path().extension().string();
-        if (extension == ".obj" || extension == ".pov" || extension == ".png" || extension == ".json") {
+        if (extension == ".obj" || extension == ".pov" || extension == ".png" || extension == ".json" ||
+            extension == ".seconds") {
             fs::remove(at->path(), failure);
         }
     }

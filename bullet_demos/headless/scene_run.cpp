@@ -51,6 +51,7 @@ SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& 
         if (run.first_break_s < 0) run.before = world.states();
         run.step_ms.push_back(timedStep(world));
         collectEvents(run, world, time_s);
+        if (run.first_break_s >= 0 && run.broken.empty()) run.broken = world.states();
         if (run.first_break_s >= 0 && run.impact.empty() && time_s >= run.first_break_s + impact_picture_s) {
             run.impact = world.states();
         }

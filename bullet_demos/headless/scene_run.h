@@ -20,6 +20,7 @@ struct TimedEvent {
 /// What a run leaves.
 struct SceneRun {
     std::vector<BodyState> before;  ///< the last moment before the first break; the start, if nothing broke
+    std::vector<BodyState> broken;  ///< right after the first break; empty if nothing broke
     std::vector<BodyState> impact;  ///< a moment after the first break; empty if nothing broke
     std::vector<BodyState> after;   ///< the end
     std::vector<TimedEvent> events;
