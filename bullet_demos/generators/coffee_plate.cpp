@@ -5,8 +5,8 @@
 namespace sherd::generators {
 namespace {
 
-/// Distance in the half-plane (radius, height) to the centre line: a straight part from the axis, then an arc that leaves it
-/// without a kink.
+/// Distance in the half-plane (radius, height) to the centre line: a straight part from the axis, then an arc
+/// that leaves it without a kink.
 double offCentreLine(const PlateMeasures& plate, const Eigen::Vector2d& point) {
     const double run = plate.rim_radius - plate.flat_radius;
     const double opening = 2 * std::atan2(plate.rise, run);  // of the arc
@@ -21,7 +21,8 @@ double offCentreLine(const PlateMeasures& plate, const Eigen::Vector2d& point) {
 double plateDistance(const PlateMeasures& plate, const Eigen::Vector3d& point) {
     const Eigen::Vector2d section(std::hypot(point.x(), point.y()), point.z());
     const double middle_height = plate.foot_height + plate.thickness / 2;
-    const double disc = offCentreLine(plate, section - Eigen::Vector2d(0, middle_height)) - plate.thickness / 2;
+    const double disc =
+        offCentreLine(plate, section - Eigen::Vector2d(0, middle_height)) - plate.thickness / 2;
     const double rounding = plate.foot_width / 4;
     const Eigen::Vector2d half(plate.foot_width / 2 - rounding, middle_height / 2 - rounding);
     const double foot =

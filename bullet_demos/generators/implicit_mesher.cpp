@@ -17,8 +17,8 @@
 namespace sherd::generators {
 namespace {
 
-/// A vertex or cell of a triangulation that knows its age. The mesher keeps sets of these, sorted by age then, and otherwise
-/// by where in memory they happen to be, which is not the same at every call.
+/// A vertex or cell of a triangulation that knows its age. The mesher keeps sets of these, sorted by age
+/// then, and otherwise by where in memory they happen to be, which is not the same at every call.
 template <class Base>
 class Stamped : public Base {
   public:
@@ -38,8 +38,10 @@ class Stamped : public Base {
 
 using Traits = CGAL::Surface_mesh_default_triangulation_3::Geom_traits;
 using Vertex = Stamped<CGAL::Surface_mesh_vertex_base_3<Traits>>;
-using Cell = Stamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<Traits, CGAL::Surface_mesh_cell_base_3<Traits>>>;
-using Triangulation = CGAL::Delaunay_triangulation_3<Traits, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
+using Cell = Stamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<
+    Traits, CGAL::Surface_mesh_cell_base_3<Traits>>>;
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<Traits, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 using Complex = CGAL::Complex_2_in_triangulation_3<Triangulation>;
 using Kernel = Triangulation::Geom_traits;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -117,7 +119,8 @@ TriangleMesh subdivided(const TriangleMesh& mesh, const ImplicitSolid& solid) {
     fine.vertices = mesh.vertices;
     std::map<std::pair<int, int>, int> middle_of;
     const auto middle = [&](int a, int b) {
-        const auto [found, is_new] = middle_of.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
+        const auto [found, is_new] =
+            middle_of.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
         if (is_new) fine.vertices.push_back(project(solid, (mesh.vertices[a] + mesh.vertices[b]) / 2));
         return found->second;
     };
@@ -130,16 +133,19 @@ TriangleMesh subdivided(const TriangleMesh& mesh, const ImplicitSolid& solid) {
     return fine;
 }
 
-/// Both lengths of the fineness for triangles `scale` times as long: the distance to a curved surface grows with the square.
+/// Both lengths of the fineness for triangles `scale` times as long: the distance to a curved surface grows
+/// with the square.
 MeshFineness scaled(const MeshFineness& fineness, double scale) {
-    return {scale * fineness.triangle_radius, scale * scale * fineness.surface_distance, fineness.smoothing_rounds};
+    return {scale * fineness.triangle_radius, scale * scale * fineness.surface_distance,
+            fineness.smoothing_rounds};
 }
 
 /// Delaunay refinement takes minutes for what a subdivision does in a second.
 constexpr int largest_refined = 30000;
 constexpr double count_tolerance = 0.01;
 
-/// Up to `splits` of the longest edges, no two of one triangle, get a new vertex in the middle; each makes two triangles more.
+/// Up to `splits` of the longest edges, no two of one triangle, get a new vertex in the middle; each makes
+/// two triangles more.
 void splitLongestEdges(TriangleMesh& mesh, int splits) {
     struct Edge {
         double length = 0;
@@ -152,10 +158,12 @@ void splitLongestEdges(TriangleMesh& mesh, int splits) {
         for (int k = 0; k < 3; ++k) {
             const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
             const auto [found, is_new] = first_triangle.try_emplace(std::minmax(a, b), t);
-            if (!is_new) edges.push_back({(mesh.vertices[a] - mesh.vertices[b]).norm(), a, b, {found->second, t}});
+            if (!is_new)
+                edges.push_back({(mesh.vertices[a] - mesh.vertices[b]).norm(), a, b, {found->second, t}});
         }
     }
-    std::stable_sort(edges.begin(), edges.end(), [](const Edge& p, const Edge& q) { return p.length > q.length; });
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& p, const Edge& q) { return p.length > q.length; });
     std::vector<char> touched(mesh.triangles.size());
     for (const Edge& edge : edges) {
         if (splits <= 0) return;
@@ -173,8 +181,8 @@ void splitLongestEdges(TriangleMesh& mesh, int splits) {
     }
 }
 
-/// About `triangles` by refinement to a few less, whose number is taken to fall with the square of the edges' length, and
-/// split edges for the rest.
+/// About `triangles` by refinement to a few less, whose number is taken to fall with the square of the edges'
+/// length, and split edges for the rest.
 TriangleMesh refinedToCount(const ImplicitSolid& solid, int triangles) {
     constexpr int most_tries = 8;
     constexpr double least = 0.85, aim = 0.93;
@@ -212,7 +220,8 @@ Result<TriangleMesh> meshImplicitSolid(const ImplicitSolid& solid, const MeshFin
 Result<TriangleMesh> meshWithCount(const ImplicitSolid& solid, int triangles) {
     constexpr int fewest = 2000, most = 1000000, rounds_after_subdivision = 3;
     if (triangles < fewest || triangles > most)
-        return Error{"A generated mesh has from 2000 to 1000000 triangles, not " + std::to_string(triangles) + "."};
+        return Error{"A generated mesh has from 2000 to 1000000 triangles, not " + std::to_string(triangles) +
+                     "."};
     try {
         int halvings = 0, coarse = triangles;
         for (; coarse > largest_refined; coarse /= 4) ++halvings;

@@ -26,7 +26,8 @@ struct ImplicitSolid {
 /// Coordinates are rounded to 1e-8 m, so that the file is short.
 Result<TriangleMesh> meshImplicitSolid(const ImplicitSolid& solid, const MeshFineness& fineness);
 
-/// The same in `triangles` triangles within 1 %, from 2000 to 1,000,000. The error names the nearest number that was reached.
+/// The same in `triangles` triangles within 1 %, from 2000 to 1,000,000. The error names the nearest number
+/// that was reached.
 Result<TriangleMesh> meshWithCount(const ImplicitSolid& solid, int triangles);
 
 }  // namespace sherd::generators

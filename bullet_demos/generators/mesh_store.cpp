@@ -9,11 +9,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Under another name first: a run that is stopped leaves no half of a file that the next would take for the whole.
+/// Under another name first: a run that is stopped leaves no half of a file that the next would take for the
+/// whole.
 sherd::Status store(const sherd::TriangleMesh& mesh, const fs::path& path) {
     std::error_code failure;
     fs::create_directories(path.parent_path(), failure);
-    if (failure) return sherd::Error{"Cannot make the folder " + path.parent_path().string() + ": " + failure.message() + "."};
+    if (failure)
+        return sherd::Error{"Cannot make the folder " + path.parent_path().string() + ": " +
+                            failure.message() + "."};
     const fs::path part = path.string() + ".part";
     const sherd::Status written = sherd::writeObj(mesh, part.string());
     if (!written) return written;
@@ -24,7 +27,8 @@ sherd::Status store(const sherd::TriangleMesh& mesh, const fs::path& path) {
 
 }  // namespace
 
-sherd::Result<sherd::TriangleMesh> storedMesh(const std::string& name, int triangles, const std::string& folder,
+sherd::Result<sherd::TriangleMesh> storedMesh(const std::string& name, int triangles,
+                                              const std::string& folder,
                                               const std::function<void(const std::string&)>& announce) {
     const fs::path path = fs::path(folder) / (name + "_" + std::to_string(triangles) + ".obj");
     if (fs::exists(path)) return sherd::readObj(path.string());

@@ -11,8 +11,9 @@ struct Taper {
     double from_radius = 0.01, to_radius = 0.01;
 };
 
-/// Measures of a toy aeroplane that flies along +x with z up. The wings and the tail are mirrored at y = 0. All in m.
-/// Wing and tail are not swept back more than they taper, so that their trailing edge has no notch in the middle.
+/// Measures of a toy aeroplane that flies along +x with z up. The wings and the tail are mirrored at y = 0.
+/// All in m. Wing and tail are not swept back more than they taper, so that their trailing edge has no notch
+/// in the middle.
 struct PlaneMeasures {
     Taper front{{0.02, 0, 0}, {0.115, 0, -0.002}, 0.030, 0.018};
     Taper rear{{0.02, 0, 0}, {-0.130, 0, 0.006}, 0.030, 0.012};

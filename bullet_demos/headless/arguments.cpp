@@ -28,7 +28,8 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
         "Runs a scene without a window and writes a report, the fragments and scene files for pictures.");
     app.name("bullet_demos/run");
     app.add_option("SCENE", scene, "Its name, or a scene file that ends in .json")->capture_default_str();
-    app.add_option("--preset", preset, "Figures that the scene file has under this name: paper")->type_name("NAME");
+    app.add_option("--preset", preset, "Figures that the scene file has under this name: paper")
+        ->type_name("NAME");
     app.add_option("--set", assignments, "Change figures of the scene, see below")
         ->type_name("KEY=VALUE ...");
     app.add_option("--seed", seed, "The same as --set seed=N")->type_name("N");
@@ -51,7 +52,8 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     if (arguments.show_list) return arguments;
     if (!seed.empty()) assignments.push_back("seed=" + seed);
     const auto first_key = std::stable_partition(assignments.begin(), assignments.end(), isByPath);
-    const std::vector<std::string> by_path(assignments.begin(), first_key), keys(first_key, assignments.end());
+    const std::vector<std::string> by_path(assignments.begin(), first_key),
+        keys(first_key, assignments.end());
 
     const auto file = sceneFile(scene, arguments.scenes);
     if (!file) return sherd::Error{file.error()};

@@ -59,7 +59,7 @@ Status writeOutputs(const Scene& scene, const SceneRun& run, const nlohmann::ord
     if (status) status = writePov(run.before, scene.camera, (place / "before.pov").string());
     if (status && !run.impact.empty())
         status = writePov(run.impact, scene.camera, (place / "impact.pov").string());
-    if (status) status = writePov(run.after, scene.camera, (place / "after.pov").string());
+    if (status) status = writePov(run.shown, scene.camera, (place / "after.pov").string());
     return status;
 }
 

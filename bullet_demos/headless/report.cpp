@@ -54,8 +54,8 @@ double difference(double is, double was) {
     return was > 0 ? std::abs(is - was) / was : 0;
 }
 
-/// What it took up to the first break: the sampling, the stress (with assembling and factoring, wherever that was done) and
-/// the making of fragments. Null if nothing broke.
+/// What it took up to the first break: the sampling, the stress (with assembling and factoring, wherever that
+/// was done) and the making of fragments. Null if nothing broke.
 ordered_json firstBreakMilliseconds(const SceneRun& run) {
     double sample = 0, matrix = 0;
     for (const TimedEvent& timed : run.events) {

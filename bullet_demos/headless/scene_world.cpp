@@ -49,9 +49,11 @@ void setTouch(btRigidBody& body, const Touch& touch) {
 
 using Announce = std::function<void(const std::string&)>;
 
-sherd::Result<sherd::TriangleMesh> makeSurface(const Shape& shape, const std::string& meshes, const Announce& announce) {
+sherd::Result<sherd::TriangleMesh> makeSurface(const Shape& shape, const std::string& meshes,
+                                               const Announce& announce) {
     if (const auto* box = std::get_if<Box>(&shape)) return boxMesh(*box);
-    if (const auto* mesh = std::get_if<Generated>(&shape)) return storedMesh(mesh->name, mesh->triangles, meshes, announce);
+    if (const auto* mesh = std::get_if<Generated>(&shape))
+        return storedMesh(mesh->name, mesh->triangles, meshes, announce);
     return sherd::readObj(std::get<ObjFile>(shape).path);
 }
 

@@ -29,7 +29,8 @@ bool isWithin(double value, const Range& range) {
 
 Fields::Fields(const json& object, std::string path) : object_(object), path_(std::move(path)) {
     if (!object.is_object())
-        throw BadKey{(path_.empty() ? "the file" : path_) + " must be an object in braces, not " + object.dump() + "."};
+        throw BadKey{(path_.empty() ? "the file" : path_) + " must be an object in braces, not " +
+                     object.dump() + "."};
 }
 
 void Fields::fail(const std::string& name, const std::string& what) const {
@@ -46,7 +47,8 @@ void Fields::read(const char* name, double& value, const Range& range) {
     const json* found = find(name);
     if (!found) return;
     if (!found->is_number()) fail(name, "must be a number, not " + found->dump());
-    if (!isWithin(found->get<double>(), range)) fail(name, "is " + found->dump() + " but must be " + text(range));
+    if (!isWithin(found->get<double>(), range))
+        fail(name, "is " + found->dump() + " but must be " + text(range));
     value = found->get<double>();
 }
 
@@ -56,7 +58,8 @@ void Fields::read(const char* name, int& value, const Range& range) {
     if (!found->is_number_integer()) fail(name, "must be a whole number, not " + found->dump());
     constexpr double limit = std::numeric_limits<int>::max();
     const Range whole{std::max(range.least, -limit), std::min(range.most, limit), range.unit};
-    if (!isWithin(found->get<double>(), whole)) fail(name, "is " + found->dump() + " but must be " + text(whole));
+    if (!isWithin(found->get<double>(), whole))
+        fail(name, "is " + found->dump() + " but must be " + text(whole));
     value = found->get<int>();
 }
 

@@ -11,8 +11,8 @@
 
 namespace demo {
 
-/// A key or a value of a scene file that cannot be taken, as a sentence that begins with the path of the key. Thrown by what
-/// reads the parts of a scene, caught in `readScene`.
+/// A key or a value of a scene file that cannot be taken, as a sentence that begins with the path of the key.
+/// Thrown by what reads the parts of a scene, caught in `readScene`.
 struct BadKey {
     std::string sentence;
 };
@@ -24,8 +24,8 @@ struct Range {
     const char* unit = "";
 };
 
-/// An object of a scene file. Every `read` takes over what the object says and leaves the value alone where it says nothing;
-/// the keys that were asked for are those there are.
+/// An object of a scene file. Every `read` takes over what the object says and leaves the value alone where
+/// it says nothing; the keys that were asked for are those there are.
 class Fields {
   public:
     Fields(const nlohmann::json& object, std::string path);
@@ -42,7 +42,8 @@ class Fields {
 
     /// One of a few words.
     template <class Choice>
-    void read(const char* name, Choice& value, std::initializer_list<std::pair<const char*, Choice>> choices) {
+    void read(const char* name, Choice& value,
+              std::initializer_list<std::pair<const char*, Choice>> choices) {
         std::string word, words;
         read(name, word);
         for (const auto& [known, choice] : choices) {

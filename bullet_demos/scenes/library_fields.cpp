@@ -5,7 +5,8 @@ namespace {
 
 using sherd::Material;
 
-/// The library says what is wrong after the name of the struct, and begins with the member: its path goes before that.
+/// The library says what is wrong after the name of the struct, and begins with the member: its path goes
+/// before that.
 void requireValid(const sherd::Status& status, const std::string& path) {
     if (status) return;
     const std::string sentence = status.error();
@@ -15,12 +16,14 @@ void requireValid(const sherd::Status& status, const std::string& path) {
 
 Material libraryMaterial(const std::string& name, const std::string& path) {
     std::string names;
-    for (const Material& known : {Material::ceramic(), Material::plaster(), Material::glass(), Material::concrete(),
-                                  Material::stone(), Material::ice(), Material::wood()}) {
+    for (const Material& known :
+         {Material::ceramic(), Material::plaster(), Material::glass(), Material::concrete(),
+          Material::stone(), Material::ice(), Material::wood()}) {
         if (known.name == name) return known;
         names += (names.empty() ? "" : ", ") + known.name;
     }
-    throw BadKey{path + " is \"" + name + "\"; choose one of: " + names + ", or give the constants in braces."};
+    throw BadKey{path + " is \"" + name + "\"; choose one of: " + names +
+                 ", or give the constants in braces."};
 }
 
 void readConstants(Fields& fields, Material& material) {
@@ -121,8 +124,9 @@ void readSettings(Fields& body, sherd::Settings& settings) {
     using sherd::Quality;
     body.object("settings", [&](Fields& fields) {
         Quality quality = Quality::game;
-        fields.read<Quality>("quality", quality,
-                             {{"preview", Quality::preview}, {"game", Quality::game}, {"film", Quality::film}});
+        fields.read<Quality>(
+            "quality", quality,
+            {{"preview", Quality::preview}, {"game", Quality::game}, {"film", Quality::film}});
         settings = sherd::Settings::forQuality(quality);
         fields.object("sampling", [&](Fields& part) { readSampling(part, settings.sampling); });
         fields.object("stress", [&](Fields& part) { readStress(part, settings.stress); });

@@ -74,7 +74,7 @@ struct Camera {
 /// Everything a run needs, as data.
 struct Scene {
     std::string name;
-    std::string summary;  ///< one sentence for --list
+    std::string summary;               ///< one sentence for --list
     std::vector<std::string> presets;  ///< names of those that its file has
     std::vector<BreakableBody> bodies;
     std::vector<Ball> balls;
@@ -82,6 +82,7 @@ struct Scene {
     Camera camera;
     Vec3 gravity = Vec3(0, 0, -9.81);  ///< m/s^2
     double duration_s = 2;
+    double after_picture_s = 0;  ///< from the first break to what after.png shows; 0: the end
     double time_step_s = 1.0 / 240;
 };
 

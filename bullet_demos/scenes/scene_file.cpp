@@ -72,7 +72,8 @@ void readBody(Fields& fields, BreakableBody& body, const fs::path& folder) {
     fields.read("turn_deg", body.turn_deg, {-360, 360, "degrees"});
     fields.read("position_m", body.position, {-1000, 1000, "m"});
     if (body.position.z() < 0)
-        fields.fail("position_m[2]", "must not be negative: it is the height of the lowest point over the floor");
+        fields.fail("position_m[2]",
+                    "must not be negative: it is the height of the lowest point over the floor");
     fields.read("velocity_m_s", body.velocity, {-1000, 1000, "m/s"});
     fields.read("spin_rad_s", body.spin, {-1000, 1000, "rad/s"});
 }
@@ -101,6 +102,7 @@ void readWhole(Fields& fields, Scene& scene, const fs::path& folder) {
     fields.object("camera", [&](Fields& part) { readCamera(part, scene.camera); });
     fields.read("gravity_m_s2", scene.gravity, {-1000, 1000, "m/s^2"});
     fields.read("duration_s", scene.duration_s, {0.01, 60, "s"});
+    fields.read("after_picture_s", scene.after_picture_s, {0, 60, "s"});
     fields.read("time_step_s", scene.time_step_s, {1e-4, 1.0 / 30, "s"});
     int seed = 1;
     fields.read("seed", seed, {0, 1e9});
@@ -112,7 +114,8 @@ json takePresets(json& scene) {
     if (!scene.is_object() || !scene.contains("presets")) return json::object();
     json presets = scene["presets"];
     scene.erase("presets");
-    if (!presets.is_object()) throw BadKey{"presets must be an object in braces, not " + presets.dump() + "."};
+    if (!presets.is_object())
+        throw BadKey{"presets must be an object in braces, not " + presets.dump() + "."};
     return presets;
 }
 

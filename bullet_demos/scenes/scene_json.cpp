@@ -80,11 +80,13 @@ void layOver(json& scene, const json& changes) {
 void setByPath(json& scene, const std::string& assignment) {
     const std::size_t equals = assignment.find('=');
     const std::string path = assignment.substr(0, equals);
-    if (equals == std::string::npos) throw BadKey{"'" + path + "' is not KEY=VALUE; the scene goes before --set."};
+    if (equals == std::string::npos)
+        throw BadKey{"'" + path + "' is not KEY=VALUE; the scene goes before --set."};
     json* at = &scene;
     for (const json& step : steps(path)) {
         if (step.is_string()) {
-            if (!at->is_object() && !at->is_null()) throw BadKey{path + " leads through a value that has no keys."};
+            if (!at->is_object() && !at->is_null())
+                throw BadKey{path + " leads through a value that has no keys."};
             at = &(*at)[step.get<std::string>()];
         } else {
             const auto index = step.get<std::size_t>();

@@ -24,8 +24,10 @@ sherd::Result<std::string> sceneFile(const std::string& name, const std::string&
         if (known == name) return file;
         names += (names.empty() ? "" : ", ") + known;
     }
-    if (names.empty()) return sherd::Error{"There are no scene files in " + folder + "; name the folder with --scenes."};
-    return sherd::Error{"There is no scene '" + name + "'; choose one of: " + names + ", or name a file that ends in .json."};
+    if (names.empty())
+        return sherd::Error{"There are no scene files in " + folder + "; name the folder with --scenes."};
+    return sherd::Error{"There is no scene '" + name + "'; choose one of: " + names +
+                        ", or name a file that ends in .json."};
 }
 
 }  // namespace demo

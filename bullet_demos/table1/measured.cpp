@@ -9,7 +9,8 @@ sherd::Result<Measured> readMeasured(const std::string& folder) {
     try {
         std::ifstream in(report_path);
         const nlohmann::json report = nlohmann::json::parse(in), first = report.at("ms").at("first_break");
-        if (first.is_null()) return sherd::Error{report_path + " says that nothing broke, so there is no row of the table."};
+        if (first.is_null())
+            return sherd::Error{report_path + " says that nothing broke, so there is no row of the table."};
         row.bodies_after = report.at("bodies_after_first_break");
         row.triangles_before = report.at("triangles_before");
         row.triangles_after = report.at("triangles_after_first_break");
@@ -19,9 +20,11 @@ sherd::Result<Measured> readMeasured(const std::string& folder) {
         row.stress_s = first.at("stress").get<double>() / 1000;
         row.fragmentation_ms = first.at("fragmentation");
     } catch (const nlohmann::json::exception& failure) {
-        return sherd::Error{report_path + " cannot be read: " + failure.what() + ". Run bullet_demos/run table1."};
+        return sherd::Error{report_path + " cannot be read: " + failure.what() +
+                            ". Run bullet_demos/run table1."};
     }
     std::ifstream seconds(seconds_path);
-    if (!(seconds >> row.render_s)) return sherd::Error{seconds_path + " cannot be read. Run bullet_demos/run table1."};
+    if (!(seconds >> row.render_s))
+        return sherd::Error{seconds_path + " cannot be read. Run bullet_demos/run table1."};
     return row;
 }

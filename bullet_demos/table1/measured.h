@@ -16,5 +16,6 @@ struct Measured {
     double render_s = 0;          ///< of the picture after the break
 };
 
-/// Reads report.json and after.seconds from a scene's folder. The error names the file that is missing or not complete.
+/// Reads report.json and after.seconds from a scene's folder. The error names the file that is missing or not
+/// complete.
 sherd::Result<Measured> readMeasured(const std::string& folder);

@@ -2,8 +2,9 @@
 
 #include <array>
 
-/// A row of Table 1 of N. Liu, X. He, S. Li, G. Wang, Meshless simulation of brittle fracture, Computer Animation and Virtual
-/// Worlds 22 (2011), as printed but for the units: "3 minutes 4 seconds" is 184 s here. Their machine: 2.93 GHz.
+/// A row of Table 1 of N. Liu, X. He, S. Li, G. Wang, Meshless simulation of brittle fracture, Computer
+/// Animation and Virtual Worlds 22 (2011), as printed but for the units: "3 minutes 4 seconds" is 184 s here.
+/// Their machine: 2.93 GHz.
 struct PaperRow {
     const char* scene;
     const char* model;

@@ -72,7 +72,8 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(scene.gravity, Vec3(0, 0, -1.6));
     EXPECT_EQ(scene.floor.friction, 0.1);
     EXPECT_EQ(scene.balls.at(0).velocity, Vec3(0, 4, 0));
-    EXPECT_EQ(fs::path(std::get<demo::ObjFile>(thing.shape).path), (fs::path(testing::TempDir()) / "thing.obj").lexically_normal());
+    EXPECT_EQ(fs::path(std::get<demo::ObjFile>(thing.shape).path),
+              (fs::path(testing::TempDir()) / "thing.obj").lexically_normal());
     EXPECT_EQ(thing.material.density_kg_m3, 2600);
     EXPECT_EQ(thing.material.youngs_modulus_pa, sherd::Material::glass().youngs_modulus_pa);
     EXPECT_EQ(thing.spin, Vec3(1, 0, 0));
@@ -100,7 +101,8 @@ TEST(SceneFiles, PresetsChangeWhatTheyNameAndTakeAwayNull) {
 
 TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
     EXPECT_EQ(fault(scene(R"(, "durration_s": 1)")),
-              "durration_s is not a key; choose one of: summary, bodies, balls, floor, camera, gravity_m_s2, duration_s, "
+              "durration_s is not a key; choose one of: summary, bodies, balls, floor, camera, gravity_m_s2, "
+              "duration_s, after_picture_s, "
               "time_step_s, seed.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"sphere": 1}, "material": "plaster"})")),
               "bodies[0].shape must have one of obj, box and generator.");
@@ -111,7 +113,8 @@ TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
     EXPECT_EQ(fault(scene("", R"({"shape": {"generator": "teapot"}, "material": "ice"})")),
               "bodies[0].shape.generator is \"teapot\"; choose one of: coffee_cup, coffee_plate, plane.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": "jelly"})")),
-              "bodies[0].material is \"jelly\"; choose one of: ceramic, plaster, glass, concrete, stone, ice, wood, or give "
+              "bodies[0].material is \"jelly\"; choose one of: ceramic, plaster, glass, concrete, stone, "
+              "ice, wood, or give "
               "the constants in braces.");
 }
 
@@ -120,7 +123,8 @@ TEST(SceneFiles, WrongTypesSayWhatIsTaken) {
     EXPECT_EQ(fault(scene(R"(, "seed": 1.5)")), "seed must be a whole number, not 1.5.");
     EXPECT_EQ(fault(scene(R"(, "balls": {})")), "balls must be a list in brackets, not {}.");
     EXPECT_EQ(fault(scene(R"(, "floor": 1)")), "floor must be an object in braces, not 1.");
-    EXPECT_EQ(fault(scene(R"(, "gravity_m_s2": [0, -9.8])")), "gravity_m_s2 must be a list of three numbers, not [0,-9.8].");
+    EXPECT_EQ(fault(scene(R"(, "gravity_m_s2": [0, -9.8])")),
+              "gravity_m_s2 must be a list of three numbers, not [0,-9.8].");
     EXPECT_EQ(fault(scene("", body(R"(, "settings": {"fracture": {"resample_contacts": 1}})"))),
               "bodies[0].settings.fracture.resample_contacts must be true or false, not 1.");
     EXPECT_EQ(fault("[1]"), "the file must be an object in braces, not [1].");
@@ -128,20 +132,25 @@ TEST(SceneFiles, WrongTypesSayWhatIsTaken) {
 }
 
 TEST(SceneFiles, ImpossibleValuesSayWhatIsPossible) {
-    EXPECT_EQ(fault(scene(R"(, "time_step_s": 0)")), "time_step_s is 0 but must be between 0.0001 and 0.0333333 s.");
+    EXPECT_EQ(fault(scene(R"(, "time_step_s": 0)")),
+              "time_step_s is 0 but must be between 0.0001 and 0.0333333 s.");
     EXPECT_EQ(fault(scene(R"(, "seed": -1)")), "seed is -1 but must be between 0 and 1e+09.");
     EXPECT_EQ(fault(scene(R"(, "camera": {"towards": [0, 0, -1]})")),
               "camera.towards must not be straight up or down, nor zero.");
-    const std::string constants = R"("youngs_modulus_pa": 5e9, "poisson_ratio": 0.2, "tensile_strength_pa": 3e6)";
+    const std::string constants =
+        R"("youngs_modulus_pa": 5e9, "poisson_ratio": 0.2, "tensile_strength_pa": 3e6)";
     EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": {)" + constants +
                                   R"(, "fracture_energy_j_m2": 10, "density_kg_m3": -5}})")),
               "bodies[0].material.density_kg_m3 is -5 but must be positive, in kg/m^3.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": {)" + constants + "}}")),
-              "bodies[0].material.density_kg_m3 is missing; give it, or the library's material that gives it as \"like\".");
+              "bodies[0].material.density_kg_m3 is missing; give it, or the library's material that gives it "
+              "as \"like\".");
     EXPECT_EQ(fault(scene("", body(R"(, "settings": {"sampling": {"spacing_m": -1}})"))),
-              "bodies[0].settings.sampling.spacing_m is -1 but must be 0 (chosen from the wall thickness) or positive, in m.");
-    EXPECT_EQ(fault(scene("", body(R"(, "position_m": [0, 0, -1])"))),
-              "bodies[0].position_m[2] must not be negative: it is the height of the lowest point over the floor.");
+              "bodies[0].settings.sampling.spacing_m is -1 but must be 0 (chosen from the wall thickness) or "
+              "positive, in m.");
+    EXPECT_EQ(
+        fault(scene("", body(R"(, "position_m": [0, 0, -1])"))),
+        "bodies[0].position_m[2] must not be negative: it is the height of the lowest point over the floor.");
 }
 
 TEST(SceneFiles, WhatIsNoJsonSaysWhere) {
@@ -150,7 +159,8 @@ TEST(SceneFiles, WhatIsNoJsonSaysWhere) {
     EXPECT_EQ(fault(R"({"seed": 1, "seed": 2})"), "the key \"seed\" is twice in one object; keep one.");
     EXPECT_EQ(demo::readScene("nowhere.json").error(), "nowhere.json: the scene file cannot be opened.");
     EXPECT_EQ(fault(scene(R"(, /* a comment */ "seed": 1 // and another
-)")), "");
+)")),
+              "");
 }
 
 }  // namespace

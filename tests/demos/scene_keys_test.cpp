@@ -57,13 +57,16 @@ TEST(SceneKeys, WrongKeyAndWrongValueSayWhatIsPossible) {
 TEST(Arguments, UnknownSceneNamesThoseThereAre) {
     const char* const wrong[] = {"run", "tea_cup", "--scenes", SHERD_SCENES};
     EXPECT_EQ(demo::parseArguments(4, wrong).error(),
-              "There is no scene 'tea_cup'; choose one of: coffee_cup, coffee_plate, glass_wall, plane, plaster_wall, "
+              "There is no scene 'tea_cup'; choose one of: coffee_cup, coffee_plate, glass_wall, plane, "
+              "plaster_wall, "
               "wood_wall, or name a file that ends in .json.");
 }
 
 TEST(Arguments, TakeSceneKeysAndSeed) {
-    const char* const line[] = {"run",          "plaster_wall",       "--set",  "spacing=0.1",
-                                "strength=1e6", "balls[0].position_m[2]=0.7", "--seed", "3",
+    const char* const line[] = {"run",          "plaster_wall",
+                                "--set",        "spacing=0.1",
+                                "strength=1e6", "balls[0].position_m[2]=0.7",
+                                "--seed",       "3",
                                 "--scenes",     SHERD_SCENES};
     const auto parsed = demo::parseArguments(10, line);
     ASSERT_TRUE(parsed) << parsed.error();
@@ -75,13 +78,16 @@ TEST(Arguments, TakeSceneKeysAndSeed) {
 }
 
 TEST(Arguments, PathThatLeadsNowhereSaysWhere) {
-    const char* const item[] = {"run", "plaster_wall", "--set", "balls[3].position_m[2]=1", "--scenes", SHERD_SCENES};
+    const char* const item[] = {"run",      "plaster_wall", "--set", "balls[3].position_m[2]=1",
+                                "--scenes", SHERD_SCENES};
     EXPECT_NE(demo::parseArguments(6, item).error().find(
                   "balls[3].position_m[2] leads to an item that is not there; its list has 1."),
               std::string::npos);
-    const char* const key[] = {"run", "plaster_wall", "--set", "bodies[0].spacing=1", "--scenes", SHERD_SCENES};
-    EXPECT_NE(demo::parseArguments(6, key).error().find("bodies[0].spacing is not a key; choose one of: shape,"),
-              std::string::npos);
+    const char* const key[] = {"run",      "plaster_wall", "--set", "bodies[0].spacing=1",
+                               "--scenes", SHERD_SCENES};
+    EXPECT_NE(
+        demo::parseArguments(6, key).error().find("bodies[0].spacing is not a key; choose one of: shape,"),
+        std::string::npos);
 }
 
 }  // namespace

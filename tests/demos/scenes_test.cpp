@@ -82,7 +82,8 @@ TEST_P(EveryScene, BreaksIntoSoundPieces) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene,
-                         testing::Values("coffee_cup", "coffee_plate", "glass_wall", "plane", "plaster_wall", "wood_wall"),
+                         testing::Values("coffee_cup", "coffee_plate", "glass_wall", "plane", "plaster_wall",
+                                         "wood_wall"),
                          [](const auto& scene) { return std::string(scene.param); });
 
 TEST(CoffeeCup, StandsForTenSecondsWithoutASolve) {
