@@ -1,6 +1,5 @@
 #include "coffee_cup.h"
 
-#include "implicit_mesher.h"
 #include "implicit_shapes.h"
 
 namespace sherd::generators {
@@ -36,15 +35,14 @@ double cupDistance(const CupMeasures& cup, const Eigen::Vector3d& point) {
     return intersectRound(solid, -hollow, cup.rim_rounding);
 }
 
-Result<TriangleMesh> makeCoffeeCup(const CupMeasures& cup) {
+ImplicitSolid coffeeCup(const CupMeasures& cup) {
     ImplicitSolid solid;
     solid.distance = [cup](const Eigen::Vector3d& point) { return cupDistance(cup, point); };
     solid.inner_point = {0, 0, cup.wall / 2};
     solid.bounding_radius = 1.5 * std::max(cup.height, cup.handle_reach + cup.handle_thickness);
-    MeshFineness fineness;
-    fineness.triangle_radius = 0.0030;
-    fineness.surface_distance = 0.000085;
-    return meshImplicitSolid(solid, fineness);
+    solid.fineness.triangle_radius = 0.0030;
+    solid.fineness.surface_distance = 0.000085;
+    return solid;
 }
 
 }  // namespace sherd::generators

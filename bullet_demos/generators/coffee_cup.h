@@ -1,7 +1,6 @@
 #pragma once
 
-#include <sherd/result.h>
-#include <sherd/triangle_mesh.h>
+#include "implicit_mesher.h"
 
 namespace sherd::generators {
 
@@ -26,7 +25,6 @@ struct CupMeasures {
 /// Signed distance to the cup's surface, m, negative in the material.
 double cupDistance(const CupMeasures& cup, const Eigen::Vector3d& point);
 
-/// The cup's surface: closed, one part, about 15,000 triangles.
-Result<TriangleMesh> makeCoffeeCup(const CupMeasures& cup);
+ImplicitSolid coffeeCup(const CupMeasures& cup);
 
 }  // namespace sherd::generators

@@ -8,13 +8,40 @@
 #include <CGAL/Surface_mesh_default_triangulation_3.h>
 #include <CGAL/make_surface_mesh.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <map>
+#include <utility>
 
 namespace sherd::generators {
 namespace {
 
-using Triangulation = CGAL::Surface_mesh_default_triangulation_3;
+/// A vertex or cell of a triangulation that knows its age. The mesher keeps sets of these, sorted by age
+/// then, and otherwise by where in memory they happen to be, which is not the same at every call.
+template <class Base>
+class Stamped : public Base {
+  public:
+    template <class Structure>
+    struct Rebind_TDS {
+        using Other = Stamped<typename Base::template Rebind_TDS<Structure>::Other>;
+    };
+    using Has_timestamp = CGAL::Tag_true;
+
+    using Base::Base;
+    std::size_t time_stamp() const { return stamp_; }
+    void set_time_stamp(const std::size_t& stamp) { stamp_ = stamp; }
+
+  private:
+    std::size_t stamp_ = static_cast<std::size_t>(-1);
+};
+
+using Traits = CGAL::Surface_mesh_default_triangulation_3::Geom_traits;
+using Vertex = Stamped<CGAL::Surface_mesh_vertex_base_3<Traits>>;
+using Cell = Stamped<CGAL::Delaunay_triangulation_cell_base_with_circumcenter_3<
+    Traits, CGAL::Surface_mesh_cell_base_3<Traits>>>;
+using Triangulation =
+    CGAL::Delaunay_triangulation_3<Traits, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 using Complex = CGAL::Complex_2_in_triangulation_3<Triangulation>;
 using Kernel = Triangulation::Geom_traits;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
@@ -86,6 +113,92 @@ void smooth(TriangleMesh& mesh, const ImplicitSolid& solid) {
         mesh.vertices[v] = project(solid, (mesh.vertices[v] + sums[v] / weights[v]) / 2);
 }
 
+/// Every triangle in four, with the new vertices on the surface.
+TriangleMesh subdivided(const TriangleMesh& mesh, const ImplicitSolid& solid) {
+    TriangleMesh fine;
+    fine.vertices = mesh.vertices;
+    std::map<std::pair<int, int>, int> middle_of;
+    const auto middle = [&](int a, int b) {
+        const auto [found, is_new] =
+            middle_of.try_emplace(std::minmax(a, b), static_cast<int>(fine.vertices.size()));
+        if (is_new) fine.vertices.push_back(project(solid, (mesh.vertices[a] + mesh.vertices[b]) / 2));
+        return found->second;
+    };
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const int ab = middle(a, b), bc = middle(b, c), ca = middle(c, a);
+        for (const std::array<int, 3>& part :
+             {std::array<int, 3>{a, ab, ca}, {ab, b, bc}, {ca, bc, c}, {ab, bc, ca}})
+            fine.triangles.push_back(part);
+    }
+    return fine;
+}
+
+/// Both lengths of the fineness for triangles `scale` times as long: the distance to a curved surface grows
+/// with the square.
+MeshFineness scaled(const MeshFineness& fineness, double scale) {
+    return {scale * fineness.triangle_radius, scale * scale * fineness.surface_distance,
+            fineness.smoothing_rounds};
+}
+
+/// Delaunay refinement takes minutes for what a subdivision does in a second.
+constexpr int largest_refined = 30000;
+constexpr double count_tolerance = 0.01;
+
+/// Up to `splits` of the longest edges, no two of one triangle, get a new vertex in the middle; each makes
+/// two triangles more.
+void splitLongestEdges(TriangleMesh& mesh, int splits) {
+    struct Edge {
+        double length = 0;
+        int a = 0, b = 0;
+        std::array<int, 2> triangles{};
+    };
+    std::map<std::pair<int, int>, int> first_triangle;
+    std::vector<Edge> edges;
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) {
+        for (int k = 0; k < 3; ++k) {
+            const int a = mesh.triangles[t][k], b = mesh.triangles[t][(k + 1) % 3];
+            const auto [found, is_new] = first_triangle.try_emplace(std::minmax(a, b), t);
+            if (!is_new)
+                edges.push_back({(mesh.vertices[a] - mesh.vertices[b]).norm(), a, b, {found->second, t}});
+        }
+    }
+    std::stable_sort(edges.begin(), edges.end(),
+                     [](const Edge& p, const Edge& q) { return p.length > q.length; });
+    std::vector<char> touched(mesh.triangles.size());
+    for (const Edge& edge : edges) {
+        if (splits <= 0) return;
+        if (touched[edge.triangles[0]] || touched[edge.triangles[1]]) continue;
+        const int middle = static_cast<int>(mesh.vertices.size());
+        mesh.vertices.push_back((mesh.vertices[edge.a] + mesh.vertices[edge.b]) / 2);
+        for (const int t : edge.triangles) {
+            std::array<int, 3> half = mesh.triangles[t];
+            std::replace(half.begin(), half.end(), edge.a, middle);
+            std::replace(mesh.triangles[t].begin(), mesh.triangles[t].end(), edge.b, middle);
+            mesh.triangles.push_back(half);
+            touched[t] = 1;
+        }
+        --splits;
+    }
+}
+
+/// About `triangles` by refinement to a few less, whose number is taken to fall with the square of the edges'
+/// length, and split edges for the rest.
+TriangleMesh refinedToCount(const ImplicitSolid& solid, int triangles) {
+    constexpr int most_tries = 8;
+    constexpr double least = 0.85, aim = 0.93;
+    double scale = 1;
+    TriangleMesh mesh;
+    for (int tries = 0; tries < most_tries; ++tries) {
+        mesh = delaunayMesh(solid, scaled(solid.fineness, scale));
+        const double ratio = static_cast<double>(mesh.triangles.size()) / triangles;
+        if (ratio >= least && ratio <= 1) break;
+        scale *= std::sqrt(ratio / aim);
+    }
+    splitLongestEdges(mesh, (triangles - static_cast<int>(mesh.triangles.size())) / 2);
+    for (int round = 0; round < solid.fineness.smoothing_rounds; ++round) smooth(mesh, solid);
+    return mesh;
+}
+
 void roundCoordinates(TriangleMesh& mesh) {
     for (Eigen::Vector3d& vertex : mesh.vertices)
         for (double& coordinate : vertex) coordinate = std::round(coordinate * 1e8) / 1e8 + 0.0;
@@ -98,6 +211,29 @@ Result<TriangleMesh> meshImplicitSolid(const ImplicitSolid& solid, const MeshFin
         TriangleMesh mesh = delaunayMesh(solid, fineness);
         for (int round = 0; round < fineness.smoothing_rounds; ++round) smooth(mesh, solid);
         roundCoordinates(mesh);
+        return mesh;
+    } catch (const std::exception& fault) {
+        return Error{std::string("The solid could not be meshed: ") + fault.what() + "."};
+    }
+}
+
+Result<TriangleMesh> meshWithCount(const ImplicitSolid& solid, int triangles) {
+    constexpr int fewest = 2000, most = 1000000, rounds_after_subdivision = 3;
+    if (triangles < fewest || triangles > most)
+        return Error{"A generated mesh has from 2000 to 1000000 triangles, not " + std::to_string(triangles) +
+                     "."};
+    try {
+        int halvings = 0, coarse = triangles;
+        for (; coarse > largest_refined; coarse /= 4) ++halvings;
+        TriangleMesh mesh = refinedToCount(solid, coarse);
+        for (int i = 0; i < halvings; ++i) mesh = subdivided(mesh, solid);
+        if (halvings > 0)
+            for (int round = 0; round < rounds_after_subdivision; ++round) smooth(mesh, solid);
+        roundCoordinates(mesh);
+        const double reached = static_cast<double>(mesh.triangles.size());
+        if (std::abs(reached / triangles - 1) > count_tolerance)
+            return Error{"The nearest to " + std::to_string(triangles) + " triangles that was reached is " +
+                         std::to_string(mesh.triangles.size()) + "; ask for that many."};
         return mesh;
     } catch (const std::exception& fault) {
         return Error{std::string("The solid could not be meshed: ") + fault.what() + "."};

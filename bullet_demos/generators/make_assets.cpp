@@ -6,6 +6,7 @@
 #include <string>
 
 #include "coffee_cup.h"
+#include "implicit_mesher.h"
 
 namespace {
 
@@ -28,5 +29,6 @@ int main(int argument_count, char** arguments) {
         return 2;
     }
     const std::string folder = std::string(arguments[1]) + "/";
-    return write(sherd::generators::makeCoffeeCup({}), folder + "coffee_cup.obj") ? 0 : 1;
+    const sherd::generators::ImplicitSolid cup = sherd::generators::coffeeCup({});
+    return write(meshImplicitSolid(cup, cup.fineness), folder + "coffee_cup.obj") ? 0 : 1;
 }

@@ -1,29 +1,42 @@
 #include "arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <vector>
 
 #include "scene_keys.h"
+#include "scenes/scene_file.h"
 #include "scenes/scenes.h"
 
 namespace demo {
+namespace {
+
+/// bodies[0].position_m=... is the path of a key in the scene file, spacing=... one of the short keys.
+bool isByPath(const std::string& assignment) {
+    return assignment.substr(0, assignment.find('=')).find_first_of(".[") != std::string::npos;
+}
+
+}  // namespace
 
 sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
-    std::string scene = "coffee_cup", seed;
+    std::string scene = "coffee_cup", preset, seed;
     std::vector<std::string> assignments;
     bool one_line = false;
 
     CLI::App app(
         "Runs a scene without a window and writes a report, the fragments and scene files for pictures.");
     app.name("bullet_demos/run");
-    app.add_option("SCENE", scene, "Which scene")->capture_default_str();
+    app.add_option("SCENE", scene, "Its name, or a scene file that ends in .json")->capture_default_str();
+    app.add_option("--preset", preset, "Figures that the scene file has under this name: paper")
+        ->type_name("NAME");
     app.add_option("--set", assignments, "Change figures of the scene, see below")
         ->type_name("KEY=VALUE ...");
     app.add_option("--seed", seed, "The same as --set seed=N")->type_name("N");
     app.add_flag("--list", arguments.show_list, "Name the scenes");
     app.add_option("--out", arguments.out, "Folder for what is written")->type_name("DIR");
-    app.add_option("--assets", arguments.assets, "Folder of the meshes")->type_name("DIR");
+    app.add_option("--scenes", arguments.scenes, "Folder of the scenes")->type_name("DIR");
+    app.add_option("--meshes", arguments.meshes, "Folder that keeps generated meshes")->type_name("DIR");
     app.add_flag("--progress-line", one_line, "Keep the progress on one line of a terminal");
     app.footer("\n" + describeKeys());
     try {
@@ -36,12 +49,19 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     }
 
     if (one_line) arguments.progress = Progress::Style::one_line;
-    auto found = sceneNamed(scene);
-    if (!found) return sherd::Error{found.error()};
-    arguments.scene = std::move(found).value();
+    if (arguments.show_list) return arguments;
     if (!seed.empty()) assignments.push_back("seed=" + seed);
-    for (const std::string& assignment : assignments) {
-        const sherd::Status applied = applyKey(arguments.scene, assignment);
+    const auto first_key = std::stable_partition(assignments.begin(), assignments.end(), isByPath);
+    const std::vector<std::string> by_path(assignments.begin(), first_key),
+        keys(first_key, assignments.end());
+
+    const auto file = sceneFile(scene, arguments.scenes);
+    if (!file) return sherd::Error{file.error()};
+    auto read = readScene(file.value(), preset, by_path);
+    if (!read) return sherd::Error{read.error()};
+    arguments.scene = std::move(read).value();
+    for (const std::string& key : keys) {
+        const sherd::Status applied = applyKey(arguments.scene, key);
         if (!applied) return sherd::Error{applied.error()};
     }
     return arguments;

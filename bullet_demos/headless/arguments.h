@@ -11,8 +11,9 @@ namespace demo {
 
 /// What the command line asks for.
 struct Arguments {
-    Scene scene;  ///< with the changes of --set and --seed
-    std::string assets = "assets";
+    Scene scene;                                 ///< with the changes of --preset, --set and --seed
+    std::string scenes = "bullet_demos/scenes";  ///< folder of the scenes that are called by name
+    std::string meshes = "out/meshes";           ///< folder that keeps generated meshes
     std::string out = "out";  ///< the scene's files go into a folder of its name below this one
     Progress::Style progress = Progress::Style::few_lines;
     bool show_list = false;

@@ -25,9 +25,18 @@ struct Wedge {
     }
 };
 
-/// Leaves out what flew far from the rest, so that one chip does not make the whole scene small.
-std::vector<Vec3> withoutStrays(const std::vector<Vec3>& points) {
-    constexpr double most = 0.85, reach = 2;
+Vec3 mean(const std::vector<Vec3>& points) {
+    Vec3 sum = Vec3::Zero();
+    for (const Vec3& p : points) sum += p;
+    return sum / static_cast<double>(points.size());
+}
+
+/// The points of all bodies but those that flew far from the rest, so that one chip does not make the whole
+/// scene small.
+std::vector<Vec3> withoutStrays(const std::vector<std::vector<Vec3>>& bodies) {
+    constexpr double most = 0.85, reach = 1.8;
+    std::vector<Vec3> points, kept;
+    for (const auto& body : bodies) points.insert(points.end(), body.begin(), body.end());
     Vec3 middle;
     for (int axis = 0; axis < 3; ++axis) {
         std::vector<double> values;
@@ -37,19 +46,17 @@ std::vector<Vec3> withoutStrays(const std::vector<Vec3>& points) {
     }
     std::vector<double> distances;
     for (const Vec3& p : points) distances.push_back((p - middle).norm());
-    std::vector<double> sorted = distances;
-    std::sort(sorted.begin(), sorted.end());
-    const double limit = reach * sorted[static_cast<std::size_t>(most * (sorted.size() - 1))];
-    std::vector<Vec3> kept;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        if (distances[i] <= limit) kept.push_back(points[i]);
-    return kept;
+    std::sort(distances.begin(), distances.end());
+    const double limit = reach * distances[static_cast<std::size_t>(most * (distances.size() - 1))];
+    for (const auto& body : bodies)
+        if ((mean(body) - middle).norm() <= limit) kept.insert(kept.end(), body.begin(), body.end());
+    return kept.empty() ? points : kept;
 }
 
 }  // namespace
 
-Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& all, double aspect) {
-    const std::vector<Vec3> points = withoutStrays(all);
+Viewpoint fitCamera(const Camera& camera, const std::vector<std::vector<Vec3>>& bodies, double aspect) {
+    const std::vector<Vec3> points = withoutStrays(bodies);
     const Vec3 along = camera.towards.normalized();
     const Vec3 right = along.cross(Vec3::UnitZ()).normalized();
     const Vec3 up = right.cross(along);

@@ -16,8 +16,8 @@ struct Viewpoint {
     double width_deg = 30;
 };
 
-/// The nearest place, looking along the camera's direction, from which all points but far strays are in the
-/// picture with a margin. `aspect` is width over height.
-Viewpoint fitCamera(const Camera& camera, const std::vector<Vec3>& points, double aspect);
+/// The nearest place, looking along the camera's direction, from which the points of all bodies but far
+/// strays are in the picture with a margin. No body is without points; `aspect` is width over height.
+Viewpoint fitCamera(const Camera& camera, const std::vector<std::vector<Vec3>>& bodies, double aspect);
 
 }  // namespace demo

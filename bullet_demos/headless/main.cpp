@@ -5,6 +5,7 @@
 #include "output_files.h"
 #include "report.h"
 #include "scene_run.h"
+#include "scenes/scene_file.h"
 #include "scenes/scenes.h"
 #include "summary.h"
 
@@ -15,10 +16,11 @@ constexpr int further_blows = 3;  ///< of which the middle time counts
 /// Scene in, files out.
 sherd::Status runDemo(const demo::Arguments& arguments) {
     const demo::Scene& scene = arguments.scene;
-    const auto assets = demo::makeAssets(scene, arguments.assets);
+    demo::Progress progress(arguments.progress);
+    const auto announce = [&progress](const std::string& what) { progress.show(0, what); };
+    const auto assets = demo::makeAssets(scene, arguments.meshes, announce);
     if (!assets) return sherd::Error{assets.error()};
 
-    demo::Progress progress(arguments.progress);
     const demo::SceneRun run = demo::runScene(scene, assets.value(), progress);
     demo::FurtherBlows further;
     for (int i = 0; i < further_blows; ++i) {
@@ -33,6 +35,15 @@ sherd::Status runDemo(const demo::Arguments& arguments) {
     return sherd::success();
 }
 
+sherd::Status listScenes(const std::string& folder) {
+    for (const std::string& file : demo::sceneFiles(folder)) {
+        const auto scene = demo::readScene(file);
+        if (!scene) return sherd::Error{scene.error()};
+        std::cout << scene.value().name << ": " << scene.value().summary << "\n";
+    }
+    return sherd::success();
+}
+
 int demoMain(int argc, const char* const* argv) {
     const auto arguments = demo::parseArguments(argc, argv);
     if (!arguments) {
@@ -44,9 +55,9 @@ int demoMain(int argc, const char* const* argv) {
         return 0;
     }
     if (arguments.value().show_list) {
-        for (const demo::Scene& scene : demo::allScenes())
-            std::cout << scene.name << ": " << scene.summary << "\n";
-        return 0;
+        const sherd::Status listed = listScenes(arguments.value().scenes);
+        if (!listed) std::cerr << listed.error() << "\n";
+        return listed ? 0 : 1;
     }
     const sherd::Status done = runDemo(arguments.value());
     if (!done) std::cerr << done.error() << "\n";

@@ -18,7 +18,8 @@ Status clearFolder(const fs::path& folder) {
     fs::create_directories(folder, failure);
     for (fs::directory_iterator at(folder, failure), end; !failure && at != end; at.increment(failure)) {
         const std::string extension = at->path().extension().string();
-        if (extension == ".obj" || extension == ".pov" || extension == ".png" || extension == ".json") {
+        if (extension == ".obj" || extension == ".pov" || extension == ".png" || extension == ".json" ||
+            extension == ".seconds") {
             fs::remove(at->path(), failure);
         }
     }
@@ -58,7 +59,7 @@ Status writeOutputs(const Scene& scene, const SceneRun& run, const nlohmann::ord
     if (status) status = writePov(run.before, scene.camera, (place / "before.pov").string());
     if (status && !run.impact.empty())
         status = writePov(run.impact, scene.camera, (place / "impact.pov").string());
-    if (status) status = writePov(run.after, scene.camera, (place / "after.pov").string());
+    if (status) status = writePov(run.shown, scene.camera, (place / "after.pov").string());
     return status;
 }
 

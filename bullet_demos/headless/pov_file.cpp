@@ -26,24 +26,24 @@ std::vector<Vec3> worldVertices(const BodyState& state) {
     return vertices;
 }
 
-std::vector<Vec3> pointsToShow(const std::vector<BodyState>& states) {
-    std::vector<Vec3> points;
-    for (const BodyState& state : states) {
-        if (!state.asset) continue;
-        const std::vector<Vec3> vertices = worldVertices(state);
-        points.insert(points.end(), vertices.begin(), vertices.end());
-    }
-    return points;
+/// Of every breakable body.
+std::vector<std::vector<Vec3>> pointsToShow(const std::vector<BodyState>& states) {
+    std::vector<std::vector<Vec3>> bodies;
+    for (const BodyState& state : states)
+        if (state.asset) bodies.push_back(worldVertices(state));
+    return bodies;
 }
 
 /// Camera, and the box that the lights are scaled to.
-void writeStage(std::ostream& out, const Camera& camera, const std::vector<Vec3>& points) {
-    Vec3 low = points.front(), high = points.front();
-    for (const Vec3& point : points) {
-        low = low.cwiseMin(point);
-        high = high.cwiseMax(point);
+void writeStage(std::ostream& out, const Camera& camera, const std::vector<std::vector<Vec3>>& bodies) {
+    Vec3 low = bodies.front().front(), high = low;
+    for (const auto& body : bodies) {
+        for (const Vec3& point : body) {
+            low = low.cwiseMin(point);
+            high = high.cwiseMax(point);
+        }
     }
-    const Viewpoint view = fitCamera(camera, points, aspect);
+    const Viewpoint view = fitCamera(camera, bodies, aspect);
     const Vec3 centre = (low + high) / 2;
     out << "#declare Stage_Centre = " << Pov{centre} << ";\n#declare Stage_Size = " << (high - low).norm()
         << ";\n"
@@ -96,12 +96,12 @@ void writeBody(std::ostream& out, const BodyState& state) {
 }  // namespace
 
 sherd::Status writePov(const std::vector<BodyState>& states, const Camera& camera, const std::string& path) {
-    const std::vector<Vec3> points = pointsToShow(states);
-    if (points.empty()) return sherd::Error{"There is no breakable body to draw in " + path + "."};
+    const std::vector<std::vector<Vec3>> bodies = pointsToShow(states);
+    if (bodies.empty()) return sherd::Error{"There is no breakable body to draw in " + path + "."};
     std::ofstream out(path);
     out.precision(9);
     out << "#version 3.7;\n";
-    writeStage(out, camera, points);
+    writeStage(out, camera, bodies);
     for (const BodyState& state : states) {
         if (state.asset) {
             writeBody(out, state);

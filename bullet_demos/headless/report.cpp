@@ -54,9 +54,26 @@ double difference(double is, double was) {
     return was > 0 ? std::abs(is - was) / was : 0;
 }
 
+/// What it took up to the first break: the sampling, the stress (with assembling and factoring, wherever that
+/// was done) and the making of fragments. Null if nothing broke.
+ordered_json firstBreakMilliseconds(const SceneRun& run) {
+    double sample = 0, matrix = 0;
+    for (const TimedEvent& timed : run.events) {
+        const sherd::StageTimes& ms = timed.event.ms;
+        sample += ms.sample;
+        matrix += ms.assemble + ms.factor;
+        if (timed.event.outcome != Outcome::broke) continue;
+        return {{"sample", sample},
+                {"stress", matrix + ms.solve + ms.stress},
+                {"fragmentation", ms.damage + ms.cluster + ms.surface}};
+    }
+    return nullptr;
+}
+
 ordered_json milliseconds(const SceneRun& run, const FurtherBlows& further_blows) {
     ordered_json ms;
     for (const StageTotal& stage : stageTotals(run)) ms[stage.name] = stage.total_ms;
+    ms["first_break"] = firstBreakMilliseconds(run);
     ms["step_total_worst"] =
         run.step_ms.empty() ? 0 : *std::max_element(run.step_ms.begin(), run.step_ms.end());
     ms["step_total_median"] = median(run.step_ms);
@@ -88,7 +105,7 @@ ordered_json describe(const TimedEvent& timed) {
 
 ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets,
                         const SceneRun& run, const FurtherBlows& further_blows) {
-    const Totals before = totals(run.before), after = totals(run.after);
+    const Totals before = totals(run.before), broken = totals(run.broken), after = totals(run.after);
     ordered_json report;
     report["scene"] = scene.name;
     report["seed"] = scene.bodies.empty() ? 0 : scene.bodies.front().settings.fracture.seed;
@@ -98,6 +115,8 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["triangles_before"] = before.triangles;
     report["triangles_after"] = after.triangles;
     report["bodies_before"] = before.bodies;
+    report["bodies_after_first_break"] = broken.bodies;
+    report["triangles_after_first_break"] = broken.triangles;
     report["bodies_after"] = after.bodies;
     report["blows_seen"] = run.counts.seen;
     report["blows_skipped"] = run.counts.skipped;

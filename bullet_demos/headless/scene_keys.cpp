@@ -6,6 +6,8 @@
 #include <sstream>
 #include <utility>
 
+#include "scenes/box_mesh.h"
+
 namespace demo {
 namespace {
 
@@ -87,12 +89,22 @@ void setSpeed(Scene& scene, double speed) {
     for (BreakableBody& body : scene.bodies) scale(body.velocity);
 }
 
+void setTriangles(Scene& scene, double triangles) {
+    for (BreakableBody& body : scene.bodies) {
+        if (auto* mesh = std::get_if<Generated>(&body.shape)) mesh->triangles = static_cast<int>(triangles);
+        if (auto* box = std::get_if<Box>(&body.shape))
+            box->edge_m = boxEdge(box->size_m, static_cast<int>(triangles));
+    }
+}
+
 std::vector<Key> sceneKeys() {
     using B = BreakableBody;
     return {
         count("seed", 0, 1e9, "another seed, another break",
               everyBody([](B& b, double v) { b.settings.fracture.seed = static_cast<std::uint64_t>(v); })),
         number("duration", 0.01, 60, "s", "simulated time", [](Scene& s, double v) { s.duration_s = v; }),
+        number("after_picture", 0, 60, "s", "from the first break to what after.png shows; 0: the end",
+               [](Scene& s, double v) { s.after_picture_s = v; }),
         number("time_step", 1e-4, 1.0 / 30, "s", "of Bullet", [](Scene& s, double v) { s.time_step_s = v; }),
         number("speed", 0, 100, "m/s", "of the ball, or downwards of the body where there is no ball",
                setSpeed),
@@ -104,6 +116,7 @@ std::vector<Key> sceneKeys() {
                [](Scene& s, double v) {
                    for (Ball& ball : s.balls) ball.diameter_m = v;
                }),
+        count("triangles", 2000, 1e6, "of a mesh that is made, not read from a file", setTriangles),
         number("strength", 1, 1e15, "Pa", "tensile strength",
                everyBody([](B& b, double v) { b.material.tensile_strength_pa = v; })),
         number("strength_scatter", 0, 1, "", "standard deviation of the strength over its mean",
@@ -134,12 +147,12 @@ std::vector<Key> sceneKeys() {
              {"mls", sherd::TrialFunction::mls}},
             "spline is the default; gmls has gradients as unknowns",
             [](sherd::StressSettings& s, sherd::TrialFunction v) { s.trial_function = v; }),
-        choice<sherd::Basis>(
-            "basis",
-            {{"linear", sherd::Basis::linear},
-             {"quadratic", sherd::Basis::quadratic},
-             {"cubic", sherd::Basis::cubic}},
-            "polynomials that the trial functions reproduce; cubic for spline only", [](sherd::StressSettings& s, sherd::Basis v) { s.basis = v; }),
+        choice<sherd::Basis>("basis",
+                             {{"linear", sherd::Basis::linear},
+                              {"quadratic", sherd::Basis::quadratic},
+                              {"cubic", sherd::Basis::cubic}},
+                             "polynomials that the trial functions reproduce; cubic for spline only",
+                             [](sherd::StressSettings& s, sherd::Basis v) { s.basis = v; }),
         count("fragment_count", 0, 1000, "pieces of the damaged part; 0: what the strain energy pays for",
               everyBody([](B& b, double v) { b.settings.fracture.fragment_count = static_cast<int>(v); })),
         count("largest_fragment_count", 1, 1000, "pieces of one break, at most",
@@ -168,7 +181,9 @@ Status applyKey(Scene& scene, const std::string& assignment) {
 }
 
 std::string describeKeys() {
-    std::string lines = "Keys for --set:\n";
+    std::string lines =
+        "Keys for --set (all others by their path in the scene file: "
+        "bodies[0].settings.fracture.guide.penalty=0.5):\n";
     for (const Key& key : sceneKeys()) {
         std::string head = "  " + key.name + "=" + key.values;
         head.resize(std::max<std::size_t>(head.size() + 2, 44), ' ');

@@ -51,13 +51,18 @@ SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& 
         if (run.first_break_s < 0) run.before = world.states();
         run.step_ms.push_back(timedStep(world));
         collectEvents(run, world, time_s);
-        if (run.first_break_s >= 0 && run.impact.empty() && time_s >= run.first_break_s + impact_picture_s) {
-            run.impact = world.states();
+        if (run.first_break_s >= 0 && run.broken.empty()) run.broken = world.states();
+        if (run.first_break_s >= 0) {
+            const double since_break_s = time_s - run.first_break_s;
+            if (run.impact.empty() && since_break_s >= impact_picture_s) run.impact = world.states();
+            if (run.shown.empty() && scene.after_picture_s > 0 && since_break_s >= scene.after_picture_s)
+                run.shown = world.states();
         }
         progress.show(static_cast<double>(step) / steps, describe(run, world));
     }
     if (run.first_break_s < 0) run.before = start;
     run.after = world.states();
+    if (run.shown.empty()) run.shown = run.after;
     run.counts = world.fracture().counts();
     return run;
 }

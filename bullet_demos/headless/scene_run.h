@@ -20,7 +20,9 @@ struct TimedEvent {
 /// What a run leaves.
 struct SceneRun {
     std::vector<BodyState> before;  ///< the last moment before the first break; the start, if nothing broke
+    std::vector<BodyState> broken;  ///< right after the first break; empty if nothing broke
     std::vector<BodyState> impact;  ///< a moment after the first break; empty if nothing broke
+    std::vector<BodyState> shown;   ///< what after.png shows
     std::vector<BodyState> after;   ///< the end
     std::vector<TimedEvent> events;
     sherd::BlowCounts counts;

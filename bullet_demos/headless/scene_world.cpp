@@ -4,6 +4,7 @@
 #include <limits>
 #include <string>
 
+#include "generators/mesh_store.h"
 #include "scenes/box_mesh.h"
 
 namespace demo {
@@ -46,20 +47,33 @@ void setTouch(btRigidBody& body, const Touch& touch) {
     body.setRestitution(btScalar(touch.restitution));
 }
 
-sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const std::string& folder) {
-    if (const auto* box = std::get_if<Box>(&body.shape)) {
-        return sherd::BreakableAsset::fromMesh(boxMesh(*box), body.material, body.settings);
-    }
-    return sherd::BreakableAsset::fromObj(folder + "/" + std::get<ObjFile>(body.shape).path, body.material,
-                                          body.settings);
+using Announce = std::function<void(const std::string&)>;
+
+sherd::Result<sherd::TriangleMesh> makeSurface(const Shape& shape, const std::string& meshes,
+                                               const Announce& announce) {
+    if (const auto* box = std::get_if<Box>(&shape)) return boxMesh(*box);
+    if (const auto* mesh = std::get_if<Generated>(&shape))
+        return storedMesh(mesh->name, mesh->triangles, meshes, announce);
+    return sherd::readObj(std::get<ObjFile>(shape).path);
+}
+
+sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const std::string& meshes,
+                                               const Announce& announce) {
+    const auto surface = makeSurface(body.shape, meshes, announce);
+    if (!surface) return sherd::Error{surface.error()};
+    auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, body.settings);
+    const auto* file = std::get_if<ObjFile>(&body.shape);
+    if (!asset && file) return sherd::Error{file->path + ": " + asset.error()};
+    return asset;
 }
 
 }  // namespace
 
-sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(const Scene& scene, const std::string& folder) {
+sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(const Scene& scene, const std::string& meshes,
+                                                             const Announce& announce) {
     std::vector<sherd::BreakableAsset> assets;
     for (const BreakableBody& body : scene.bodies) {
-        auto asset = makeAsset(body, folder);
+        auto asset = makeAsset(body, meshes, announce);
         if (!asset) return sherd::Error{asset.error()};
         assets.push_back(std::move(asset).value());
     }
@@ -108,6 +122,7 @@ void SceneWorld::addFloor() {
 void SceneWorld::addBody(BreakableBody& body, const sherd::BreakableAsset& asset) {
     btRigidBody* added = fracture_->add(asset, startOf(body, asset));
     added->setLinearVelocity(toBullet(body.velocity));
+    added->setAngularVelocity(toBullet(body.spin));
     added->setUserPointer(&body);
     setTouch(*added, body.touch);
 }

@@ -3,8 +3,10 @@
 #include <btBulletDynamicsCommon.h>
 #include <sherd/sherd.h>
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenes/scene.h"
@@ -12,8 +14,9 @@
 namespace demo {
 
 /// The assets of a scene's breakable bodies, checked; they outlive runs, so that a second run finds them
-/// factored.
-sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(const Scene& scene, const std::string& folder);
+/// factored. Generated meshes are kept in the folder `meshes`; what takes long is said to `announce`.
+sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(
+    const Scene& scene, const std::string& meshes, const std::function<void(const std::string&)>& announce);
 
 /// A breakable body or a ball, where it is at one moment.
 struct BodyState {

@@ -74,4 +74,9 @@ sherd::TriangleMesh boxMesh(const Box& box) {
     return std::move(surface.mesh);
 }
 
+double boxEdge(const Vec3& size_m, int triangles) {
+    const double area = 2 * (size_m.x() * size_m.y() + size_m.y() * size_m.z() + size_m.z() * size_m.x());
+    return std::sqrt(2 * area / triangles);
+}
+
 }  // namespace demo

@@ -10,7 +10,7 @@ namespace demo {
 
 using sherd::Vec3;
 
-/// A surface from a Wavefront OBJ, by its path below the assets folder.
+/// A surface from a Wavefront OBJ.
 struct ObjFile {
     std::string path;
 };
@@ -21,7 +21,13 @@ struct Box {
     double edge_m = 0.1;
 };
 
-using Shape = std::variant<ObjFile, Box>;
+/// A surface that a generator makes (generators/generators.h), in so many triangles within 1 %.
+struct Generated {
+    std::string name;
+    int triangles = 20000;
+};
+
+using Shape = std::variant<ObjFile, Box, Generated>;
 
 /// How a body touches others. Bullet multiplies the figures of the two: here friction 0.64, restitution 0.09.
 struct Touch {
@@ -47,6 +53,7 @@ struct BreakableBody {
     Vec3 position =
         Vec3::Zero();  ///< x and y of the shape's origin; z: height of its lowest point over the floor, m
     Vec3 velocity = Vec3::Zero();  ///< m/s
+    Vec3 spin = Vec3::Zero();      ///< rad/s, about the world's axes
 };
 
 /// A steel ball that strikes.
@@ -67,24 +74,16 @@ struct Camera {
 /// Everything a run needs, as data.
 struct Scene {
     std::string name;
-    std::string summary;  ///< one sentence for --list
+    std::string summary;               ///< one sentence for --list
+    std::vector<std::string> presets;  ///< names of those that its file has
     std::vector<BreakableBody> bodies;
     std::vector<Ball> balls;
     Touch floor;
     Camera camera;
     Vec3 gravity = Vec3(0, 0, -9.81);  ///< m/s^2
     double duration_s = 2;
+    double after_picture_s = 0;  ///< from the first break to what after.png shows; 0: the end
     double time_step_s = 1.0 / 240;
 };
-
-/// A cup dropped on a stone floor.
-Scene coffeeCup();
-
-/// A plaster wall struck by a steel ball.
-Scene plasterWall();
-
-/// The same wall of glass, guided by a radial field, and of wood, guided by its grain.
-Scene glassWall();
-Scene woodWall();
 
 }  // namespace demo

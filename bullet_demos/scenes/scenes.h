@@ -5,14 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "scene.h"
-
 namespace demo {
 
-/// All scenes, in the order in which --list shows them.
-std::vector<Scene> allScenes();
+/// The paths of all scene files in a folder, by name.
+std::vector<std::string> sceneFiles(const std::string& folder);
 
-/// The scene of that name; the error lists the names there are.
-sherd::Result<Scene> sceneNamed(const std::string& name);
+/// The scene file that is meant by `name`: a path that ends in .json, or the name of one in `folder`. The
+/// error lists the names there are.
+sherd::Result<std::string> sceneFile(const std::string& name, const std::string& folder);
 
 }  // namespace demo

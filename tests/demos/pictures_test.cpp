@@ -52,13 +52,24 @@ TEST(CornerNormals, AreSmoothOverFlatEdgesAndSharpAtCreases) {
     EXPECT_LT((cracked[1][0] - second).norm(), 1e-12);
 }
 
+TEST(CameraFit, LeavesOutAChipThatFlewFar) {
+    const demo::Camera camera{Vec3(0, 1, -0.5), 30};
+    std::vector<Vec3> body;
+    for (int i = 0; i < 50; ++i) body.emplace_back(std::sin(1.7 * i), std::cos(1.7 * i), 0.1 * (i % 7));
+    const std::vector<Vec3> chip = {Vec3(30, 0, 0), Vec3(30.1, 0, 0), Vec3(30, 0.1, 0)};
+    EXPECT_LT(
+        (demo::fitCamera(camera, {body, chip}, 1.6).position - demo::fitCamera(camera, {body}, 1.6).position)
+            .norm(),
+        1e-12);
+}
+
 TEST(CameraFit, TakesInEveryPointAndTouchesTheMargin) {
     const demo::Camera camera{Vec3(0.4, 1, -0.5), 30};
     std::vector<Vec3> points;
     for (int i = 0; i < 200; ++i)
         points.emplace_back(std::sin(1.7 * i), 0.3 * std::cos(2.3 * i), 0.1 * (i % 7));
     const double aspect = 1.6;
-    const demo::Viewpoint view = demo::fitCamera(camera, points, aspect);
+    const demo::Viewpoint view = demo::fitCamera(camera, {points}, aspect);
     const Vec3 along = (view.look_at - view.position).normalized(), right = along.cross(view.up).normalized();
     const double slope = std::tan(15 * std::acos(-1.0) / 180);
     double widest = 0;

@@ -3,7 +3,7 @@
 cmake_minimum_required(VERSION 3.20)
 
 function(run_demo name)
-  execute_process(COMMAND "${DEMO}" ${SCENE} --assets "${ASSETS}" --out "${WORK}/${name}" ${ARGN}
+  execute_process(COMMAND "${DEMO}" ${SCENE} --scenes "${SCENES}" --meshes "${WORK}/meshes" --out "${WORK}/${name}" ${ARGN}
     RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(failed)
     message(FATAL_ERROR "${SCENE} ${ARGN} ended with ${failed}:\n${output}")

@@ -3,12 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "headless/arguments.h"
-#include "scenes/scenes.h"
+#include "scenes/scene_file.h"
 
 namespace {
 
+demo::Scene named(const std::string& name) {
+    auto read = demo::readScene(SHERD_SCENES "/" + name + ".json");
+    EXPECT_TRUE(read) << read.error();
+    return read.value();
+}
+
 demo::Scene scene() {
-    return demo::plasterWall();
+    return named("plaster_wall");
 }
 
 TEST(SceneKeys, ChangeTheFigureThatTheyName) {
@@ -26,7 +32,7 @@ TEST(SceneKeys, ChangeTheFigureThatTheyName) {
 }
 
 TEST(SceneKeys, SpeedThrowsTheBodyDownWhereNoBallStrikes) {
-    demo::Scene cup = demo::coffeeCup();
+    demo::Scene cup = named("coffee_cup");
     ASSERT_TRUE(demo::applyKey(cup, "speed=2"));
     EXPECT_EQ(cup.bodies.front().velocity, demo::Vec3(0, 0, -2));
 }
@@ -49,19 +55,39 @@ TEST(SceneKeys, WrongKeyAndWrongValueSayWhatIsPossible) {
 }
 
 TEST(Arguments, UnknownSceneNamesThoseThereAre) {
-    const char* const wrong[] = {"run", "tea_cup"};
-    EXPECT_EQ(demo::parseArguments(2, wrong).error(),
-              "There is no scene 'tea_cup'; choose one of: coffee_cup, plaster_wall, glass_wall, wood_wall.");
+    const char* const wrong[] = {"run", "tea_cup", "--scenes", SHERD_SCENES};
+    EXPECT_EQ(demo::parseArguments(4, wrong).error(),
+              "There is no scene 'tea_cup'; choose one of: coffee_cup, coffee_plate, glass_wall, plane, "
+              "plaster_wall, "
+              "wood_wall, or name a file that ends in .json.");
 }
 
 TEST(Arguments, TakeSceneKeysAndSeed) {
-    const char* const line[] = {"run", "plaster_wall", "--set", "spacing=0.1", "strength=1e6", "--seed", "3"};
-    const auto parsed = demo::parseArguments(7, line);
+    const char* const line[] = {"run",          "plaster_wall",
+                                "--set",        "spacing=0.1",
+                                "strength=1e6", "balls[0].position_m[2]=0.7",
+                                "--seed",       "3",
+                                "--scenes",     SHERD_SCENES};
+    const auto parsed = demo::parseArguments(10, line);
     ASSERT_TRUE(parsed) << parsed.error();
     const demo::BreakableBody& wall = parsed.value().scene.bodies.front();
     EXPECT_EQ(wall.settings.sampling.spacing_m, 0.1);
     EXPECT_EQ(wall.material.tensile_strength_pa, 1e6);
     EXPECT_EQ(wall.settings.fracture.seed, 3u);
+    EXPECT_EQ(parsed.value().scene.balls.front().position.z(), 0.7);
+}
+
+TEST(Arguments, PathThatLeadsNowhereSaysWhere) {
+    const char* const item[] = {"run",      "plaster_wall", "--set", "balls[3].position_m[2]=1",
+                                "--scenes", SHERD_SCENES};
+    EXPECT_NE(demo::parseArguments(6, item).error().find(
+                  "balls[3].position_m[2] leads to an item that is not there; its list has 1."),
+              std::string::npos);
+    const char* const key[] = {"run",      "plaster_wall", "--set", "bodies[0].spacing=1",
+                               "--scenes", SHERD_SCENES};
+    EXPECT_NE(
+        demo::parseArguments(6, key).error().find("bodies[0].spacing is not a key; choose one of: shape,"),
+        std::string::npos);
 }
 
 }  // namespace
