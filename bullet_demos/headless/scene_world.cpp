@@ -132,6 +132,9 @@ void SceneWorld::addBall(const Ball& ball) {
     const double mass_kg = ball.density_kg_m3 * 4 / 3 * pi * radius * radius * radius;
     auto sphere = std::make_unique<btSphereShape>(btScalar(radius));
     balls_.push_back(addPlain(std::move(sphere), mass_kg, ball.position, ball.touch));
+    // A fast ball must not pass a wall between two steps.
+    balls_.back()->setCcdMotionThreshold(btScalar(radius / 2));
+    balls_.back()->setCcdSweptSphereRadius(btScalar(radius / 2));
     balls_.back()->setLinearVelocity(toBullet(ball.velocity));
 }
 

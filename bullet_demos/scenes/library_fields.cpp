@@ -15,15 +15,9 @@ void requireValid(const sherd::Status& status, const std::string& path) {
 }
 
 Material libraryMaterial(const std::string& name, const std::string& path) {
-    std::string names;
-    for (const Material& known :
-         {Material::ceramic(), Material::plaster(), Material::glass(), Material::concrete(),
-          Material::stone(), Material::ice(), Material::wood()}) {
-        if (known.name == name) return known;
-        names += (names.empty() ? "" : ", ") + known.name;
-    }
-    throw BadKey{path + " is \"" + name + "\"; choose one of: " + names +
-                 ", or give the constants in braces."};
+    const sherd::Result<Material> known = Material::named(name);
+    if (known) return known.value();
+    throw BadKey{path + ": " + known.error() + " Or give the constants in braces."};
 }
 
 void readConstants(Fields& fields, Material& material) {
@@ -102,6 +96,12 @@ void readFracture(Fields& fields, sherd::FractureSettings& fracture) {
     fields.read("energy_into_cracks", fracture.energy_into_cracks);
     fields.read("largest_fragment_count", fracture.largest_fragment_count);
     fields.read("smallest_fragment_m3", fracture.smallest_fragment_m3);
+    fields.read<sherd::Debris>("debris", fracture.debris,
+                               {{"unbreakable", sherd::Debris::unbreakable},
+                                {"merged", sherd::Debris::merged},
+                                {"dropped", sherd::Debris::dropped}});
+    fields.read("damage_waves", fracture.damage_waves);
+    fields.read("crack_roughness", fracture.crack_roughness);
     fields.object("guide", [&](Fields& guide) { readGuide(guide, fracture.guide); });
     fields.read("rest_after_break_s", fracture.rest_after_break_s);
     requireValid(fracture.validate(), fields.path());

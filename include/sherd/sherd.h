@@ -6,6 +6,7 @@
 #include <sherd/material.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
+#include <sherd/strength_field.h>
 #include <sherd/stress_field.h>
 #include <sherd/stress_model.h>
 #include <sherd/surface_region.h>

@@ -75,9 +75,10 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
     for (int k = 0; k < settings.lattices; ++k) {
         // Another lattice each time, and from the third on a coarser one, whose faces are larger and fewer.
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
-        auto cut = tryLattice(surface, edges, solid, labels,
-                              {spacing * coarser, 0.15, settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)},
-                              settings.roughness, why);
+        LatticeSettings lattice;
+        lattice.spacing = spacing * coarser;
+        lattice.seed = settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k);
+        auto cut = tryLattice(surface, edges, solid, labels, lattice, settings.roughness, why);
         if (!cut) continue;
         if (k > 1)
             cut->notes.push_back("Crack faces are " + std::to_string(static_cast<int>(100 * coarser - 99.5)) +

@@ -113,9 +113,8 @@ TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
     EXPECT_EQ(fault(scene("", R"({"shape": {"generator": "teapot"}, "material": "ice"})")),
               "bodies[0].shape.generator is \"teapot\"; choose one of: coffee_cup, coffee_plate, plane.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": "jelly"})")),
-              "bodies[0].material is \"jelly\"; choose one of: ceramic, plaster, glass, concrete, stone, "
-              "ice, wood, or give "
-              "the constants in braces.");
+              "bodies[0].material: There is no material 'jelly'; there are ceramic, plaster, glass, concrete, brick, "
+              "stone, ice, wood. Or give the constants in braces.");
 }
 
 TEST(SceneFiles, WrongTypesSayWhatIsTaken) {

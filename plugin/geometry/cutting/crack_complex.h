@@ -30,7 +30,8 @@ struct CrackComplex {
     std::vector<Sides> sides;  ///< #triangles
 };
 
-constexpr int smoothing_steps = 6;
+/// More of them rub the places off that two seeds give a crack.
+constexpr int smoothing_steps = 1;
 
 /// Marching tetrahedra for many materials, on the six tetrahedra of each active lattice cell (Freudenthal's
 /// split). All points stay inside the tetrahedron, face or edge that they belong to, so the complex cannot

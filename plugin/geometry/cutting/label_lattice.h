@@ -12,7 +12,7 @@ namespace sherd {
 
 struct LatticeSettings {
     double spacing = 0;    ///< m
-    double jitter = 0.15;  ///< nodes are moved by up to this fraction of the spacing along each axis
+    double jitter = 0.06;  ///< nodes are moved by up to this fraction of the spacing along each axis
     std::uint64_t seed = 0;
 };
 
