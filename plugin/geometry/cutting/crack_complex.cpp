@@ -208,11 +208,13 @@ std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex
 
 // One damped step of every point toward the mean of its neighbours, within the edge or face that it belongs
 // to.
-void smoothOnce(CrackComplex& complex, const LabelLattice& lattice) {
+void smoothOnce(CrackComplex& complex, const LabelLattice& lattice, bool with_sharp) {
     const NeighbourMeans means = sumNeighbours(complex);
     for (std::size_t p = 0; p < complex.points.size(); ++p) {
         CrackPoint& origin = complex.origins[p];
         if (means.count[p] == 0 || origin.between[3] >= 0 || origin.fixed) continue;
+        if (!with_sharp && origin.nodes[0] >= 0 && lattice.isSharp(origin.nodes[0]) && lattice.isSharp(origin.nodes[1]))
+            continue;
         const Vec3 wanted = 0.5 * (complex.points[p] + means.sum[p] / means.count[p]);
         if (origin.nodes[0] >= 0)
             origin.t = placeOnEdge(origin, lattice, wanted);
@@ -252,7 +254,7 @@ CrackComplex buildCrackComplex(const LabelLattice& lattice) {
 }
 
 void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps) {
-    for (int step = 0; step < steps; ++step) smoothOnce(complex, lattice);
+    for (int step = 0; step < steps; ++step) smoothOnce(complex, lattice, step == 0);
 }
 
 void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed) {

@@ -30,15 +30,15 @@ struct CrackComplex {
     std::vector<Sides> sides;  ///< #triangles
 };
 
-/// More of them rub the places off that two seeds give a crack.
-constexpr int smoothing_steps = 1;
+constexpr int smoothing_steps = 6;
 
 /// Marching tetrahedra for many materials, on the six tetrahedra of each active lattice cell (Freudenthal's
 /// split). All points stay inside the tetrahedron, face or edge that they belong to, so the complex cannot
 /// run through itself.
 CrackComplex buildCrackComplex(const LabelLattice& lattice);
 
-/// Moves every point half the way toward the mean of its neighbours, `steps` times, within its edge or face.
+/// Moves every point half the way toward the mean of its neighbours, `steps` times, within its edge or face; between two
+/// sharp labels once only.
 void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps);
 
 /// Moves the points along their lattice edges by up to `amplitude` m, at random, and no further than they may go.

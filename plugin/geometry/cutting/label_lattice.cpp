@@ -147,6 +147,9 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
     const std::vector<double> weights = particleWeights(solid, labels);
     for (std::size_t i = 0; i < solid.particles.size(); ++i)
         spreadParticle(lattice, solid.particles[i], labels.of_particle[i], labels.sharedAt(static_cast<int>(i)), weights[i]);
+    lattice.sharp.assign(labels.count, 0);
+    for (std::size_t i = 0; i < labels.shared.size(); ++i)
+        if (labels.shared[i].second >= 0) lattice.sharp[labels.of_particle[i]] = lattice.sharp[labels.shared[i].second] = 1;
     chooseLabels(lattice);
     fillTheRest(lattice, solid, labels);
     return lattice;

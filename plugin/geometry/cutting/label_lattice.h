@@ -12,7 +12,7 @@ namespace sherd {
 
 struct LatticeSettings {
     double spacing = 0;    ///< m
-    double jitter = 0.06;  ///< nodes are moved by up to this fraction of the spacing along each axis
+    double jitter = 0.15;  ///< nodes are moved by up to this fraction of the spacing along each axis
     std::uint64_t seed = 0;
 };
 
@@ -25,6 +25,12 @@ struct LabelLattice {
     std::vector<Vec3> nodes;
     std::vector<int> labels;         ///< #nodes; -1 on nodes of no active cell
     std::vector<char> active_cells;  ///< #nodes; cells that the solid can touch
+
+    /// #labels, 1: the particles' shares say where the fragment's cracks are, so that smoothing would only move them.
+    std::vector<char> sharp;
+    bool isSharp(int node) const {
+        return labels[node] >= 0 && labels[node] < static_cast<int>(sharp.size()) && sharp[labels[node]];
+    }
 
     /// Density of one fragment at a node, a part of 1 about.
     double density(int node, int label) const;
