@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/damage/damage.h"
 #include "core/loads/surface_region.h"
 #include "core/mlpg/spacing_choice.h"
 #include "core/sampling/sample_solid.h"
@@ -140,6 +141,14 @@ Result<StressSolver> Body::stressSolverWithout(const std::vector<char>& damaged)
     StressSettings stress = settings_.stress;
     if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;
     return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
+}
+
+const std::vector<double>& Body::strengths(const Discretisation& solid) const {
+    const std::lock_guard<std::recursive_mutex> lock(once_);
+    if (strengths_.empty())
+        strengths_ = particleStrengths(material_, solid.particles, settings_.fracture.seed,
+                                       settings_.fracture.strength_field);
+    return strengths_;
 }
 
 double Body::weakestPlace() const {

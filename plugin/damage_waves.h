@@ -11,7 +11,7 @@ namespace sherd {
 
 /// What the damage of a blow depends on, beside the stress.
 struct Strength {
-    std::vector<double> of_particle;    ///< Pa
+    const std::vector<double>& of_particle;  ///< Pa
     double compressive_over_tensile = 1;
 };
 

@@ -44,9 +44,7 @@ void addSentence(std::string& message, const std::string& sentence) {
 
 Strength strengthOf(const Body& body, const Discretisation& solid) {
     const Material& material = body.material();
-    const FractureSettings& fracture = body.settings().fracture;
-    return {particleStrengths(material, solid.particles, fracture.seed, fracture.strength_field),
-            material.compressive_strength_pa / material.tensile_strength_pa};
+    return {body.strengths(solid), material.compressive_strength_pa / material.tensile_strength_pa};
 }
 
 const StressSolver& preparedSolver(const Body& body, StageTimes& ms) {

@@ -9,12 +9,6 @@
 
 namespace sherd::fragment_support {
 
-namespace {
-
-using Corner = std::array<double, 3>;
-
-// A triangle by the coordinates of its corners, from the lowest on: the same for both sides of a crack but for the
-// turn.
 std::array<Corner, 3> cornersOf(const TriangleMesh& mesh, std::size_t t, bool reversed) {
     std::array<Corner, 3> corners;
     for (int i = 0; i < 3; ++i) {
@@ -24,6 +18,8 @@ std::array<Corner, 3> cornersOf(const TriangleMesh& mesh, std::size_t t, bool re
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
     return corners;
 }
+
+namespace {
 
 std::string faultOfCracks(const FragmentSurfaces& cut) {
     std::map<std::array<Corner, 3>, int> owner;

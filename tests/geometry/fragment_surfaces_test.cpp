@@ -47,20 +47,6 @@ Vec3 areaVector(const TriangleMesh& mesh, int t) {
     return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]) / 2;
 }
 
-using Corner = std::array<double, 3>;
-
-// A triangle by the coordinates of its corners, from the lowest on: the same for both sides of a crack but
-// for the turn.
-std::array<Corner, 3> cornersOf(const TriangleMesh& mesh, int t, bool reversed) {
-    std::array<Corner, 3> corners;
-    for (int i = 0; i < 3; ++i) {
-        const Vec3& v = mesh.vertices[mesh.triangles[t][reversed ? 2 - i : i]];
-        corners[i] = {v.x(), v.y(), v.z()};
-    }
-    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
-    return corners;
-}
-
 // The parts of every triangle of the body cover it, keep its direction, and are the triangle itself where
 // nothing cut it.
 void expectParentsCovered(const TriangleMesh& body, const FragmentSurfaces& fragments) {
