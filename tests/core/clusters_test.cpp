@@ -1,4 +1,5 @@
 #include "core/clustering/clusters.h"
+#include "core/clustering/penalty_distance.h"
 
 #include <gtest/gtest.h>
 
@@ -132,11 +133,12 @@ TEST(PenaltyDistance, IsEquation18) {
     grain.kind = GuideField::Kind::radial;
     grain.penalty = 0;
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(3, 0, 0), grain, contact), 0, 1e-14);
-    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(0, 1, 0), grain, contact), std::sqrt(2.0), 1e-14);
-    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 1 / std::hypot(2, 3.5), 1e-13)
-        << "no axis: away from the contact";
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(0, 1, 0), grain, contact), 1, 1e-14);
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 1 / std::hypot(1, 2), 1e-13)
+        << "no axis: away from the contact, as at the seed";
     contact.direction = Vec3::UnitZ();
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 0, 1e-14) << "straight through";
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(-3, 0, 5), grain, contact), 3, 1e-14) << "beyond the axis";
     grain.kind = GuideField::Kind::custom;
     grain.custom = [](const Vec3&, const Vec3&) { return Vec3(Vec3::Zero()); };
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14) << "no direction there";

@@ -209,6 +209,29 @@ TEST(FragmentSurfaces, RunHalfwayBetweenTwoLabels) {
     }
 }
 
+// With distances from seeds the crack lies where both are equally near, also between two rows of particles.
+TEST(FragmentSurfaces, LieWhereTwoSeedsAreEquallyNear) {
+    const TriangleMesh mesh = shapes::slab({1, 1, 1}, 4, 4, 4);
+    const double h = 0.1, middle = 0.03;
+    const Discretisation solid = particlesOnly(mesh, h);
+    FragmentLabels labels = labelled(solid, 2, [&](const Vec3& x) { return x.x() > middle; });
+    labels.distance = [](const Vec3& seed, const Vec3& x) { return (seed - x).norm(); };
+    labels.seeds = {Vec3(middle - 0.3, 0, 0), Vec3(middle + 0.3, 0, 0)};
+    const auto fragments = cut(mesh, solid, labels);
+    ASSERT_EQ(fragments.pieces.size(), 2u);
+    double sum = 0;
+    int count = 0;
+    for (std::size_t t = 0; t < fragments.pieces[0].parents.size(); ++t) {
+        if (fragments.pieces[0].parents[t] >= 0) continue;
+        for (int v : fragments.pieces[0].mesh.triangles[t]) {
+            const double x = fragments.pieces[0].mesh.vertices[v].x();
+            EXPECT_NEAR(x, middle, 0.25 * h);  // points keep off the nodes of the lattice
+            sum += x, ++count;
+        }
+    }
+    EXPECT_NEAR(sum / count, middle, 0.1 * h);
+}
+
 // Clusters across the diagonal of the particle grid: a plane, halfway between the rows x + y = 0 and 0.1, not
 // a staircase, whose area would be larger by sqrt(2).
 TEST(FragmentSurfaces, AreNoStaircases) {

@@ -7,13 +7,16 @@
 #include <random>
 #include <tuple>
 
+#include "core/clustering/penalty_distance.h"
+#include "core/clustering/wall_axes.h"
+
 namespace sherd {
 
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kAcrossWall = 0.75;  // of the wall, about the way between the outermost particles of two sides
-constexpr int kSpeck = 3;  // parts of fewer particles are no fragments
+constexpr int kSpeck = 6;  // parts of fewer particles are no fragments
 
 /// Connected components of the particles with equal `state`, numbered by their first particle.
 struct Parts {
@@ -61,31 +64,42 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
     return state;
 }
 
-/// Takes in what lies within `reach` of damaged particles along the neighbour table: in a wall a crack that starts on one
-/// side runs through to the other, it does not turn and peel the wall.
-std::vector<char> spread(const Discretisation& solid, const std::vector<char>& damaged, double reach) {
-    using Entry = std::pair<double, int>;
-    std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
-    std::vector<double> distance(damaged.size(), kFar);
-    for (std::size_t i = 0; i < damaged.size(); ++i) {
-        if (!damaged[i]) continue;
-        distance[i] = 0;
-        front.push({0, static_cast<int>(i)});
-    }
-    std::vector<char> reached = damaged;
-    while (!front.empty()) {
-        const auto [d, i] = front.top();
-        front.pop();
-        if (d > distance[i]) continue;
-        reached[i] = 1;
-        for (int j : solid.neighbours[i]) {
-            const double further = d + (solid.particles[i].position - solid.particles[j].position).norm();
-            if (further >= distance[j] || further > reach) continue;
-            distance[j] = further;
-            front.push({further, j});
+/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight through the
+/// wall, no further than its thickness. Where there is no telling which way is through: within three quarters of the wall.
+template <class Visit>
+void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
+                        const Visit& visit) {
+    constexpr double straight = 0.8;  // cosine between a step and the wall's axis
+    const Vec3& axis = axes[first];
+    const bool known = !axis.isZero(0);
+    const double reach = known ? wall : kAcrossWall * wall;
+    std::vector<std::pair<int, double>> reached = {{first, 0.0}};  // particle, and how far from the first
+    for (std::size_t head = 0; head < reached.size(); ++head) {
+        const auto [i, so_far] = reached[head];
+        for (const int j : solid.neighbours[i]) {
+            const Vec3 offset = solid.particles[j].position - solid.particles[i].position;
+            const double distance = so_far + offset.norm();
+            if (distance > reach || (known && std::abs(offset.dot(axis)) < straight * offset.norm())) continue;
+            const bool seen = std::any_of(reached.begin(), reached.end(), [&](const auto& r) { return r.first == j; });
+            if (seen) continue;
+            reached.push_back({j, distance});
+            visit(j);
         }
     }
-    return reached;
+}
+
+/// Takes in what lies behind damaged particles, with their overstress: a crack that starts on one side of a wall runs
+/// straight through to the other, it does not turn and peel the wall.
+Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage, double wall) {
+    Damage through = damage;
+    for (std::size_t first = 0; first < damage.damaged.size(); ++first) {
+        if (!damage.damaged[first]) continue;
+        forEachThroughWall(solid, axes, static_cast<int>(first), wall, [&](int j) {
+            through.damaged[j] = 1;
+            through.overstress[j] = std::max(through.overstress[j], damage.overstress[first]);
+        });
+    }
+    return through;
 }
 
 /// The two seeds that are nearest to a particle.
@@ -98,9 +112,9 @@ struct TwoNearest {
 /// path lengths, or with a guide field those of Eq. 18.
 class StressMetric {
   public:
-    StressMetric(const Discretisation& solid, const Damage& damage, const std::vector<char>& state,
-                 const GuideField& guide, const BlowAxis& blow)
-        : solid_(solid), damage_(damage), state_(state), guide_(guide), blow_(blow) {}
+    StressMetric(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
+                 const std::vector<char>& state, const GuideField& guide, const BlowAxis& blow)
+        : solid_(solid), axes_(axes), damage_(damage), state_(state), guide_(guide), blow_(blow) {}
 
     /// Claims what is nearer to `source` than to all seeds before for `label`, going along the neighbour table through
     /// what it wins; beyond, as far as it comes second, it is noted as the second.
@@ -140,8 +154,11 @@ class StressMetric {
 
   private:
     double step(int i, int j) const {
+        constexpr double through_wall = 0.2;
         const double stress = 0.5 * (damage_.overstress[i] + damage_.overstress[j]);
-        return (solid_.particles[i].position - solid_.particles[j].position).norm() * density(stress);
+        Vec3 offset = solid_.particles[i].position - solid_.particles[j].position;
+        offset -= (1 - through_wall) * offset.dot(axes_[i]) * axes_[i];
+        return offset.norm() * density(stress);
     }
 
     double straight(int source, int i) const {
@@ -149,35 +166,43 @@ class StressMetric {
                density(damage_.overstress[i]);
     }
 
-    static double density(double overstress) { return std::sqrt(std::max(1.0, overstress)); }
+    // Cracks are paid for by the elastic energy that was there, which goes with the square of the stress: pieces of edge d
+    // have crack faces of about 1 / d a volume. Right under a contact the stress is that of the load's patch; it counts as
+    // `highest`, or all seeds would go there.
+    static double density(double overstress) {
+        constexpr double highest = 3;
+        const double stress = std::clamp(overstress, 1.0, highest);
+        return stress * stress;
+    }
 
     const Discretisation& solid_;
+    const std::vector<Vec3>& axes_;
     const Damage& damage_;
     const std::vector<char>& state_;
     const GuideField& guide_;
     const BlowAxis& blow_;
 };
 
-/// Seeds by farthest point, the first at random; returns the number of clusters made.
-int clusterDamaged(const StressMetric& metric, const std::vector<char>& state, int clusters, int first_label,
-                   std::uint64_t seed, FragmentLabels& labels) {
+/// Seeds by farthest point, the first at random; returns them, a cluster each, labelled from `first_label` on.
+std::vector<int> clusterDamaged(const StressMetric& metric, const std::vector<char>& state, int clusters,
+                                int first_label, std::uint64_t seed, FragmentLabels& labels) {
     std::vector<int> candidates;
     for (std::size_t i = 0; i < state.size(); ++i)
         if (state[i]) candidates.push_back(static_cast<int>(i));
-    if (candidates.empty()) return 0;
+    if (candidates.empty()) return {};
     std::vector<TwoNearest> nearest(state.size());
     std::mt19937_64 random(seed);
     int next = candidates[random() % candidates.size()];
-    int made = 0;
+    std::vector<int> seeds;
     while (true) {
-        metric.claim(next, first_label + made, nearest);
-        ++made;
+        metric.claim(next, first_label + static_cast<int>(seeds.size()), nearest);
+        seeds.push_back(next);
         next = *std::max_element(candidates.begin(), candidates.end(), [&](int a, int b) {
             return nearest[a].distance < nearest[b].distance;
         });
         // Beyond the wanted number only parts that no seed reaches yet get one.
         const double farthest = nearest[next].distance;
-        if (farthest == 0 || (made >= clusters && farthest != kFar)) break;
+        if (farthest == 0 || (static_cast<int>(seeds.size()) >= clusters && farthest != kFar)) break;
     }
     for (const int i : candidates) {
         const TwoNearest& here = nearest[i];
@@ -186,37 +211,10 @@ int clusterDamaged(const StressMetric& metric, const std::vector<char>& state, i
         const double both = here.distance + here.second_distance;
         if (here.second >= 0 && both > 0) labels.shared[i] = {here.second, std::min(0.5, here.distance / both)};
     }
-    return made;
+    return seeds;
 }
 
 }  // namespace
-
-double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const BlowAxis& blow) {
-    const Vec3 middle = 0.5 * (a + b);
-    Vec3 offset = b - a;
-    const auto penalise = [&](const Vec3& field) {
-        if (!field.allFinite() || field.isZero(0)) return;
-        const Vec3 v = field.normalized();
-        offset -= (1 - guide.penalty) * offset.dot(v) * v;
-    };
-    switch (guide.kind) {
-        case GuideField::Kind::none:
-            break;
-        case GuideField::Kind::constant:
-            penalise(guide.direction);
-            break;
-        case GuideField::Kind::radial: {
-            const Vec3 away = middle - blow.contact;
-            penalise(away - away.dot(blow.direction) * blow.direction);
-            penalise(blow.direction);
-            break;
-        }
-        case GuideField::Kind::custom:
-            penalise(guide.custom(middle, blow.contact));
-            break;
-    }
-    return offset.norm();
-}
 
 int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
     const double area = budget.energy_j / budget.fracture_energy_j_m2;
@@ -234,9 +232,11 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3) {
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
                               double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
                               const BlowAxis& blow) {
-    const std::vector<char> damaged =
-        spread(solid, withoutSpecks(solid, damage.damaged), kAcrossWall * wall_thickness_m);
-    const std::vector<char> state = withoutSpecks(solid, damaged);
+    const std::vector<Vec3> axes = wallAxes(solid);
+    Damage through = damage;
+    through.damaged = withoutSpecks(solid, damage.damaged);
+    through = throughTheWall(solid, axes, through, wall_thickness_m);
+    const std::vector<char> state = withoutSpecks(solid, through.damaged);
     const Parts parts = connectedParts(solid, state);
     FragmentLabels labels;
     labels.of_particle.assign(state.size(), -1);
@@ -248,8 +248,14 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         if (label < 0) label = labels.count++;
         labels.of_particle[i] = label;
     }
-    labels.count += clusterDamaged(StressMetric(solid, damage, state, guide, blow), state, clusters, labels.count,
-                                   seed, labels);
+    const std::vector<int> seeds =
+        clusterDamaged(StressMetric(solid, axes, through, state, guide, blow), state, clusters, labels.count, seed, labels);
+    if (guide.kind != GuideField::Kind::none) {
+        labels.distance = [guide, blow](const Vec3& a, const Vec3& x) { return penaltyDistance(a, x, guide, blow); };
+        labels.seeds.resize(labels.count);
+        for (const int i : seeds) labels.seeds.push_back(solid.particles[i].position);
+    }
+    labels.count += static_cast<int>(seeds.size());
     return labels;
 }
 

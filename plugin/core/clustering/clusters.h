@@ -25,19 +25,13 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3);
 
 /// Fragments (paper, sections 6.1 and 6.2): each connected undamaged part is one; damaged particles are
 /// clustered to seeds spread by farthest point along the neighbour table, denser where the stress is higher.
-/// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Damage on one side of a wall reaches through it. Count 1 means:
-/// nothing came off.
+/// Specks (an undamaged or damaged part of one or two particles) join what surrounds them. Damage on one side of a wall
+/// reaches through it. Count 1 means: nothing came off.
 ///
 /// With a guide field distances are those of Eq. 18 instead of path lengths, and clusters grow from
 /// their seeds along the neighbour table, so that they keep together.
 FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
                               double wall_thickness_m, std::uint64_t seed, const GuideField& guide = {},
                               const BlowAxis& blow = {});
-
-/// Eq. 18: |AB - (1 - lambda) (AB . v) v|, v the field's unit vector in the middle between a and b. Points along the
-/// field are near to each other, so fragments grow along it (the paper's sentence says across; its figures say along).
-/// A radial field runs away from the axis of the blow, and the component along that axis is penalised in the same way:
-/// the cracks of a struck pane go straight through it.
-double penaltyDistance(const Vec3& a, const Vec3& b, const GuideField& guide, const BlowAxis& blow);
 
 }  // namespace sherd

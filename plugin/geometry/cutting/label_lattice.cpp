@@ -82,6 +82,30 @@ void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, 
             }
 }
 
+// What clusters there are at a node, as their kernels say, is shared out anew by the distances from their seeds: the
+// nearest gets all of it, the others less by as much as they are farther.
+void shareByDistance(LabelLattice& lattice, const FragmentLabels& labels) {
+    std::vector<LabelLattice::Density*> clusters;
+    std::vector<double> distances;
+    for (std::size_t node = 0; node < lattice.nodes.size(); ++node) {
+        clusters.clear();
+        distances.clear();
+        double sum = 0;
+        for (int d = lattice.first_density[node]; d >= 0; d = lattice.densities[d].next) {
+            LabelLattice::Density& density = lattice.densities[d];
+            if (!labels.seeds[density.label]) continue;
+            clusters.push_back(&density);
+            sum += density.value;
+        }
+        if (clusters.size() < 2) continue;
+        for (const LabelLattice::Density* cluster : clusters)
+            distances.push_back(labels.distance(*labels.seeds[cluster->label], lattice.nodes[node]));
+        const double nearest = *std::min_element(distances.begin(), distances.end());
+        for (std::size_t i = 0; i < clusters.size(); ++i)
+            clusters[i]->value = sum * (distances[i] > 0 ? nearest / distances[i] : 1);
+    }
+}
+
 void chooseLabels(LabelLattice& lattice) {
     for (std::size_t node = 0; node < lattice.nodes.size(); ++node) {
         double best = 0;
@@ -150,6 +174,9 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
     lattice.sharp.assign(labels.count, 0);
     for (std::size_t i = 0; i < labels.shared.size(); ++i)
         if (labels.shared[i].second >= 0) lattice.sharp[labels.of_particle[i]] = lattice.sharp[labels.shared[i].second] = 1;
+    for (std::size_t label = 0; label < labels.seeds.size(); ++label)
+        if (labels.seeds[label]) lattice.sharp[label] = 1;
+    if (labels.distance) shareByDistance(lattice, labels);
     chooseLabels(lattice);
     fillTheRest(lattice, solid, labels);
     return lattice;

@@ -1,0 +1,44 @@
+#include "core/clustering/penalty_distance.h"
+
+namespace sherd {
+
+namespace {
+
+/// The offset with its component along the field times lambda.
+Vec3 penalised(const Vec3& offset, const Vec3& field, double lambda) {
+    if (!field.allFinite() || field.isZero(0)) return offset;
+    const Vec3 v = field.normalized();
+    return offset - (1 - lambda) * offset.dot(v) * v;
+}
+
+double radialDistance(const Vec3& seed, const Vec3& x, const BlowAxis& blow, double lambda) {
+    const auto fromAxis = [&](const Vec3& point) -> Vec3 {
+        const Vec3 away = point - blow.contact;
+        return away - away.dot(blow.direction) * blow.direction;
+    };
+    const Vec3 offset = penalised(x - seed, blow.direction, lambda);
+    const Vec3 out = fromAxis(seed);
+    if (out.isZero(0)) return offset.norm();
+    const Vec3 v = out.normalized();
+    const double at_x = fromAxis(x).dot(v), at_seed = out.norm();
+    const double along = at_x > 0 ? lambda * (at_x - at_seed) : at_x - lambda * at_seed;
+    return (offset + (along - offset.dot(v)) * v).norm();
+}
+
+}  // namespace
+
+double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide, const BlowAxis& blow) {
+    switch (guide.kind) {
+        case GuideField::Kind::none:
+            break;
+        case GuideField::Kind::constant:
+            return penalised(x - seed, guide.direction, guide.penalty).norm();
+        case GuideField::Kind::radial:
+            return radialDistance(seed, x, blow, guide.penalty);
+        case GuideField::Kind::custom:
+            return penalised(x - seed, guide.custom(0.5 * (seed + x), blow.contact), guide.penalty).norm();
+    }
+    return (x - seed).norm();
+}
+
+}  // namespace sherd

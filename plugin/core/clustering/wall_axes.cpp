@@ -1,0 +1,36 @@
+#include "core/clustering/wall_axes.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace sherd {
+
+namespace {
+
+constexpr double most = 0.7;   // of the surface around a particle, which has to face one way
+constexpr int rounds = 3;      // of neighbours: the middle of a wall knows its sides
+
+}  // namespace
+
+std::vector<Vec3> wallAxes(const Discretisation& solid) {
+    const std::size_t count = solid.particles.size();
+    std::vector<Mat3> facing(count, Mat3::Zero());
+    for (const SurfacePoint& point : solid.surface_points) {
+        const double area = point.area.norm();
+        if (area > 0) facing[solid.cells[point.cell].particle] += point.area * point.area.transpose() / area;
+    }
+    for (int round = 0; round < rounds; ++round) {
+        std::vector<Mat3> filled = facing;
+        for (std::size_t i = 0; i < count; ++i)
+            if (facing[i].isZero(0))
+                for (const int j : solid.neighbours[i]) filled[i] += facing[j];
+        facing = std::move(filled);
+    }
+    std::vector<Vec3> axes(count, Vec3::Zero());
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::SelfAdjointEigenSolver<Mat3> solver(facing[i]);
+        if (solver.eigenvalues()[2] > most * solver.eigenvalues().sum()) axes[i] = solver.eigenvectors().col(2);
+    }
+    return axes;
+}
+
+}  // namespace sherd
