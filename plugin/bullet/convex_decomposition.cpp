@@ -11,6 +11,9 @@ namespace sherd {
 
 namespace {
 
+constexpr int kDirections = 42;       // of the hulls that are only measured
+constexpr std::size_t kSample = 500;  // points that cuts are compared by, about
+
 /// A part of the solid that cuts left.
 struct Part {
     std::vector<Vec3> points;  // of the surface, and where cuts cross it: their hull is that of the part
@@ -58,42 +61,6 @@ double solidVolume(const Part& part) {
         sum += sixVolumes(part.points[a] - o, part.points[b] - o, part.points[c] - o);
     for (const auto& cap : part.caps) sum += sixVolumes(cap[0] - o, cap[1] - o, cap[2] - o);
     return sum / 6;
-}
-
-/// Directions spread evenly over the sphere (a Fibonacci lattice), and the axes.
-const std::vector<Vec3>& directions() {
-    static const std::vector<Vec3> all = [] {
-        constexpr int count = 90;
-        const double golden_angle = std::acos(-1.0) * (3 - std::sqrt(5.0));
-        std::vector<Vec3> list;
-        for (int i = 0; i < count; ++i) {
-            const double z = 1 - (2 * i + 1.0) / count, r = std::sqrt(1 - z * z);
-            list.emplace_back(r * std::cos(golden_angle * i), r * std::sin(golden_angle * i), z);
-        }
-        for (int axis = 0; axis < 3; ++axis)
-            for (const double sign : {-1.0, 1.0}) list.push_back(sign * Vec3::Unit(axis));
-        return list;
-    }();
-    return all;
-}
-
-/// The hull of the outermost points in a number of directions: a little smaller than that of all, and far
-/// quicker.
-double roughHullVolume(const std::vector<Vec3>& points) {
-    if (points.empty()) return 0;
-    const Eigen::Map<const Eigen::Matrix3Xd> all(points.front().data(), 3,
-                                                 static_cast<Eigen::Index>(points.size()));
-    std::vector<Eigen::Index> outermost;
-    for (const Vec3& direction : directions()) {
-        Eigen::Index place = 0;
-        (direction.transpose() * all).maxCoeff(&place);
-        outermost.push_back(place);
-    }
-    std::sort(outermost.begin(), outermost.end());
-    outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
-    std::vector<Vec3> few;
-    for (const Eigen::Index place : outermost) few.push_back(points[static_cast<std::size_t>(place)]);
-    return convexHull(few).volume;
 }
 
 /// A triangle (corners, and heights over the plane), as far as it lies above (or below), as a polygon.
@@ -176,13 +143,16 @@ std::vector<Plane> possibleCuts(const Part& part) {
     return cuts;
 }
 
-/// What the two hulls would hold after a cut, without making the halves: their points suffice.
+/// About what the two hulls would hold after a cut. To compare cuts by, a sample of the points is enough.
 double hullVolumesAfter(const Part& part, const Plane& plane) {
+    const std::size_t stride = 1 + part.points.size() / kSample;
     std::array<std::vector<Vec3>, 2> points;
-    for (const Vec3& x : part.points) points[plane.height(x) >= 0].push_back(x);
-    for (const auto& t : part.triangles) {
+    for (std::size_t p = 0; p < part.points.size(); p += stride)
+        points[plane.height(part.points[p]) >= 0].push_back(part.points[p]);
+    for (std::size_t t = 0; t < part.triangles.size(); t += stride) {
         for (int i = 0; i < 3; ++i) {
-            const Vec3 &a = part.points[t[i]], &b = part.points[t[(i + 1) % 3]];
+            const Vec3& a = part.points[part.triangles[t][i]];
+            const Vec3& b = part.points[part.triangles[t][(i + 1) % 3]];
             const double h_a = plane.height(a), h_b = plane.height(b);
             // Each edge belongs to two triangles, which run along it both ways.
             if (h_a < 0 || h_b >= 0) continue;
@@ -191,7 +161,7 @@ double hullVolumesAfter(const Part& part, const Plane& plane) {
             points[1].push_back(crossing);
         }
     }
-    return roughHullVolume(points[0]) + roughHullVolume(points[1]);
+    return roughHull(points[0], kDirections).volume + roughHull(points[1], kDirections).volume;
 }
 
 Plane bestCut(const Part& part) {
@@ -211,7 +181,9 @@ Plane bestCut(const Part& part) {
 std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double smallest_detail_m,
                                             const DecompositionLimits& limits) {
     std::vector<Part> parts = {merged(surface, smallest_detail_m)};
-    const auto measure = [](Part& part) { part.air = roughHullVolume(part.points) - solidVolume(part); };
+    const auto measure = [](Part& part) {
+        part.air = roughHull(part.points, kDirections).volume - solidVolume(part);
+    };
     measure(parts.front());
     const double enough = limits.air_share * solidVolume(parts.front());
     while (static_cast<int>(parts.size()) < limits.most_parts) {
@@ -226,8 +198,7 @@ std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double 
         parts.push_back(std::move(above));
     }
     std::vector<ConvexHull> hulls;
-    for (const Part& part : parts)
-        hulls.push_back(thinnedHull(convexHull(part.points), limits.most_vertices));
+    for (const Part& part : parts) hulls.push_back(roughHull(part.points, limits.most_vertices));
     return hulls;
 }
 

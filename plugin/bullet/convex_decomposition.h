@@ -10,9 +10,9 @@ namespace sherd {
 
 struct DecompositionLimits {
     int most_parts = 24;
-    int most_vertices = 32;  ///< of a part
-    double air_share =
-        0.02;  ///< of the solid's volume: parts whose hulls hold less that is not solid are not cut
+    int most_vertices = 96;  ///< of a part
+    /// Of the solid's volume: parts with less in their hulls that is not solid are not cut.
+    double air_share = 0.04;
 };
 
 /// Hulls that together follow a solid: cut in two by planes across the axes, the part with most air in its

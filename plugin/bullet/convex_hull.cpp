@@ -1,7 +1,9 @@
 #include "convex_hull.h"
 
-#include <LinearMath/btConvexHull.h>
 #include <LinearMath/btConvexHullComputer.h>
+
+#include <algorithm>
+#include <cmath>
 
 #include "conversions.h"
 
@@ -24,6 +26,13 @@ double enclosedVolume(const btConvexHullComputer& hull) {
     return std::abs(six_volumes) / 6;
 }
 
+/// A Fibonacci lattice on the sphere.
+Eigen::Vector3f direction(int index, int count) {
+    const double golden_angle = std::acos(-1.0) * (3 - std::sqrt(5.0));
+    const double z = 1 - (2 * index + 1.0) / count, r = std::sqrt(1 - z * z);
+    return Vec3(r * std::cos(golden_angle * index), r * std::sin(golden_angle * index), z).cast<float>();
+}
+
 }  // namespace
 
 ConvexHull convexHull(const std::vector<Vec3>& points) {
@@ -37,21 +46,24 @@ ConvexHull convexHull(const std::vector<Vec3>& points) {
     return hull;
 }
 
-ConvexHull thinnedHull(const ConvexHull& hull, int most) {
-    if (static_cast<int>(hull.vertices.size()) <= most) return hull;
-    std::vector<btVector3> points;
-    for (const Vec3& vertex : hull.vertices) points.push_back(toBullet(vertex));
-    HullDesc wish(QF_TRIANGLES, static_cast<unsigned>(points.size()), points.data());
-    wish.mMaxVertices = static_cast<unsigned>(most);
-    HullLibrary library;
-    HullResult found;
-    std::vector<Vec3> kept;
-    if (library.CreateConvexHull(wish, found) == QE_OK)
-        for (unsigned v = 0; v < found.mNumOutputVertices; ++v)
-            kept.push_back(fromBullet(found.m_OutputVertices[static_cast<int>(v)]));
-    library.ReleaseResult(found);
-    ConvexHull thinned = convexHull(kept);
-    return thinned.volume > 0 ? thinned : hull;
+ConvexHull roughHull(const std::vector<Vec3>& points, int directions) {
+    if (static_cast<int>(points.size()) <= directions) return convexHull(points);
+    const auto count = static_cast<Eigen::Index>(points.size());
+    // A column a coordinate, so that the products below run over the points.
+    Eigen::MatrixX3f coordinates =
+        Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, count).transpose().cast<float>();
+    Eigen::VectorXf heights(count);
+    std::vector<Eigen::Index> outermost;
+    for (int i = 0; i < directions; ++i) {
+        heights.noalias() = coordinates * direction(i, directions);
+        const float* const highest = std::find(heights.data(), heights.data() + count, heights.maxCoeff());
+        outermost.push_back(highest - heights.data());
+    }
+    std::sort(outermost.begin(), outermost.end());
+    outermost.erase(std::unique(outermost.begin(), outermost.end()), outermost.end());
+    std::vector<Vec3> few;
+    for (const Eigen::Index place : outermost) few.push_back(points[static_cast<std::size_t>(place)]);
+    return convexHull(few);
 }
 
 }  // namespace sherd

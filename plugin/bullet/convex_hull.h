@@ -15,8 +15,8 @@ struct ConvexHull {
 /// The hull of points (btConvexHullComputer: exact in integers, so no input upsets it).
 ConvexHull convexHull(const std::vector<Vec3>& points);
 
-/// A hull of at most `most` of the same vertices, those that lie furthest out of the hull of the others
-/// first.
-ConvexHull thinnedHull(const ConvexHull& hull, int most);
+/// The hull of the outermost points in `directions` directions spread evenly over the sphere: no more
+/// vertices than that, in a small part of the time, and a little smaller.
+ConvexHull roughHull(const std::vector<Vec3>& points, int directions);
 
 }  // namespace sherd

@@ -18,7 +18,7 @@ namespace {
 constexpr double kDiagonalEnough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
 constexpr double kMarginShare = 0.02;  // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
-constexpr int kMostHullVertices = 64;  // Bullet wants fewer than 100
+constexpr int kMostHullVertices = 96;  // Bullet wants fewer than 100
 constexpr double kFlat = 1e-7;         // volume over the cube of the length, below which a hull is none
 constexpr double kDetailShare = 0.25;  // of the wall, below which convex parts need not follow the surface
 
@@ -75,7 +75,7 @@ bool isSolid(const ConvexHull& hull) {
 
 /// One hull; nothing if it is flat.
 OwnedShape oneHull(const TriangleMesh& surface) {
-    const ConvexHull hull = thinnedHull(convexHull(surface.vertices), kMostHullVertices);
+    const ConvexHull hull = roughHull(surface.vertices, kMostHullVertices);
     OwnedShape owned;
     if (isSolid(hull)) owned.shape = hullShape(hull.vertices);
     return owned;
@@ -128,7 +128,7 @@ OwnedShape makeShape(const Body& solid, const std::vector<Box>& boxes, const btT
                            : oneHull(surface);
     if (owned.shape) return owned;
     if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
-    owned.shape = hullShape(convexHull(surface.vertices).vertices);
+    owned.shape = hullShape(roughHull(surface.vertices, kMostHullVertices).vertices);
     return owned;
 }
 
