@@ -16,7 +16,7 @@ namespace sherd {
 /// A piece of a broken body, ready to become a rigid body. Frame of the parent's asset.
 struct Fragment {
     std::shared_ptr<const Body> body;
-    std::vector<Box> boxes;  ///< for the collision shape; empty: use the hull of the surface
+    std::vector<Box> boxes;  ///< for the collision shape; empty: the hull of the surface stands in
     bool dropped = false;    ///< takes its share of the momentum, and leaves the world
 };
 

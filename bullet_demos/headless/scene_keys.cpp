@@ -56,13 +56,13 @@ Key count(std::string name, double least, double most, std::string meaning,
 /// A key that takes one of a few words.
 template <class Choice>
 Key choice(std::string name, std::vector<std::pair<std::string, Choice>> choices, std::string meaning,
-           std::function<void(sherd::StressSettings&, Choice)> set) {
+           std::function<void(sherd::Settings&, Choice)> set) {
     std::string words;
     for (const auto& [word, unused] : choices) words += (words.empty() ? "" : ", ") + word;
     const auto apply = [=](Scene& scene, const std::string& value) {
         for (const auto& [word, chosen] : choices) {
             if (word != value) continue;
-            for (BreakableBody& body : scene.bodies) set(body.settings.stress, chosen);
+            for (BreakableBody& body : scene.bodies) set(body.settings, chosen);
             return true;
         }
         return false;
@@ -139,20 +139,27 @@ std::vector<Key> sceneKeys() {
              {"heaviside", sherd::TestFunction::heaviside},
              {"heaviside_paper", sherd::TestFunction::heaviside_paper}},
             "of the weak form; the last two are the paper's MLPG5 and go with mls",
-            [](sherd::StressSettings& s, sherd::TestFunction v) { s.test_function = v; }),
+            [](sherd::Settings& s, sherd::TestFunction v) { s.stress.test_function = v; }),
         choice<sherd::TrialFunction>(
             "trial_function",
             {{"spline", sherd::TrialFunction::spline},
              {"gmls", sherd::TrialFunction::gmls},
              {"mls", sherd::TrialFunction::mls}},
             "spline is the default; gmls has gradients as unknowns",
-            [](sherd::StressSettings& s, sherd::TrialFunction v) { s.trial_function = v; }),
+            [](sherd::Settings& s, sherd::TrialFunction v) { s.stress.trial_function = v; }),
         choice<sherd::Basis>("basis",
                              {{"linear", sherd::Basis::linear},
                               {"quadratic", sherd::Basis::quadratic},
                               {"cubic", sherd::Basis::cubic}},
                              "polynomials that the trial functions reproduce; cubic for spline only",
-                             [](sherd::StressSettings& s, sherd::Basis v) { s.basis = v; }),
+                             [](sherd::Settings& s, sherd::Basis v) { s.stress.basis = v; }),
+        choice<sherd::CollisionShape>(
+            "collision_shape",
+            {{"boxes", sherd::CollisionShape::boxes},
+             {"hull", sherd::CollisionShape::hull},
+             {"convex_parts", sherd::CollisionShape::convex_parts}},
+            "of the body and its fragments; a hull closes hollows",
+            [](sherd::Settings& s, sherd::CollisionShape v) { s.fracture.collision_shape = v; }),
         count("fragment_count", 0, 1000, "pieces of the damaged part; 0: what the strain energy pays for",
               everyBody([](B& b, double v) { b.settings.fracture.fragment_count = static_cast<int>(v); })),
         count("largest_fragment_count", 1, 1000, "pieces of one break, at most",

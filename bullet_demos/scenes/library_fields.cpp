@@ -100,6 +100,10 @@ void readFracture(Fields& fields, sherd::FractureSettings& fracture) {
                                {{"unbreakable", sherd::Debris::unbreakable},
                                 {"merged", sherd::Debris::merged},
                                 {"dropped", sherd::Debris::dropped}});
+    fields.read<sherd::CollisionShape>("collision_shape", fracture.collision_shape,
+                                       {{"boxes", sherd::CollisionShape::boxes},
+                                        {"hull", sherd::CollisionShape::hull},
+                                        {"convex_parts", sherd::CollisionShape::convex_parts}});
     fields.read("damage_waves", fracture.damage_waves);
     fields.read("crack_roughness", fracture.crack_roughness);
     fields.object("guide", [&](Fields& guide) { readGuide(guide, fracture.guide); });

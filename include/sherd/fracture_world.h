@@ -22,9 +22,10 @@ class FractureWorld {
     FractureWorld(const FractureWorld&) = delete;
     FractureWorld& operator=(const FractureWorld&) = delete;
 
-    /// Adds a body to the world: a btRigidBody with a btCompoundShape, owned by this object. `start` places
-    /// the origin of the asset's own coordinates. Returns nullptr while the world is inside a step, or when the asset's
-    /// solid cannot be sampled (`lastError` says which).
+    /// Adds a body to the world: a btRigidBody with the shape that its settings ask for (a btCompoundShape, or a
+    /// btConvexHullShape for `CollisionShape::hull`), owned by this object. `start` places the origin of the asset's own
+    /// coordinates. Returns nullptr while the world is inside a step, or when the asset's solid cannot be sampled
+    /// (`lastError` says which).
     btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
 
     /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The

@@ -98,6 +98,14 @@ enum class Debris {
     dropped,      ///< out of the world at once; the event says how much mass went with them
 };
 
+/// What stands for a body in collisions: for bodies of `FractureWorld::add` and for all fragments. A body that `makeBreakable`
+/// is given keeps the shape that it has; its fragments get what is set here.
+enum class CollisionShape {
+    boxes,  ///< filled cells of the sampling, merged: hollows stay open, surfaces are stairs of about half a particle spacing
+    hull,   ///< one convex hull, the quickest: hollows are closed, so nothing falls into a cup
+    convex_parts,  ///< hulls of up to 24 parts that follow the surface: hollows stay open, faces are smooth
+};
+
 /// How damaged material becomes fragments.
 struct FractureSettings {
     std::uint64_t seed = 1;
@@ -119,6 +127,9 @@ struct FractureSettings {
     Debris debris = Debris::unbreakable;
     GuideField guide;
     double crack_roughness = 0;  ///< of crack faces, as a fraction of the particle spacing, 0 to 0.5; same on both sides
+    /// Hulls and convex parts of neighbouring fragments may overlap: such pairs collide, but are not pushed apart by more
+    /// than what they go deeper into each other later.
+    CollisionShape collision_shape = CollisionShape::boxes;
     double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
 
     Status validate() const;

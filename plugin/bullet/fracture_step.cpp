@@ -70,6 +70,7 @@ void FractureWorld::Impl::beforeSolve() {
     watching_ =
         std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
     if (!watching_) return;
+    birth_overlaps_.forgive(world_);
     before_.take(world_);
     write_back_.begin(world_);
 }
@@ -123,6 +124,7 @@ void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btCont
         newcomers.insert(newcomers.end(), fragments.begin(), fragments.end());
     }
     findContactsOf(world_, newcomers);
+    forgiveOverlapsOf(newcomers);
     members.insert(members.end(), newcomers.begin(), newcomers.end());
 
     // Fragments may touch what the whole body did not, and so draw other islands in.
@@ -132,6 +134,14 @@ void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btCont
     solveIsland(world_, decorator_.inner(), pieces, info, drawer);
     for (const Break& broken : breaks)
         events_[broken.event].ms.resolve_step = watch.milliseconds() / breaks.size();
+}
+
+void FractureWorld::Impl::forgiveOverlapsOf(const std::vector<btCollisionObject*>& newcomers) {
+    std::vector<btCollisionObject*> may_overlap;
+    for (btCollisionObject* body : newcomers)
+        if (!breakables_.find(body)->owned.shape.disjoint) may_overlap.push_back(body);
+    if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
+    birth_overlaps_.forgive(world_);
 }
 
 std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {

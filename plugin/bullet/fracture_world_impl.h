@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "birth_overlaps.h"
 #include "breakable.h"
 #include "contact_collector.h"
 #include "impulse_write_back.h"
@@ -44,6 +45,7 @@ class FractureWorld::Impl final : public StepListener {
     };
 
     std::vector<Break> judge(const std::vector<StruckBreakable>& struck);
+    void forgiveOverlapsOf(const std::vector<btCollisionObject*>& newcomers);
     void takeStepAgain(std::vector<Break>& breaks, const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
     std::uint64_t seedOf(const Breakable& breakable) const;
@@ -55,6 +57,7 @@ class FractureWorld::Impl final : public StepListener {
 
     btDiscreteDynamicsWorld& world_;
     BreakableRegistry breakables_;
+    BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
     bool watching_ = false;  // this step: something breakable is awake

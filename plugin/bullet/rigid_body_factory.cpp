@@ -5,9 +5,11 @@
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <Eigen/Eigenvalues>
+#include <cmath>
 
 #include "conversions.h"
-#include "shapes.h"
+#include "convex_decomposition.h"
+#include "convex_hull.h"
 
 namespace sherd {
 
@@ -16,6 +18,9 @@ namespace {
 constexpr double kDiagonalEnough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
 constexpr double kMarginShare = 0.02;  // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
+constexpr int kMostHullVertices = 96;  // Bullet wants fewer than 100
+constexpr double kFlat = 1e-7;         // volume over the cube of the length, below which a hull is none
+constexpr double kDetailShare = 0.25;  // of the wall, below which convex parts need not follow the surface
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
 Mat3 nearestToIdentity(const Mat3& axes) {
@@ -40,21 +45,66 @@ Mat3 principalAxes(const Mat3& inertia) {
     return nearestToIdentity(Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors());
 }
 
-OwnedShape hullShape(const TriangleMesh& surface, const btTransform& body_from_asset) {
-    btConvexHullShape all;
-    all.setMargin(0);
-    for (const Vec3& vertex : surface.vertices) all.addPoint(body_from_asset * toBullet(vertex), false);
-    all.recalcLocalAabb();
+/// The surface in the body's frame. Attributes are of no use to shapes.
+TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_asset) {
+    const Mat3 turn = fromBullet(body_from_asset.getBasis());
+    const Vec3 offset = fromBullet(body_from_asset.getOrigin());
+    TriangleMesh result;
+    result.triangles = surface.triangles;
+    for (const Vec3& vertex : surface.vertices) result.vertices.push_back(turn * vertex + offset);
+    return result;
+}
+
+std::unique_ptr<btCollisionShape> hullShape(const std::vector<Vec3>& vertices) {
     auto hull = std::make_unique<btConvexHullShape>();
-    for (const Vec3& point : supportPoints(all)) hull->addPoint(toBullet(point), false);
-    btVector3 low, high;
-    all.getAabb(btTransform::getIdentity(), low, high);
-    const btVector3 half = (high - low) / 2;
-    hull->setMargin(static_cast<btScalar>(kMarginShare) *
-                    half[half.minAxis()]);  // before the box that contains it
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : vertices) {
+        box.extend(vertex);
+        hull->addPoint(toBullet(vertex), false);
+    }
+    hull->setMargin(static_cast<btScalar>(kMarginShare * box.sizes().minCoeff() / 2));
     hull->recalcLocalAabb();
+    return hull;
+}
+
+bool isSolid(const ConvexHull& hull) {
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : hull.vertices) box.extend(vertex);
+    return hull.vertices.size() >= 4 && hull.volume > kFlat * std::pow(box.diagonal().norm(), 3);
+}
+
+/// One hull; nothing if it is flat.
+OwnedShape oneHull(const TriangleMesh& surface) {
+    const ConvexHull hull = roughHull(surface.vertices, kMostHullVertices);
     OwnedShape owned;
-    owned.shape = std::move(hull);
+    if (isSolid(hull)) owned.shape = hullShape(hull.vertices);
+    return owned;
+}
+
+/// Hulls of the parts that are not flat; nothing if all are.
+OwnedShape hullsOfParts(const TriangleMesh& surface, double smallest_detail_m) {
+    OwnedShape owned;
+    auto compound = std::make_unique<btCompoundShape>();
+    for (const ConvexHull& part : convexDecomposition(surface, smallest_detail_m)) {
+        if (!isSolid(part)) continue;
+        owned.children.push_back(hullShape(part.vertices));
+        compound->addChildShape(btTransform::getIdentity(), owned.children.back().get());
+    }
+    if (!owned.children.empty()) owned.shape = std::move(compound);
+    return owned;
+}
+
+OwnedShape boxCompound(const std::vector<Box>& boxes, const btTransform& body_from_asset) {
+    OwnedShape owned;
+    owned.disjoint = true;
+    auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(boxes.size()));
+    for (const Box& box : boxes) {
+        auto child = std::make_unique<btBoxShape>(toBullet(box.half_extents));
+        const btTransform place(btQuaternion::getIdentity(), toBullet(box.centre));
+        compound->addChildShape(body_from_asset * place, child.get());
+        owned.children.push_back(std::move(child));
+    }
+    owned.shape = std::move(compound);
     return owned;
 }
 
@@ -69,18 +119,16 @@ PrincipalFrame principalFrame(const Moments& moments) {
     return frame;
 }
 
-OwnedShape makeShape(const TriangleMesh& surface, const std::vector<Box>& boxes,
-                     const btTransform& body_from_asset) {
-    if (boxes.empty()) return hullShape(surface, body_from_asset);
-    OwnedShape owned;
-    auto compound = std::make_unique<btCompoundShape>(true, static_cast<int>(boxes.size()));
-    for (const Box& box : boxes) {
-        auto child = std::make_unique<btBoxShape>(toBullet(box.half_extents));
-        const btTransform place(btQuaternion::getIdentity(), toBullet(box.centre));
-        compound->addChildShape(body_from_asset * place, child.get());
-        owned.children.push_back(std::move(child));
-    }
-    owned.shape = std::move(compound);
+OwnedShape makeShape(const Body& solid, const std::vector<Box>& boxes, const btTransform& body_from_asset) {
+    const CollisionShape wanted = solid.settings().fracture.collision_shape;
+    if (wanted == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
+    const TriangleMesh surface = placed(solid.surface(), body_from_asset);
+    OwnedShape owned = wanted == CollisionShape::convex_parts
+                           ? hullsOfParts(surface, kDetailShare * solid.wallThickness())
+                           : oneHull(surface);
+    if (owned.shape) return owned;
+    if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
+    owned.shape = hullShape(roughHull(surface.vertices, kMostHullVertices).vertices);
     return owned;
 }
 
@@ -88,7 +136,7 @@ OwnedBody makeRigidBody(const Body& solid, const std::vector<Box>& boxes, double
     const PrincipalFrame frame = principalFrame(solid.moments());
     const double density = mass_scale * solid.material().density_kg_m3;
     OwnedBody owned;
-    owned.shape = makeShape(solid.surface(), boxes, frame.body_from_asset);
+    owned.shape = makeShape(solid, boxes, frame.body_from_asset);
     const btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass_scale * solid.mass()),
                                                         nullptr, owned.shape.shape.get(),
                                                         toBullet(Vec3(density * frame.inertia)));

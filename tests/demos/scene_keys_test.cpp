@@ -23,10 +23,12 @@ TEST(SceneKeys, ChangeTheFigureThatTheyName) {
     ASSERT_TRUE(demo::applyKey(changed, "seed=12"));
     ASSERT_TRUE(demo::applyKey(changed, "test_function=heaviside"));
     ASSERT_TRUE(demo::applyKey(changed, "speed=3"));
+    ASSERT_TRUE(demo::applyKey(changed, "collision_shape=hull"));
     const demo::BreakableBody& wall = changed.bodies.front();
     EXPECT_EQ(wall.material.tensile_strength_pa, 2.5e6);
     EXPECT_EQ(wall.settings.fracture.seed, 12u);
     EXPECT_EQ(wall.settings.stress.test_function, sherd::TestFunction::heaviside);
+    EXPECT_EQ(wall.settings.fracture.collision_shape, sherd::CollisionShape::hull);
     EXPECT_EQ(changed.balls.front().velocity, demo::Vec3(0, 3, 0));
     EXPECT_EQ(wall.velocity, demo::Vec3(0, 0, 0));
 }

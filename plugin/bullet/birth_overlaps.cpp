@@ -1,0 +1,149 @@
+#include "birth_overlaps.h"
+
+#include <BulletCollision/CollisionShapes/btCollisionShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace sherd {
+
+namespace {
+
+/// From the points themselves, which Bullet keeps up to date whatever was written into the contact's
+/// distance.
+btScalar distanceOf(const btManifoldPoint& point) {
+    return (point.getPositionWorldOnA() - point.getPositionWorldOnB()).dot(point.m_normalWorldOnB);
+}
+
+/// How far any point of a body moved at most, that reaches as far as `radius`.
+btScalar travel(const btTransform& from, const btTransform& to, btScalar radius) {
+    btScalar squared_turn = 0;
+    for (int row = 0; row < 3; ++row) squared_turn += (to.getBasis()[row] - from.getBasis()[row]).length2();
+    return (to.getOrigin() - from.getOrigin()).length() + std::sqrt(squared_turn) * radius;
+}
+
+bool boundsOverlap(const btCollisionObject& a, const btCollisionObject& b) {
+    btVector3 low_a, high_a, low_b, high_b;
+    a.getCollisionShape()->getAabb(a.getWorldTransform(), low_a, high_a);
+    b.getCollisionShape()->getAabb(b.getWorldTransform(), low_b, high_b);
+    return TestAabbAgainstAabb2(low_a, high_a, low_b, high_b);
+}
+
+btTransform relativePose(const btCollisionObject& a, const btCollisionObject& b) {
+    return a.getWorldTransform().inverse() * b.getWorldTransform();
+}
+
+btScalar radiusAboutOrigin(const btCollisionObject& object) {
+    btVector3 centre;
+    btScalar radius;
+    object.getCollisionShape()->getBoundingSphere(centre, radius);
+    return centre.length() + radius;
+}
+
+/// Visits the contacts of listed pairs: visit(pair, manifold).
+template <class Pairs, class Visit>
+void forEachManifold(btDispatcher& dispatcher, Pairs& pairs, const Visit& visit) {
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        const auto found = pairs.find(std::minmax(manifold.getBody0(), manifold.getBody1()));
+        if (found != pairs.end()) visit(found->second, manifold);
+    }
+}
+
+}  // namespace
+
+void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& newcomers) {
+    const std::unordered_set<const void*> is_new(newcomers.begin(), newcomers.end());
+    const btBroadphasePairArray& bounds = world.getPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < bounds.size(); ++i) {
+        const btBroadphaseProxy *first = bounds[i].m_pProxy0, *second = bounds[i].m_pProxy1;
+        if (!is_new.count(first->m_clientObject) && !is_new.count(second->m_clientObject)) continue;
+        if (second->m_uniqueId < first->m_uniqueId) std::swap(first, second);
+        const auto* a = static_cast<const btCollisionObject*>(first->m_clientObject);
+        const auto* b = static_cast<const btCollisionObject*>(second->m_clientObject);
+        // A floor that a piece was born in must lift it out: it would go on lying in it.
+        if (a->isStaticOrKinematicObject() || b->isStaticOrKinematicObject()) continue;
+        Pair pair;
+        pair.bodies[0] = a;
+        pair.bodies[1] = b;
+        pair.proxies[0] = first->m_uniqueId;
+        pair.proxies[1] = second->m_uniqueId;
+        pair.radius = radiusAboutOrigin(*b);
+        pair.before = pair.now = relativePose(*a, *b);
+        pairs_.insert_or_assign(std::minmax(a, b), pair);
+    }
+}
+
+void BirthOverlaps::dropParted(const btDiscreteDynamicsWorld& world) {
+    // Any body may have been deleted since the last step: nothing is read through a pointer before the world
+    // has named it.
+    std::unordered_map<const btCollisionObject*, int> proxy_of;
+    const auto& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i)
+        proxy_of[objects[i]] = objects[i]->getBroadphaseHandle()->m_uniqueId;
+    const auto is_there = [&](const btCollisionObject* object, int proxy) {
+        const auto found = proxy_of.find(object);
+        return found != proxy_of.end() && found->second == proxy;
+    };
+    for (auto entry = pairs_.begin(); entry != pairs_.end();) {
+        const Pair& pair = entry->second;
+        const bool stays = is_there(pair.bodies[0], pair.proxies[0]) &&
+                           is_there(pair.bodies[1], pair.proxies[1]) &&
+                           boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
+        entry = stays ? std::next(entry) : pairs_.erase(entry);
+    }
+}
+
+void BirthOverlaps::measure(Pair& pair, const btPersistentManifold& manifold) {
+    const btTransform& frame = pair.bodies[0]->getWorldTransform();
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        const btScalar depth = -distanceOf(point);
+        if (depth <= pair.measured_m) continue;
+        const btVector3 here = frame.invXform(point.getPositionWorldOnB());
+        const btVector3 way = here - pair.before * pair.now.invXform(here);
+        const btVector3 into_first =
+            manifold.getBody0() == pair.bodies[0] ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+        pair.measured_m = depth;
+        pair.closed_m = std::max(btScalar(0), way.dot(into_first * frame.getBasis()));
+    }
+}
+
+/// A depth grows by what the bodies move into each other, and shrinks by no more than they move. What it
+/// seems to change beyond that says that Bullet's estimate is bad, now or before: a contact that is not found
+/// for a step, or found later than at birth.
+void BirthOverlaps::update(Pair& pair) {
+    const btScalar moved = travel(pair.before, pair.now, pair.radius);
+    pair.forgiven_m += std::max(btScalar(0), pair.measured_m - (pair.depth_m + pair.closed_m));
+    pair.depth_m = std::max(pair.measured_m, pair.depth_m - moved);
+    pair.forgiven_m = std::min(pair.forgiven_m, pair.depth_m);
+}
+
+void BirthOverlaps::forgive(btDiscreteDynamicsWorld& world) {
+    if (pairs_.empty()) return;
+    dropParted(world);
+    for (auto& entry : pairs_) {
+        Pair& pair = entry.second;
+        pair.before = pair.now;
+        pair.now = relativePose(*pair.bodies[0], *pair.bodies[1]);
+        pair.measured_m = pair.closed_m = 0;
+    }
+    btDispatcher& dispatcher = *world.getDispatcher();
+    forEachManifold(dispatcher, pairs_,
+                    [](Pair& pair, const btPersistentManifold& manifold) { measure(pair, manifold); });
+    for (auto& entry : pairs_) update(entry.second);
+    forEachManifold(dispatcher, pairs_, [](const Pair& pair, btPersistentManifold& manifold) {
+        for (int i = 0; i < manifold.getNumContacts(); ++i) {
+            btManifoldPoint& point = manifold.getContactPoint(i);
+            const btScalar distance = distanceOf(point);
+            point.setDistance(distance < 0 ? std::min(distance + pair.forgiven_m, btScalar(0)) : distance);
+        }
+    });
+}
+
+}  // namespace sherd

@@ -1,0 +1,331 @@
+// What stands for bodies in collisions, and that fragments are not pushed apart when they are born.
+
+#include "bullet/convex_decomposition.h"
+#include "bullet/convex_hull.h"
+#include "bullet/rigid_body_factory.h"
+#include "geometry/mass_properties.h"
+#include "support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto kBroke = BreakEvent::Outcome::broke;
+constexpr CollisionShape kShapes[] = {CollisionShape::boxes, CollisionShape::hull,
+                                      CollisionShape::convex_parts};
+
+/// Breaks at the touch of something light.
+Material brittle() {
+    Material material = crumbly();
+    material.fracture_energy_j_m2 = 0.1;
+    return material;
+}
+
+BreakableAsset shaped(const TriangleMesh& surface, CollisionShape shape, const Material& material = brittle(),
+                      double spacing_m = 0.04) {
+    Settings settings = coarse(spacing_m);
+    settings.fracture.collision_shape = shape;
+    const auto asset = BreakableAsset::fromMesh(surface, material, settings);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    return asset.value();
+}
+
+TriangleMesh cup() {
+    return shapes::cup(0.2, 0.3, 0.04, 24, 4);
+}
+
+double kineticEnergy(const btRigidBody& body) {
+    const btVector3 v = body.getLinearVelocity(), w = body.getAngularVelocity();
+    return 0.5 * (v.length2() / body.getInvMass() + w.dot(body.getInvInertiaTensorWorld().inverse() * w));
+}
+
+double kineticEnergy(const std::vector<btRigidBody*>& bodies) {
+    double sum = 0;
+    for (const btRigidBody* body : bodies) sum += kineticEnergy(*body);
+    return sum;
+}
+
+class DeepestContact final : public btCollisionWorld::ContactResultCallback {
+  public:
+    btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper*, int, int,
+                             const btCollisionObjectWrapper*, int, int) override {
+        depth = std::max(depth, -double(point.getDistance()));
+        return 0;
+    }
+    double depth = 0;
+};
+
+double overlap(TestWorld& scene, btRigidBody* a, btRigidBody* b) {
+    DeepestContact contact;
+    scene.world->contactPairTest(a, b, contact);
+    return contact.depth;
+}
+
+/// The two pieces that reach furthest into each other.
+struct Overlap {
+    btRigidBody *a = nullptr, *b = nullptr;
+    double depth = 0;
+};
+
+Overlap deepestOverlap(TestWorld& scene, const std::vector<btRigidBody*>& pieces) {
+    Overlap deepest;
+    for (std::size_t a = 0; a < pieces.size(); ++a)
+        for (std::size_t b = a + 1; b < pieces.size(); ++b) {
+            const double depth = overlap(scene, pieces[a], pieces[b]);
+            if (depth > deepest.depth) deepest = {pieces[a], pieces[b], depth};
+        }
+    return deepest;
+}
+
+/// A cup without weight that a light ball has just broken.
+struct BrokenCup {
+    explicit BrokenCup(CollisionShape shape, const btVector3& velocity = {0, 0, 0},
+                       WorldKind kind = WorldKind::plain)
+        : scene(kind), fracture(scene.world.get()) {
+        btRigidBody* body = fracture.add(shaped(cup(), shape), at(0, 0, 0));
+        body->setDamping(0, 0);
+        body->setLinearVelocity(velocity);
+        ball = scene.addBall(0.02, 0.03, btVector3(0.24f, 0, 0.15f), btVector3(-3, 0, 0) + velocity);
+        energy_before = kineticEnergy({body, ball});
+        event = stepUntilBreak(scene, fracture);
+        EXPECT_EQ(event.outcome, kBroke) << event.message;
+    }
+    std::vector<btRigidBody*> all() const {
+        std::vector<btRigidBody*> bodies = event.fragments;
+        bodies.push_back(ball);
+        return bodies;
+    }
+    TestWorld scene;
+    FractureWorld fracture;
+    btRigidBody* ball = nullptr;
+    double energy_before = 0;
+    BreakEvent event;
+};
+
+TEST(CollisionShapes, FragmentsAreNotPushedApartAtBirth) {
+    for (const CollisionShape shape : kShapes) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        BrokenCup cup(shape);
+        ASSERT_GE(cup.event.fragments.size(), 4u);
+        const double overlap = deepestOverlap(cup.scene, cup.event.fragments).depth;
+        if (shape == CollisionShape::boxes)
+            EXPECT_LT(overlap, 1e-4);
+        else
+            EXPECT_GT(overlap, 1e-3) << "nothing to be pushed apart by";
+        double energy = kineticEnergy(cup.all());
+        for (int i = 0; i < 60; ++i) {
+            cup.scene.step();
+            const double now = kineticEnergy(cup.all());
+            EXPECT_LT(now, 1.02 * energy);
+            energy = now;
+        }
+    }
+}
+
+TEST(CollisionShapes, FragmentsOfAFlyingCupFlyOnTogether) {
+    for (const CollisionShape shape : kShapes) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        const btVector3 velocity(1, 2, 3);
+        BrokenCup cup(shape, velocity);
+        cup.scene.step(20);
+        double momentum = 0;  // that the ball of 0.02 kg brought, at 3 m/s, and took back
+        for (const btRigidBody* piece : cup.event.fragments)
+            momentum += (piece->getLinearVelocity() - velocity).length() / piece->getInvMass();
+        EXPECT_LT(momentum, 0.2);
+    }
+}
+
+TEST(CollisionShapes, FragmentsFlyOnTogetherInEveryKindOfWorld) {
+    for (const WorldKind kind : {WorldKind::threaded, WorldKind::soft, WorldKind::multi_body}) {
+        SCOPED_TRACE(static_cast<int>(kind));
+        BrokenCup cup(CollisionShape::hull, btVector3(0, 0, 0), kind);
+        const double energy = kineticEnergy(cup.all());
+        cup.scene.step(20);
+        EXPECT_LT(kineticEnergy(cup.all()), 1.02 * energy);
+    }
+}
+
+TEST(CollisionShapes, FragmentsDoNotSinkIntoEachOther) {
+    for (const CollisionShape shape : kShapes) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -10));
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        fracture.add(shaped(cup(), shape), at(0, 0, 0.01f));
+        const BreakEvent event = stepUntilBreak(scene, fracture);
+        ASSERT_EQ(event.outcome, kBroke) << event.message;
+        const double at_birth = deepestOverlap(scene, event.fragments).depth;
+        for (int i = 0; i < 5; ++i) {
+            scene.step(48);
+            const double now = deepestOverlap(scene, event.fragments).depth;
+            EXPECT_LT(now, at_birth + 0.002);
+        }
+    }
+}
+
+TEST(CollisionShapes, FragmentsComeToRestOnTheFloor) {
+    for (const CollisionShape shape : kShapes) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -10));
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        fracture.add(shaped(cup(), shape),
+                     btTransform(btQuaternion(btVector3(0, 1, 0), 1), btVector3(0, 0, 0.6f)));
+        scene.addBall(2, 0.05, btVector3(0.05f, 0, 2), btVector3(0, 0, 0));
+        ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+        scene.step(960);
+        double lowest = 1;
+        for (const btRigidBody* piece : fracture.bodies()) {
+            const btTransform placed = fracture.assetTransform(piece);
+            for (const Vec3& v : fracture.asset(piece)->surface().vertices)
+                lowest = std::min(
+                    lowest,
+                    double((placed * btVector3(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()))).z()));
+            EXPECT_LT(piece->getLinearVelocity().length(), 0.1);
+        }
+        EXPECT_GT(lowest, shape == CollisionShape::boxes ? -0.02 : -0.004);
+    }
+}
+
+TEST(CollisionShapes, HollowsStayOpenUnlessOneHullIsAskedFor) {
+    for (const CollisionShape shape : kShapes) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        ASSERT_NE(
+            fracture.add(shaped(shapes::uShape(0.05, 0.2, 0.3, 0.2), shape, unbreakable()), at(0, 0, 0)),
+            nullptr);
+        scene.world->updateAabbs();
+        const btVector3 above(0.15f, 0.1f, 1), below(0.15f, 0.1f, -1);
+        btCollisionWorld::ClosestRayResultCallback ray(above, below);
+        scene.world->rayTest(above, below, ray);
+        ASSERT_TRUE(ray.hasHit());
+        const double first_met = ray.m_hitPointWorld.z();
+        EXPECT_NEAR(first_met, shape == CollisionShape::hull ? 0.3 : 0.05, 0.01) << static_cast<int>(shape);
+    }
+}
+
+TEST(CollisionShapes, PartedFragmentsArePushedApartAsAllOthers) {
+    for (const CollisionShape shape : {CollisionShape::hull, CollisionShape::convex_parts}) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        BrokenCup cup(shape);
+        const Overlap deepest = deepestOverlap(cup.scene, cup.event.fragments);
+        for (btRigidBody* body : cup.all())
+            if (body != deepest.a && body != deepest.b) cup.scene.world->removeRigidBody(body);
+        const btTransform home = deepest.a->getWorldTransform();
+        const auto wayInAStepFrom = [&](const btVector3& place) {
+            deepest.a->setWorldTransform(btTransform(home.getBasis(), place));
+            for (btRigidBody* body : {deepest.a, deepest.b}) {
+                body->setLinearVelocity(btVector3(0, 0, 0));
+                body->setAngularVelocity(btVector3(0, 0, 0));
+            }
+            cup.scene.step();
+            return (deepest.a->getWorldTransform().getOrigin() - place).length();
+        };
+        EXPECT_LT(wayInAStepFrom(home.getOrigin()), 1e-6) << "at home they are forgiven";
+        wayInAStepFrom(home.getOrigin() + btVector3(2, 0, 0));
+        EXPECT_GT(wayInAStepFrom(home.getOrigin()), 1e-4) << "back from elsewhere they are not";
+    }
+}
+
+TEST(CollisionShapes, FragmentsOfAFragmentAreNotPushedOutOfItsNeighbours) {
+    for (const CollisionShape shape : {CollisionShape::hull, CollisionShape::convex_parts}) {
+        SCOPED_TRACE(static_cast<int>(shape));
+        Settings settings = coarse(0.04);
+        settings.fracture.collision_shape = shape;
+        settings.fracture.fragment_count = 3;
+        settings.fracture.smallest_fragment_m3 = 1e-4;
+        settings.fracture.rest_after_break_s = 0;
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        fracture.add(BreakableAsset::fromMesh(::cup(), brittle(), settings).value(), at(0, 0, 0));
+        scene.addBall(0.2, 0.03, btVector3(0.24f, 0, 0.15f), btVector3(-3, 0, 0));
+        scene.addBall(0.2, 0.03, btVector3(-0.4f, 0, 0.1f), btVector3(3, 0, 0));
+        double energy = 2 * 0.5 * 0.2 * 9;
+        int breaks = 0;
+        for (int i = 0; i < 80; ++i) {
+            scene.step();
+            for (const BreakEvent& event : fracture.events()) breaks += event.outcome == kBroke;
+            std::vector<btRigidBody*> all = fracture.bodies();
+            for (const auto& ball : scene.bodies) all.push_back(ball.get());
+            const double now = kineticEnergy(all);
+            EXPECT_LT(now, energy * 1.01);
+            energy = now;
+        }
+        EXPECT_GE(breaks, 2);
+    }
+}
+
+TEST(CollisionShapes, BodiesMayGoWhileTheyOverlap) {
+    BrokenCup cup(CollisionShape::hull);
+    const Overlap deepest = deepestOverlap(cup.scene, cup.event.fragments);
+    cup.fracture.remove(deepest.a);
+    cup.scene.world->removeRigidBody(cup.ball);
+    cup.scene.bodies.clear();
+    cup.scene.step(3);
+    cup.scene.world->removeRigidBody(deepest.b);
+    cup.scene.step(3);
+    cup.scene.world->addRigidBody(deepest.b);
+    cup.scene.step(3);
+    EXPECT_EQ(cup.fracture.bodies().size(), cup.event.fragments.size() - 1);
+}
+
+TEST(CollisionShapes, SameBlowGivesTheSameBits) {
+    for (const CollisionShape shape : kShapes) {
+        BrokenCup first(shape), second(shape);
+        first.scene.step(100);
+        second.scene.step(100);
+        ASSERT_EQ(first.event.fragments.size(), second.event.fragments.size());
+        for (std::size_t i = 0; i < first.event.fragments.size(); ++i)
+            EXPECT_TRUE(sameState(*first.event.fragments[i], *second.event.fragments[i]));
+    }
+}
+
+TEST(MakeShape, FlatHullsGiveWayToBoxes) {
+    const auto sheet = shaped(shapes::slab(Vec3(1, 1, 1e-8)), CollisionShape::hull, unbreakable(), 0.5);
+    const OwnedShape owned =
+        makeShape(*sheet.body(), {{Vec3::Zero(), Vec3(0.5, 0.5, 0.01)}}, btTransform::getIdentity());
+    EXPECT_TRUE(owned.disjoint);
+    EXPECT_TRUE(owned.shape->isCompound());
+}
+
+TEST(ConvexHull, HasTheVerticesAndTheVolumeOfTheSolid) {
+    const ConvexHull box = convexHull(shapes::slab(Vec3(1, 2, 3), 4, 4, 4).vertices);
+    EXPECT_EQ(box.vertices.size(), 8u);
+    EXPECT_NEAR(box.volume, 6, 1e-5);
+    EXPECT_EQ(convexHull({}).volume, 0);
+    EXPECT_EQ(convexHull(std::vector<Vec3>(5, Vec3::Ones())).volume, 0);
+}
+
+TEST(ConvexHull, RoughOneKeepsTheOutermostPoints) {
+    const std::vector<Vec3> sphere = shapes::icosphere(0.05, 4).vertices;
+    const ConvexHull few = roughHull(sphere, 96);
+    EXPECT_LE(few.vertices.size(), 96u);
+    EXPECT_GT(few.volume, 0.9 * convexHull(sphere).volume);
+    const ConvexHull plate = roughHull(shapes::slab(Vec3(1, 2, 0.01), 9, 9, 2).vertices, 42);
+    EXPECT_EQ(plate.vertices.size(), 8u);
+    EXPECT_NEAR(plate.volume, 0.02, 1e-5);
+}
+
+TEST(ConvexDecomposition, LeavesConvexSolidsWhole) {
+    EXPECT_EQ(convexDecomposition(shapes::slab(Vec3(1, 2, 3), 4, 4, 4), 0.01).size(), 1u);
+    EXPECT_EQ(convexDecomposition(shapes::icosphere(1, 3), 0.01).size(), 1u);
+}
+
+TEST(ConvexDecomposition, FollowsHollows) {
+    const TriangleMesh solids[] = {cup(), shapes::tube(0.2, 0.16, 0.1, 48),
+                                   shapes::uShape(0.05, 0.2, 0.3, 0.2),
+                                   shapes::moved(shapes::uShape(0.05, 0.2, 0.3, 0.2), shapes::tilt())};
+    for (const TriangleMesh& solid : solids) {
+        double volume = 0;
+        const auto parts = convexDecomposition(solid, 0.01);
+        for (const ConvexHull& part : parts) volume += part.volume;
+        const double true_volume = solidMoments(solid).volume;
+        EXPECT_GT(volume, 0.97 * true_volume);
+        EXPECT_LT(volume, 1.3 * true_volume);
+    }
+}
+
+}  // namespace
