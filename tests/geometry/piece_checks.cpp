@@ -7,6 +7,7 @@
 #include <CGAL/Surface_mesh.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 
 namespace sherd::fragment_support {
@@ -32,6 +33,35 @@ std::string faultOf(const TriangleMesh& mesh) {
     if (pmp::does_self_intersect(surface)) return "self-intersecting";
     return pmp::does_bound_a_volume(surface) && pmp::is_outward_oriented(surface) ? ""
                                                                                   : "not oriented outward";
+}
+
+std::array<Corner, 3> cornersOf(const TriangleMesh& mesh, std::size_t t, bool reversed) {
+    std::array<Corner, 3> corners;
+    for (int i = 0; i < 3; ++i) {
+        const Vec3& v = mesh.vertices[mesh.triangles[t][reversed ? 2 - i : i]];
+        corners[i] = {v.x(), v.y(), v.z()};
+    }
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+std::string faultOfCracks(const std::vector<TriangleMesh>& pieces) {
+    std::map<std::array<Corner, 3>, std::size_t> owner;
+    const auto isCrack = [&](std::size_t p, std::size_t t) {
+        return !pieces[p].kinds.empty() && pieces[p].kinds[t] == SurfaceKind::crack;
+    };
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        for (std::size_t t = 0; t < pieces[p].triangles.size(); ++t)
+            if (isCrack(p, t) && !owner.emplace(cornersOf(pieces[p], t, false), p).second)
+                return "a crack triangle belongs to two pieces";
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        for (std::size_t t = 0; t < pieces[p].triangles.size(); ++t) {
+            if (!isCrack(p, t)) continue;
+            const auto partner = owner.find(cornersOf(pieces[p], t, true));
+            if (partner == owner.end()) return "a crack triangle has no partner";
+            if (partner->second == p) return "a crack triangle has its partner in its own piece";
+        }
+    return "";
 }
 
 }  // namespace sherd::fragment_support
