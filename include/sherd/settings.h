@@ -113,8 +113,9 @@ struct FractureSettings {
     /// where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted mesh.
     std::function<double(const Vec3& x)> strength_field;
     /// How often the stress is solved at most, each time without the particles that are damaged by then, until no more
-    /// are (paper, section 6.1). 1: the damage of the first solve counts. Every further wave takes as long as a first
-    /// blow. Splines only.
+    /// are (paper, section 6.1). Splines only. 1: the damage of the first solve counts, which is the default since every
+    /// further wave takes as long as a first blow, and leaves the blow's energy to more damaged material, in fewer pieces:
+    /// the cup of the demo breaks into 17, 9 and 5 with 1, 2 and 4 waves, in 2, 3.5 and 6 s; on walls little changes.
     int damage_waves = 1;
     /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens the stress
     /// right at the contact only, and takes longer than the rest of a blow.
