@@ -158,12 +158,16 @@ double Body::weakestPlace() const {
     if (!sampled) return 0;
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (weakest_place_ >= 0) return weakest_place_;
-    weakest_place_ = std::numeric_limits<double>::infinity();
-    for (const Particle& particle : sampled.value()->particles) {
-        const double here = field(particle.position);
-        // Written so that NaN counts as nothing; the blow then says what is wrong.
-        weakest_place_ = here > 0 ? std::min(weakest_place_, here) : 0;
-        if (weakest_place_ == 0) break;
+    weakest_place_ = 0;  // for a field that throws or is not above 0 and finite: the blow then says what is wrong
+    try {
+        double weakest = std::numeric_limits<double>::infinity();
+        for (const Particle& particle : sampled.value()->particles) {
+            const double here = field(particle.position);
+            if (!(here > 0) || !std::isfinite(here)) return 0;
+            weakest = std::min(weakest, here);
+        }
+        weakest_place_ = weakest;
+    } catch (...) {  // whatever an app's function throws
     }
     return weakest_place_;
 }

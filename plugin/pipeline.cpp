@@ -142,6 +142,11 @@ BlowOutcome strike(const Body& body, const Blow& blow, std::uint64_t seed) {
         out.message =
             std::string("The blow could not be worked out (") + failure.what() + "); the body stays whole.";
         out.outcome = BreakEvent::Outcome::failed;
+    } catch (...) {
+        out.message =
+            "The blow could not be worked out: a strength field or guide field threw what is no std::exception; the body "
+            "stays whole.";
+        out.outcome = BreakEvent::Outcome::failed;
     }
     if (out.outcome != BreakEvent::Outcome::broke) out.fragments.clear();
     if (!out.fragments.empty()) addConservationErrors(body, out);

@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
 
 #include <sherd/breakable_asset.h>
 
@@ -154,6 +157,32 @@ TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
     const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
     EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
     EXPECT_NE(out.message.find("the strength field is -"), std::string::npos) << out.message;
+}
+
+TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
+    const Blow blow = blowInTheMiddle(1, 10);
+    const std::function<double(const Vec3&)> fields[] = {
+        [](const Vec3&) -> double { throw std::runtime_error("not painted here"); },
+        [](const Vec3&) -> double { throw 3; },
+        [](const Vec3&) { return std::numeric_limits<double>::infinity(); },
+    };
+    for (const auto& field : fields) {
+        Settings settings;
+        settings.fracture.strength_field = field;
+        const auto body = plate(Material::plaster(), settings);
+        for (int time = 0; time < 2; ++time) {  // what is wrong is said again at the next blow
+            EXPECT_TRUE(canBreak(*body, blow));
+            const BlowOutcome out = strike(*body, blow, 1);
+            EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+            EXPECT_FALSE(out.message.empty());
+        }
+    }
+    Settings settings;
+    settings.fracture.guide.kind = GuideField::Kind::custom;
+    settings.fracture.guide.custom = [](const Vec3&, const Vec3&) -> Vec3 { throw 3; };
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blow, 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_NE(out.message.find("guide field"), std::string::npos);
 }
 
 TEST(Strike, FurtherWavesOnlyAddDamage) {
