@@ -128,6 +128,10 @@ TEST(PenaltyDistance, IsEquation18) {
     BlowAxis contact;
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14);
     EXPECT_EQ(penaltyDistance(a, b, grain, contact), penaltyDistance(b, a, grain, contact));
+    for (const double length : {1e-200, 1e200}) {
+        grain.direction = Vec3(0, 0, length);
+        EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14) << length;
+    }
     grain.penalty = 1;
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14);
     grain.kind = GuideField::Kind::radial;

@@ -7,7 +7,7 @@ namespace {
 /// The offset with its component along the field times lambda.
 Vec3 penalised(const Vec3& offset, const Vec3& field, double lambda) {
     if (!field.allFinite() || field.isZero(0)) return offset;
-    const Vec3 v = field.normalized();
+    const Vec3 v = field.stableNormalized();  // lengths whose square is no number are lengths, too
     return offset - (1 - lambda) * offset.dot(v) * v;
 }
 
