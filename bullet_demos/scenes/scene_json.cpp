@@ -13,10 +13,12 @@ namespace {
 
 using nlohmann::json;
 
-/// Refuses a key that an object has twice: the parser would keep the last without a word.
-class NoDoubleKeys {
+/// Refuses a key that an object has twice: the parser would keep the last without a word. Refuses values nested so deeply
+/// that copying them would use up the stack.
+class Strict {
   public:
-    bool operator()(int, json::parse_event_t event, const json& parsed) {
+    bool operator()(int depth, json::parse_event_t event, const json& parsed) {
+        if (depth > deepest) throw BadKey{"values are nested deeper than " + std::to_string(deepest) + " times."};
         if (event == json::parse_event_t::object_start) keys_.emplace_back();
         if (event == json::parse_event_t::object_end) keys_.pop_back();
         if (event == json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second)
@@ -25,6 +27,7 @@ class NoDoubleKeys {
     }
 
   private:
+    static constexpr int deepest = 100;
     std::vector<std::set<std::string>> keys_;
 };
 
@@ -53,7 +56,7 @@ json parseSceneFile(const std::string& path) {
     std::ifstream in(path);
     if (!in || std::filesystem::is_directory(path)) throw BadKey{"the scene file cannot be opened."};
     try {
-        return json::parse(in, NoDoubleKeys(), true, true);
+        return json::parse(in, Strict(), true, true);
     } catch (const json::exception& failure) {
         throw BadKey{std::string("this is not JSON: ") + failure.what()};
     }
@@ -97,7 +100,7 @@ void setByPath(json& scene, const std::string& assignment) {
         }
     }
     const std::string value = assignment.substr(equals + 1);
-    json parsed = json::parse(value, nullptr, false);
+    json parsed = json::parse(value, Strict(), false);
     *at = parsed.is_discarded() ? json(value) : std::move(parsed);
 }
 

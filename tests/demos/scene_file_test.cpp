@@ -158,6 +158,9 @@ TEST(SceneFiles, WhatIsNoJsonSaysWhere) {
     EXPECT_NE(fault("{\n  \"bodies\": [\n}").find("this is not JSON: "), std::string::npos);
     EXPECT_NE(fault("{\n  \"bodies\": [\n}").find("line 3"), std::string::npos);
     EXPECT_EQ(fault(R"({"seed": 1, "seed": 2})"), "the key \"seed\" is twice in one object; keep one.");
+    const std::string deep = std::string(1000000, '[') + std::string(1000000, ']');
+    EXPECT_EQ(fault(scene(", \"seed\": " + deep)), "values are nested deeper than 100 times.");
+    EXPECT_FALSE(demo::readScene(written(scene("")), "", {"seed=" + deep}));
     EXPECT_EQ(demo::readScene("nowhere.json").error(), "nowhere.json: the scene file cannot be opened.");
     EXPECT_EQ(fault(scene(R"(, /* a comment */ "seed": 1 // and another
 )")),
