@@ -66,22 +66,24 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
 
 /// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight through the
 /// wall, no further than its thickness. Where there is no telling which way is through: within three quarters of the wall.
+/// `seen_from` (#particles) notes who was reached from where; no call may have had the same `first`.
 template <class Visit>
 void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
-                        const Visit& visit) {
+                        std::vector<int>& seen_from, const Visit& visit) {
     constexpr double straight = 0.8;  // cosine between a step and the wall's axis
     const Vec3& axis = axes[first];
     const bool known = !axis.isZero(0);
     const double reach = known ? wall : kAcrossWall * wall;
     std::vector<std::pair<int, double>> reached = {{first, 0.0}};  // particle, and how far from the first
+    seen_from[first] = first;
     for (std::size_t head = 0; head < reached.size(); ++head) {
         const auto [i, so_far] = reached[head];
         for (const int j : solid.neighbours[i]) {
             const Vec3 offset = solid.particles[j].position - solid.particles[i].position;
             const double distance = so_far + offset.norm();
             if (distance > reach || (known && std::abs(offset.dot(axis)) < straight * offset.norm())) continue;
-            const bool seen = std::any_of(reached.begin(), reached.end(), [&](const auto& r) { return r.first == j; });
-            if (seen) continue;
+            if (seen_from[j] == first) continue;
+            seen_from[j] = first;
             reached.push_back({j, distance});
             visit(j);
         }
@@ -92,9 +94,10 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
 /// straight through to the other, it does not turn and peel the wall.
 Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage, double wall) {
     Damage through = damage;
+    std::vector<int> seen_from(damage.damaged.size(), -1);
     for (std::size_t first = 0; first < damage.damaged.size(); ++first) {
         if (!damage.damaged[first]) continue;
-        forEachThroughWall(solid, axes, static_cast<int>(first), wall, [&](int j) {
+        forEachThroughWall(solid, axes, static_cast<int>(first), wall, seen_from, [&](int j) {
             through.damaged[j] = 1;
             through.overstress[j] = std::max(through.overstress[j], damage.overstress[first]);
         });
@@ -253,7 +256,7 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
     if (guide.kind != GuideField::Kind::none) {
         labels.distance = [guide, blow](const Vec3& a, const Vec3& x) { return penaltyDistance(a, x, guide, blow); };
         labels.seeds.resize(labels.count);
-        for (const int i : seeds) labels.seeds.push_back(solid.particles[i].position);
+        for (const int i : seeds) labels.seeds.push_back({solid.particles[i].position});
     }
     labels.count += static_cast<int>(seeds.size());
     return labels;
