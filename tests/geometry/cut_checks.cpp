@@ -35,7 +35,13 @@ std::string faultOfCut(const TriangleMesh& body, const FragmentSurfaces& cut) {
     const double volume = solidMoments(body).volume;
     if (!(std::abs(sum - volume) <= 1e-3 * volume)) return "the volumes do not add up";
     std::vector<TriangleMesh> pieces;
-    for (const FragmentSurface& piece : cut.pieces) pieces.push_back(piece.mesh);
+    for (const FragmentSurface& piece : cut.pieces) {
+        pieces.push_back(piece.mesh);
+        std::vector<SurfaceKind>& kinds = pieces.back().kinds;  // of this cut: the body may have had cracks before
+        kinds.assign(piece.parents.size(), SurfaceKind::original);
+        for (std::size_t t = 0; t < kinds.size(); ++t)
+            if (piece.parents[t] < 0) kinds[t] = SurfaceKind::crack;
+    }
     const std::string fault = faultOfCracks(pieces);
     return fault.empty() ? faultOfNeighbours(cut) : fault;
 }
