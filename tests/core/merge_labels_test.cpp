@@ -58,17 +58,6 @@ TEST(MergeLabels, TheSmallestGoUntilFewEnoughAreLeft) {
     EXPECT_EQ(labels.of_particle[5], labels.of_particle[4]);
 }
 
-TEST(MergeLabels, WhoeverTakesInAnotherKeepsItsOwnSeedOnly) {
-    FragmentLabels labels = each(4);
-    labels.seeds = {std::nullopt, Vec3(1, 0, 0), Vec3(2, 0, 0), std::nullopt};  // two were not damaged
-    mergeSmallest(row({4, 0.5, 5, 3}), 1, 10, labels);  // faces of area 1 and 2 beside the small one
-    ASSERT_EQ(labels.of_particle, (std::vector<int>{0, 1, 1, 2}));
-    ASSERT_EQ(labels.seeds.size(), 3u);
-    EXPECT_FALSE(labels.seeds[0]);
-    EXPECT_EQ(*labels.seeds[1], Vec3(2, 0, 0));
-    EXPECT_FALSE(labels.seeds[2]);
-}
-
 TEST(MergeLabels, WhatTouchesNothingStays) {
     FragmentLabels labels = each(2);
     Discretisation apart = row({1, 1});

@@ -217,6 +217,7 @@ TEST(FragmentSurfaces, LieWhereTwoSeedsAreEquallyNear) {
     FragmentLabels labels = labelled(solid, 2, [&](const Vec3& x) { return x.x() > middle; });
     labels.distance = [](const Vec3& seed, const Vec3& x) { return (seed - x).norm(); };
     labels.seeds = {Vec3(middle - 0.3, 0, 0), Vec3(middle + 0.3, 0, 0)};
+    labels.cluster = labels.of_particle;
     const auto fragments = cut(mesh, solid, labels);
     ASSERT_EQ(fragments.pieces.size(), 2u);
     double sum = 0;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
 constexpr double kAcrossWall = 0.75;  // of the wall, about the way between the outermost particles of two sides
+constexpr double kCompactReach = 2.01;  // in spacings of the particles
 constexpr int kSpeck = 6;  // parts of fewer particles are no fragments
 
 /// Connected components of the particles with equal `state`, numbered by their first particle.
@@ -65,7 +66,8 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
 }
 
 /// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight through the
-/// wall, no further than its thickness. Where there is no telling which way is through: within three quarters of the wall.
+/// wall, no further than its thickness. Where there is no telling which way is through: as far as three quarters of the
+/// wall, or two particles in a compact body.
 /// `seen_from` (#particles) notes who was reached from where; no call may have had the same `first`.
 template <class Visit>
 void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
@@ -73,7 +75,7 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
     constexpr double straight = 0.8;  // cosine between a step and the wall's axis
     const Vec3& axis = axes[first];
     const bool known = !axis.isZero(0);
-    const double reach = known ? wall : kAcrossWall * wall;
+    const double reach = known ? wall : std::min(kAcrossWall * wall, kCompactReach * solid.spacing);
     std::vector<std::pair<int, double>> reached = {{first, 0.0}};  // particle, and how far from the first
     seen_from[first] = first;
     for (std::size_t head = 0; head < reached.size(); ++head) {
@@ -255,8 +257,8 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         clusterDamaged(StressMetric(solid, axes, through, state, guide, blow), state, clusters, labels.count, seed, labels);
     if (guide.kind != GuideField::Kind::none) {
         labels.distance = [guide, blow](const Vec3& a, const Vec3& x) { return penaltyDistance(a, x, guide, blow); };
-        labels.seeds.resize(labels.count);
-        for (const int i : seeds) labels.seeds.push_back({solid.particles[i].position});
+        for (const int i : seeds) labels.seeds.push_back(solid.particles[i].position);
+        for (const int label : labels.of_particle) labels.cluster.push_back(std::max(-1, label - labels.count));
     }
     labels.count += static_cast<int>(seeds.size());
     return labels;

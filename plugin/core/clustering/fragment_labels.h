@@ -3,7 +3,6 @@
 #include <sherd/types.h>
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 namespace sherd {
@@ -20,10 +19,12 @@ struct FragmentLabels {
     int count = 0;
     /// #particles, or empty. They place a crack between two fragments to a fraction of the particle spacing.
     std::vector<SharedLabel> shared;
-    /// Where a guide field shaped the fragments: how far any point is from a seed, and the seeds (#count, none for
-    /// undamaged parts), m; or both empty. They place cracks exactly, between particles too.
+    /// Where a guide field shaped the fragments: how far any point is from a seed, m, the seeds of the clusters, and the
+    /// cluster of each particle (#particles; -1: not damaged), which may have been merged with others into a fragment; or
+    /// all empty. They place cracks exactly, between particles too.
     std::function<double(const Vec3& seed, const Vec3& x)> distance;
-    std::vector<std::optional<Vec3>> seeds;
+    std::vector<Vec3> seeds;
+    std::vector<int> cluster;
 
     SharedLabel sharedAt(int particle) const { return shared.empty() ? SharedLabel{} : shared[particle]; }
 };

@@ -61,14 +61,9 @@ void mergeSmallest(const Discretisation& solid, double smallest_m3, int largest_
         mergeIntoNeighbour(pieces, small);
     }
     std::vector<int> number(pieces.size(), -1);
-    std::vector<std::optional<Vec3>> seeds;
     labels.count = 0;
-    for (std::size_t p = 0; p < pieces.size(); ++p) {
-        if (pieces[p].into >= 0) continue;
-        number[p] = labels.count++;
-        if (!labels.seeds.empty()) seeds.push_back(labels.seeds[p]);
-    }
-    labels.seeds = std::move(seeds);
+    for (std::size_t p = 0; p < pieces.size(); ++p)
+        if (pieces[p].into < 0) number[p] = labels.count++;
     const auto renumbered = [&](int label) {
         while (pieces[label].into >= 0) label = pieces[label].into;
         return number[label];

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/cutting/active_cells.h"
 #include "geometry/cutting/hashed_random.h"
@@ -82,25 +83,44 @@ void spreadParticle(LabelLattice& lattice, const Particle& particle, int label, 
             }
 }
 
+// Clusters have a density each until here, under numbers below zero: -1 for the first.
+int densityOfCluster(int cluster) {
+    return -1 - cluster;
+}
+
+void spreadParticles(LabelLattice& lattice, const Discretisation& solid, const FragmentLabels& labels) {
+    const std::vector<double> weights = particleWeights(solid, labels);
+    for (int i = 0; i < static_cast<int>(solid.particles.size()); ++i) {
+        const Particle& particle = solid.particles[i];
+        if (labels.distance && labels.cluster[i] >= 0)
+            spreadParticle(lattice, particle, densityOfCluster(labels.cluster[i]), {}, weights[i]);
+        else
+            spreadParticle(lattice, particle, labels.of_particle[i], labels.sharedAt(i), weights[i]);
+    }
+}
+
 // What clusters there are at a node, as their kernels say, is shared out anew by the distances from their seeds: the
-// nearest gets all of it, the others less by as much as they are farther.
+// nearest gets all of it, the others less by as much as they are farther. Then it belongs to their fragments.
 void shareByDistance(LabelLattice& lattice, const FragmentLabels& labels) {
+    std::vector<int> fragment_of(labels.seeds.size());
+    for (std::size_t i = 0; i < labels.cluster.size(); ++i)
+        if (labels.cluster[i] >= 0) fragment_of[labels.cluster[i]] = labels.of_particle[i];
     std::vector<LabelLattice::Density*> clusters;
     std::vector<double> distances;
     for (std::size_t node = 0; node < lattice.nodes.size(); ++node) {
         clusters.clear();
         distances.clear();
-        double sum = 0;
+        double sum = 0, nearest = std::numeric_limits<double>::infinity();
         for (int d = lattice.first_density[node]; d >= 0; d = lattice.densities[d].next) {
             LabelLattice::Density& density = lattice.densities[d];
-            if (!labels.seeds[density.label]) continue;
+            if (density.label >= 0) continue;
+            const int cluster = densityOfCluster(density.label);
             clusters.push_back(&density);
+            distances.push_back(labels.distance(labels.seeds[cluster], lattice.nodes[node]));
+            nearest = std::min(nearest, distances.back());
             sum += density.value;
+            density.label = fragment_of[cluster];
         }
-        if (clusters.size() < 2) continue;
-        for (const LabelLattice::Density* cluster : clusters)
-            distances.push_back(labels.distance(*labels.seeds[cluster->label], lattice.nodes[node]));
-        const double nearest = *std::min_element(distances.begin(), distances.end());
         for (std::size_t i = 0; i < clusters.size(); ++i)
             clusters[i]->value = sum * (distances[i] > 0 ? nearest / distances[i] : 1);
     }
@@ -157,9 +177,10 @@ void fillTheRest(LabelLattice& lattice, const Discretisation& solid, const Fragm
 }  // namespace
 
 double LabelLattice::density(int node, int label) const {
+    double most = 0;
     for (int d = first_density[node]; d >= 0; d = densities[d].next)
-        if (densities[d].label == label) return densities[d].value;
-    return 0;
+        if (densities[d].label == label) most = std::max(most, densities[d].value);
+    return most;
 }
 
 LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
@@ -168,14 +189,12 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
     lattice.active_cells = findActiveCells(surface, lattice);
     markNodes(lattice);
     lattice.first_density.assign(lattice.nodes.size(), -1);
-    const std::vector<double> weights = particleWeights(solid, labels);
-    for (std::size_t i = 0; i < solid.particles.size(); ++i)
-        spreadParticle(lattice, solid.particles[i], labels.of_particle[i], labels.sharedAt(static_cast<int>(i)), weights[i]);
+    spreadParticles(lattice, solid, labels);
     lattice.sharp.assign(labels.count, 0);
     for (std::size_t i = 0; i < labels.shared.size(); ++i)
         if (labels.shared[i].second >= 0) lattice.sharp[labels.of_particle[i]] = lattice.sharp[labels.shared[i].second] = 1;
-    for (std::size_t label = 0; label < labels.seeds.size(); ++label)
-        if (labels.seeds[label]) lattice.sharp[label] = 1;
+    for (std::size_t i = 0; i < labels.cluster.size(); ++i)
+        if (labels.cluster[i] >= 0) lattice.sharp[labels.of_particle[i]] = 1;
     if (labels.distance) shareByDistance(lattice, labels);
     chooseLabels(lattice);
     fillTheRest(lattice, solid, labels);

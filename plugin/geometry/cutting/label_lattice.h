@@ -32,7 +32,7 @@ struct LabelLattice {
         return labels[node] >= 0 && labels[node] < static_cast<int>(sharp.size()) && sharp[labels[node]];
     }
 
-    /// Density of one fragment at a node, a part of 1 about.
+    /// Density of one fragment at a node, a part of 1 about: that of the densest of its clusters.
     double density(int node, int label) const;
 
     int index(int i, int j, int k) const { return i + size.x() * (j + size.y() * k); }
