@@ -58,6 +58,19 @@ const StressSolver& preparedSolver(const Body& body, StageTimes& ms) {
     return solver;
 }
 
+/// A fragment may come apart in the cut, at a neck of few particles. Where that makes more pieces than the settings allow,
+/// the smallest fragments are merged to make room, and the body is cut again.
+FragmentSurfaces cutWithinLimit(const Body& body, const Discretisation& solid, FragmentLabels& labels, std::uint64_t seed) {
+    const FractureSettings& fracture = body.settings().fracture;
+    while (true) {
+        FragmentSurfaces surfaces =
+            require(cutFragments(body.surface(), solid, labels, {seed, fracture.crack_roughness}));
+        const int count = labels.count, excess = static_cast<int>(surfaces.pieces.size()) - fracture.largest_fragment_count;
+        if (excess > 0) mergeSmallest(solid, 0, std::max(2, count - excess), labels);
+        if (excess <= 0 || labels.count == count) return surfaces;
+    }
+}
+
 /// The pipeline on one screen: blow -> loads -> stress -> damage -> clusters -> surfaces -> fragments (paper,
 /// Figure 1).
 void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutcome& out) {
@@ -92,7 +105,7 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     damage = require(furtherWaves(body, loads.unit, pulse.peak_force_n, strength, std::move(damage), out.ms));
     out.damaged_particles = damage.count;
 
-    const FragmentLabels labels = timed(out.ms.cluster, [&] {
+    FragmentLabels labels = timed(out.ms.cluster, [&] {
         const int wanted = wantedClusters(body, damage, solid, energy);
         FragmentLabels clustered = fragmentLabels(solid, damage, wanted, body.wallThickness(), seed,
                                                   settings.fracture.guide, axisOf(loads.unit));
@@ -103,9 +116,8 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
     });
     if (labels.count < 2) return;
 
-    const FragmentSurfaces surfaces = require(timed(out.ms.surface, [&] {
-        return cutFragments(body.surface(), solid, labels, {seed, settings.fracture.crack_roughness});
-    }));
+    const FragmentSurfaces surfaces =
+        timed(out.ms.surface, [&] { return cutWithinLimit(body, solid, labels, seed); });
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 

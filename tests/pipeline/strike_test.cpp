@@ -227,6 +227,20 @@ TEST(Strike, DebrisIsKeptMergedOrDropped) {
     for (const BlowOutcome* out : {&kept, &merged, &dropped}) EXPECT_LT(out->mass_error_rel, 1e-9);
 }
 
+TEST(Strike, MergedDebrisStaysMergedAlongAGuideField) {
+    for (const auto kind : {GuideField::Kind::constant, GuideField::Kind::radial}) {
+        Settings settings;
+        settings.sampling.spacing_m = 0.015;
+        settings.fracture.guide.kind = kind;
+        settings.fracture.guide.direction = Vec3::UnitX();
+        settings.fracture.smallest_fragment_m3 = 1e-4;
+        settings.fracture.debris = Debris::merged;
+        const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+        ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        for (const Fragment& f : out.fragments) EXPECT_GT(f.body->moments().volume, 0.9e-4);
+    }
+}
+
 TEST(Strike, AtMostTheLargestNumberOfFragments) {
     Settings settings;
     settings.fracture.largest_fragment_count = 5;
@@ -234,6 +248,17 @@ TEST(Strike, AtMostTheLargestNumberOfFragments) {
     ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke);
     EXPECT_LE(out.fragments.size(), 5u);
     EXPECT_GE(out.fragments.size(), 2u);
+}
+
+TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
+    Settings settings;
+    settings.sampling.smallest_count = 300;
+    settings.fracture.guide.kind = GuideField::Kind::radial;
+    settings.fracture.guide.penalty = 0;  // sectors that are a point at the contact
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    EXPECT_LE(static_cast<int>(out.fragments.size()), settings.fracture.largest_fragment_count);
+    EXPECT_LT(out.volume_error_rel, 1e-9);
 }
 
 TEST(Strike, TwiceTheImpulseNeverDamagesLess) {
