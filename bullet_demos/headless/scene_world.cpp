@@ -64,6 +64,8 @@ sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const 
     auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, body.settings);
     const auto* file = std::get_if<ObjFile>(&body.shape);
     if (!asset && file) return sherd::Error{file->path + ": " + asset.error()};
+    // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles anything.
+    if (asset && asset.value().particleCount() == 0) return sherd::Error{asset.value().prepare().error()};
     return asset;
 }
 
