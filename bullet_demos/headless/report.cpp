@@ -130,15 +130,14 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["blows_solved"] = run.counts.solved;
     report["first_break_s"] = run.first_break_s;
     report["largest_stress_pa"] = worst(run, &BreakEvent::largest_stress_pa);
-    // Over each swap, and from the start to the end: pieces that got lost later would show in the second. Of debris that was
-    // dropped the mass is known, the volume is not.
+    // Over each swap, and from the start to the end: pieces that got lost later would show in the second. Of
+    // debris that was dropped the mass is known, the volume is not.
     const double dropped_kg = droppedMass(run);
     report["dropped_mass_kg"] = dropped_kg;
     report["mass_error_rel"] = std::max(worst(run, &BreakEvent::mass_error_rel),
                                         difference(after.mass_kg + dropped_kg, before.mass_kg));
-    report["volume_error_rel"] =
-        std::max(worst(run, &BreakEvent::volume_error_rel),
-                 dropped_kg > 0 ? 0 : difference(after.volume_m3, before.volume_m3));
+    report["volume_error_rel"] = std::max(worst(run, &BreakEvent::volume_error_rel),
+                                          dropped_kg > 0 ? 0 : difference(after.volume_m3, before.volume_m3));
     report["momentum_error_rel"] = worst(run, &BreakEvent::momentum_error_rel);
     report["residual_rel"] = worst(run, &BreakEvent::residual_rel);
     report["events"] = ordered_json::array();

@@ -78,7 +78,8 @@ sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const 
     if (!settings) return sherd::Error{source + settings.error()};
     auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, settings.value());
     if (!asset) return sherd::Error{source + asset.error()};
-    // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles anything.
+    // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles
+    // anything.
     if (asset.value().particleCount() == 0) return sherd::Error{source + asset.value().prepare().error()};
     return asset;
 }

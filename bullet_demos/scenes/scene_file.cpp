@@ -74,7 +74,8 @@ void readBody(Fields& fields, BreakableBody& body, const fs::path& folder) {
     readMaterial(fields, body.material);
     readSettings(fields, body.settings);
     if (fields.has("painted_strength")) body.painted_strength.emplace();
-    fields.object("painted_strength", [&](Fields& part) { readPaintedStrength(part, *body.painted_strength); });
+    fields.object("painted_strength",
+                  [&](Fields& part) { readPaintedStrength(part, *body.painted_strength); });
     fields.object("touch", [&](Fields& part) { readTouch(part, body.touch); });
     fields.object("look", [&](Fields& part) { readLook(part, body.look); });
     fields.read("turn_deg", body.turn_deg, {-360, 360, "degrees"});

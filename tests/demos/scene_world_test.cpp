@@ -21,7 +21,8 @@ demo::Scene plasterBox() {
 /// A box from an OBJ, black on the left, white on the right.
 std::string paintedObj() {
     sherd::TriangleMesh mesh = demo::boxMesh({Vec3(1, 0.1, 1), 0.25});
-    for (const Vec3& vertex : mesh.vertices) mesh.colours.push_back(vertex.x() < 0 ? Vec3::Zero() : Vec3::Ones());
+    for (const Vec3& vertex : mesh.vertices)
+        mesh.colours.push_back(vertex.x() < 0 ? Vec3::Zero() : Vec3::Ones());
     const std::string path = testing::TempDir() + "sherd_painted_box.obj";
     EXPECT_TRUE(sherd::writeObj(mesh, path).ok());
     return path;
