@@ -19,6 +19,9 @@ Material materialOf(const JsonEntry& entry) {
     }
     if (entry.has("name")) material.name = entry["name"].text();
     const auto read = [&](const char* key, double& value, bool needed) {
+        if (needed && !entry.has(key))
+            entry.fail(std::string("lacks the key \"") + key +
+                       "\"; give it, or the material that gives it as \"like\"");
         if (needed || entry.has(key)) value = entry[key].number();
     };
     read("youngs_modulus_pa", material.youngs_modulus_pa, !complete);

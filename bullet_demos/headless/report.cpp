@@ -50,6 +50,12 @@ double worst(const SceneRun& run, double BreakEvent::*figure) {
     return most;
 }
 
+double droppedMass(const SceneRun& run) {
+    double sum_kg = 0;
+    for (const TimedEvent& timed : run.events) sum_kg += timed.event.dropped_mass_kg;
+    return sum_kg;
+}
+
 double difference(double is, double was) {
     return was > 0 ? std::abs(is - was) / was : 0;
 }
@@ -97,6 +103,7 @@ ordered_json describe(const TimedEvent& timed) {
     entry["peak_force_n"] = event.peak_force_n;
     entry["contact_time_s"] = event.contact_time_s;
     entry["largest_stress_pa"] = event.largest_stress_pa;
+    entry["dropped_mass_kg"] = event.dropped_mass_kg;
     entry["message"] = event.message;
     return entry;
 }
@@ -123,11 +130,14 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["blows_solved"] = run.counts.solved;
     report["first_break_s"] = run.first_break_s;
     report["largest_stress_pa"] = worst(run, &BreakEvent::largest_stress_pa);
-    // Over each swap, and from the start to the end: pieces that got lost later would show in the second.
-    report["mass_error_rel"] =
-        std::max(worst(run, &BreakEvent::mass_error_rel), difference(after.mass_kg, before.mass_kg));
-    report["volume_error_rel"] =
-        std::max(worst(run, &BreakEvent::volume_error_rel), difference(after.volume_m3, before.volume_m3));
+    // Over each swap, and from the start to the end: pieces that got lost later would show in the second. Of
+    // debris that was dropped the mass is known, the volume is not.
+    const double dropped_kg = droppedMass(run);
+    report["dropped_mass_kg"] = dropped_kg;
+    report["mass_error_rel"] = std::max(worst(run, &BreakEvent::mass_error_rel),
+                                        difference(after.mass_kg + dropped_kg, before.mass_kg));
+    report["volume_error_rel"] = std::max(worst(run, &BreakEvent::volume_error_rel),
+                                          dropped_kg > 0 ? 0 : difference(after.volume_m3, before.volume_m3));
     report["momentum_error_rel"] = worst(run, &BreakEvent::momentum_error_rel);
     report["residual_rel"] = worst(run, &BreakEvent::residual_rel);
     report["events"] = ordered_json::array();

@@ -57,13 +57,30 @@ sherd::Result<sherd::TriangleMesh> makeSurface(const Shape& shape, const std::st
     return sherd::readObj(std::get<ObjFile>(shape).path);
 }
 
+/// The body's settings, with the strength that its surface is painted with.
+sherd::Result<sherd::Settings> makeSettings(const BreakableBody& body, const sherd::TriangleMesh& surface) {
+    sherd::Settings settings = body.settings;
+    if (!body.painted_strength) return settings;
+    const PaintedStrength& painted = *body.painted_strength;
+    auto strength = sherd::strengthFromColours(surface, painted.black, painted.white);
+    if (!strength) return sherd::Error{"painted_strength: " + strength.error()};
+    settings.fracture.strength_field = std::move(strength).value();
+    return settings;
+}
+
 sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const std::string& meshes,
                                                const Announce& announce) {
     const auto surface = makeSurface(body.shape, meshes, announce);
     if (!surface) return sherd::Error{surface.error()};
-    auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, body.settings);
     const auto* file = std::get_if<ObjFile>(&body.shape);
-    if (!asset && file) return sherd::Error{file->path + ": " + asset.error()};
+    const std::string source = file ? file->path + ": " : "";
+    const auto settings = makeSettings(body, surface.value());
+    if (!settings) return sherd::Error{source + settings.error()};
+    auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, settings.value());
+    if (!asset) return sherd::Error{source + asset.error()};
+    // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles
+    // anything.
+    if (asset.value().particleCount() == 0) return sherd::Error{source + asset.value().prepare().error()};
     return asset;
 }
 

@@ -60,6 +60,8 @@ std::string summarise(const SceneRun& run, const ordered_json& report) {
                             report["bodies_after"].get<int>(), report["triangles_before"].get<int>(),
                             report["triangles_after"].get<int>(), report["particles"].get<int>());
     text += stageTable(run, report["ms"]) + blowLines(report);
+    const double dropped_kg = report["dropped_mass_kg"];
+    if (dropped_kg > 0) text += line("%-14s debris of %.3g kg, out of the world", "dropped", dropped_kg);
     text += line("%-14s mass %.1e, volume %.1e, momentum %.1e, residual %.1e", "errors",
                  report["mass_error_rel"].get<double>(), report["volume_error_rel"].get<double>(),
                  report["momentum_error_rel"].get<double>(), report["residual_rel"].get<double>());

@@ -83,6 +83,7 @@ void readContact(Fields& fields, sherd::ContactSettings& contact) {
 
 void readGuide(Fields& fields, sherd::GuideField& guide) {
     using Kind = sherd::GuideField::Kind;
+    if (!fields.has("kind")) fields.fail("kind", "is missing; choose one of: none, constant, radial");
     fields.read<Kind>("kind", guide.kind,
                       {{"none", Kind::none}, {"constant", Kind::constant}, {"radial", Kind::radial}});
     fields.read("direction", guide.direction);

@@ -2,6 +2,7 @@
 
 #include <sherd/sherd.h>
 
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -42,11 +43,20 @@ struct Look {
     double gloss = 0;
 };
 
+/// What the strength is multiplied with where a mesh is painted black and where white
+/// (sherd::strengthFromColours).
+struct PaintedStrength {
+    double black = 0.3;
+    double white = 1;
+};
+
 /// A body that can break. World frame: z up, floor at z = 0, SI units.
 struct BreakableBody {
     Shape shape;
     sherd::Material material;
     sherd::Settings settings;
+    std::optional<PaintedStrength>
+        painted_strength;  ///< none: the mesh's colours say nothing about its strength
     Touch touch;
     Look look;
     Vec3 turn_deg = Vec3::Zero();  ///< about the world's x, then y, then z axis

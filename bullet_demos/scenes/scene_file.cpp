@@ -28,6 +28,12 @@ void readLook(Fields& fields, Look& look) {
     fields.read("gloss", look.gloss, {0, 1});
 }
 
+void readPaintedStrength(Fields& fields, PaintedStrength& painted) {
+    constexpr double least = 1e-3, most = 1e3;
+    fields.read("black", painted.black, {least, most});
+    fields.read("white", painted.white, {least, most});
+}
+
 void readBox(Fields& fields, Box& box) {
     fields.read("size_m", box.size_m, {1e-3, 100, "m"});
     if (fields.has("edge_m") && fields.has("triangles"))
@@ -67,6 +73,9 @@ void readBody(Fields& fields, BreakableBody& body, const fs::path& folder) {
     fields.object("shape", [&](Fields& part) { readShape(part, body.shape, folder); });
     readMaterial(fields, body.material);
     readSettings(fields, body.settings);
+    if (fields.has("painted_strength")) body.painted_strength.emplace();
+    fields.object("painted_strength",
+                  [&](Fields& part) { readPaintedStrength(part, *body.painted_strength); });
     fields.object("touch", [&](Fields& part) { readTouch(part, body.touch); });
     fields.object("look", [&](Fields& part) { readLook(part, body.look); });
     fields.read("turn_deg", body.turn_deg, {-360, 360, "degrees"});

@@ -119,6 +119,21 @@ TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
               "stone, ice, wood. Or give the constants in braces.");
 }
 
+TEST(SceneFiles, PaintedStrengthIsOfTheBody) {
+    const auto painted = demo::readScene(written(scene("", body(R"(, "painted_strength": {"black": 0.1})"))));
+    ASSERT_TRUE(painted) << painted.error();
+    EXPECT_EQ(painted.value().bodies[0].painted_strength->black, 0.1);
+    EXPECT_EQ(painted.value().bodies[0].painted_strength->white, 1);
+    EXPECT_FALSE(demo::readScene(written(scene(""))).value().bodies[0].painted_strength);
+    EXPECT_EQ(fault(scene("", body(R"(, "painted_strength": {"black": 0})"))),
+              "bodies[0].painted_strength.black is 0 but must be between 0.001 and 1000.");
+}
+
+TEST(SceneFiles, GuidesWithoutAKindAreRefused) {
+    EXPECT_EQ(fault(scene("", body(R"(, "settings": {"fracture": {"guide": {"direction": [1, 0, 0]}}})"))),
+              "bodies[0].settings.fracture.guide.kind is missing; choose one of: none, constant, radial.");
+}
+
 TEST(SceneFiles, WrongTypesSayWhatIsTaken) {
     EXPECT_EQ(fault(scene(R"(, "duration_s": "long")")), "duration_s must be a number, not \"long\".");
     EXPECT_EQ(fault(scene(R"(, "seed": 1.5)")), "seed must be a whole number, not 1.5.");

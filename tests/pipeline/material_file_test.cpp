@@ -54,7 +54,8 @@ TEST(MaterialFile, WhatIsWrongIsNamed) {
     expectError("[]", "the file must be an object");
     expectError(R"({"like": "glas"})", "There is no material 'glas'");
     expectError(R"({"like": "glass", "density": 3})", "unknown key \"density\"; known are name, like,");
-    expectError(R"({"density_kg_m3": 3})", "lacks the key \"youngs_modulus_pa\"");
+    expectError(R"({"density_kg_m3": 3})",
+                "lacks the key \"youngs_modulus_pa\"; give it, or the material that gives it as \"like\"");
     expectError(R"({"like": "glass", "poisson_ratio": "high"})", "\"poisson_ratio\" must be a number");
     expectError(R"({"like": "glass", "poisson_ratio": 0.5})", "poisson_ratio is 0.5 but must be between");
 }
