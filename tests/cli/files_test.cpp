@@ -5,12 +5,13 @@
 
 #include "case_file.h"
 #include "csv_file.h"
+#include "support/temporary_path.h"
 
 namespace sherd::cli {
 namespace {
 
 std::string written(const std::string& name, const std::string& text) {
-    const std::string path = testing::TempDir() + "sherd_cli_" + name;
+    const std::string path = temporaryPath(name);
     std::ofstream(path) << text;
     return path;
 }

@@ -8,6 +8,7 @@
 #include "generators/mesh_store.h"
 #include "geometry/piece_checks.h"
 #include "scenes/box_mesh.h"
+#include "support/temporary_path.h"
 
 namespace {
 
@@ -70,7 +71,7 @@ TEST(BoxMesh, ComesNearTheCountAskedFor) {
 }
 
 TEST(MeshStore, MakesAMeshOnceAndReadsItThen) {
-    const fs::path folder = fs::path(testing::TempDir()) / "sherd_mesh_store";
+    const fs::path folder = temporaryPath("meshes");
     fs::remove_all(folder);
     int made = 0;
     const auto announce = [&made](const std::string&) { ++made; };

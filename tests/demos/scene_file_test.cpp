@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "scenes/scenes.h"
+#include "support/temporary_path.h"
 
 namespace {
 
@@ -14,7 +15,7 @@ using demo::Vec3;
 
 /// A scene file in a folder of its own.
 std::string written(const std::string& text) {
-    const fs::path folder = fs::path(testing::TempDir()) / "sherd_scene_file";
+    const fs::path folder = temporaryPath("scenes");
     fs::create_directories(folder);
     std::ofstream(folder / "mine.json") << text;
     return (folder / "mine.json").string();

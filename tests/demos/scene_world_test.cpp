@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "scenes/box_mesh.h"
+#include "support/temporary_path.h"
 
 namespace {
 
@@ -23,7 +24,7 @@ std::string paintedObj() {
     sherd::TriangleMesh mesh = demo::boxMesh({Vec3(1, 0.1, 1), 0.25});
     for (const Vec3& vertex : mesh.vertices)
         mesh.colours.push_back(vertex.x() < 0 ? Vec3::Zero() : Vec3::Ones());
-    const std::string path = testing::TempDir() + "sherd_painted_box.obj";
+    const std::string path = temporaryPath("painted_box.obj");
     EXPECT_TRUE(sherd::writeObj(mesh, path).ok());
     return path;
 }

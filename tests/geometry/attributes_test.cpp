@@ -11,6 +11,7 @@
 #include "geometry/merge_vertices.h"
 #include "geometry/obj_file.h"
 #include "support/shapes.h"
+#include "support/temporary_path.h"
 
 namespace sherd {
 namespace {
@@ -65,7 +66,7 @@ TEST(Attributes, AreWrittenAndReadBackBitByBit) {
     TriangleMesh mesh = plate();
     mesh.kinds.assign(mesh.triangles.size(), SurfaceKind::original);
     mesh.kinds[5] = SurfaceKind::crack;
-    const std::string path = testing::TempDir() + "sherd_attributes.obj";
+    const std::string path = temporaryPath("mesh.obj");
     for (int dropped = 0; dropped < 5; ++dropped) {
         if (dropped == 1) mesh.normals.clear();
         if (dropped == 2) mesh.texture_coordinates.clear();

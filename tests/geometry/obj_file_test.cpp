@@ -6,6 +6,7 @@
 
 #include "geometry/merge_vertices.h"
 #include "support/shapes.h"
+#include "support/temporary_path.h"
 
 namespace {
 
@@ -93,7 +94,7 @@ TEST(ObjFile, WhatIsWrittenReadsBackBitByBit) {
     mesh.vertices[0].x() = 0x1.fffffffffffffp-3;
     mesh.kinds.assign(mesh.triangles.size(), SurfaceKind::original);
     for (const std::size_t crack : {0, 1, 7, 100}) mesh.kinds[crack] = SurfaceKind::crack;
-    const std::string path = testing::TempDir() + "sherd_round_trip.obj";
+    const std::string path = temporaryPath("round_trip.obj");
     ASSERT_TRUE(writeObj(mesh, path).ok());
     const Result<TriangleMesh> back = readObj(path);
     std::remove(path.c_str());

@@ -3,12 +3,14 @@
 
 #include <fstream>
 
+#include "support/temporary_path.h"
+
 namespace {
 
 using namespace sherd;
 
 Result<Material> read(const std::string& text) {
-    const std::string path = testing::TempDir() + "sherd_material.json";
+    const std::string path = temporaryPath("material.json");
     std::ofstream(path) << text;
     return Material::fromJson(path);
 }
