@@ -7,6 +7,7 @@
 #include <random>
 #include <tuple>
 
+#include "core/clustering/damaged_region.h"
 #include "core/clustering/penalty_distance.h"
 #include "core/clustering/wall_axes.h"
 
@@ -15,97 +16,6 @@ namespace sherd {
 namespace {
 
 constexpr double kFar = std::numeric_limits<double>::infinity();
-constexpr double kAcrossWall = 0.75;  // of the wall, about the way between the outermost particles of two sides
-constexpr double kCompactReach = 2.01;  // in spacings of the particles
-constexpr int kSpeck = 6;  // parts of fewer particles are no fragments
-
-/// Connected components of the particles with equal `state`, numbered by their first particle.
-struct Parts {
-    std::vector<int> of_particle;
-    std::vector<int> sizes;
-};
-
-Parts connectedParts(const Discretisation& solid, const std::vector<char>& state) {
-    Parts parts;
-    parts.of_particle.assign(state.size(), -1);
-    std::vector<int> stack;
-    for (std::size_t first = 0; first < state.size(); ++first) {
-        if (parts.of_particle[first] >= 0) continue;
-        const int part = static_cast<int>(parts.sizes.size());
-        parts.sizes.push_back(0);
-        parts.of_particle[first] = part;
-        stack.push_back(static_cast<int>(first));
-        while (!stack.empty()) {
-            const int i = stack.back();
-            stack.pop_back();
-            ++parts.sizes[part];
-            for (int j : solid.neighbours[i]) {
-                if (parts.of_particle[j] >= 0 || state[j] != state[i]) continue;
-                parts.of_particle[j] = part;
-                stack.push_back(j);
-            }
-        }
-    }
-    return parts;
-}
-
-/// Flips specks of either state to that of what surrounds them; a body of its own stays as it is.
-std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
-    for (const char speck_state : {char(0), char(1)}) {
-        const Parts parts = connectedParts(solid, state);
-        std::vector<char> touches(parts.sizes.size());
-        for (std::size_t i = 0; i < state.size(); ++i)
-            for (int j : solid.neighbours[i])
-                touches[parts.of_particle[i]] |= parts.of_particle[j] != parts.of_particle[i];
-        for (std::size_t i = 0; i < state.size(); ++i) {
-            const int part = parts.of_particle[i];
-            if (state[i] == speck_state && parts.sizes[part] < kSpeck && touches[part]) state[i] = !state[i];
-        }
-    }
-    return state;
-}
-
-/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight through the
-/// wall, no further than its thickness. Where there is no telling which way is through: as far as three quarters of the
-/// wall, or two particles in a compact body.
-/// `seen_from` (#particles) notes who was reached from where; no call may have had the same `first`.
-template <class Visit>
-void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
-                        std::vector<int>& seen_from, const Visit& visit) {
-    constexpr double straight = 0.8;  // cosine between a step and the wall's axis
-    const Vec3& axis = axes[first];
-    const bool known = !axis.isZero(0);
-    const double reach = known ? wall : std::min(kAcrossWall * wall, kCompactReach * solid.spacing);
-    std::vector<std::pair<int, double>> reached = {{first, 0.0}};  // particle, and how far from the first
-    seen_from[first] = first;
-    for (std::size_t head = 0; head < reached.size(); ++head) {
-        const auto [i, so_far] = reached[head];
-        for (const int j : solid.neighbours[i]) {
-            const Vec3 offset = solid.particles[j].position - solid.particles[i].position;
-            const double distance = so_far + offset.norm();
-            if (distance > reach || (known && std::abs(offset.dot(axis)) < straight * offset.norm())) continue;
-            if (seen_from[j] == first) continue;
-            seen_from[j] = first;
-            reached.push_back({j, distance});
-            visit(j);
-        }
-    }
-}
-
-/// Takes in what lies behind damaged particles, with their overstress: a crack that starts on one side of a wall runs
-/// straight through to the other, it does not turn and peel the wall.
-Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage, double wall) {
-    Damage through = damage;
-    std::vector<int> seen_from(damage.damaged.size(), -1);
-    for (std::size_t first = 0; first < damage.damaged.size(); ++first) {
-        if (!damage.damaged[first]) continue;
-        forEachThroughWall(solid, axes, static_cast<int>(first), wall, seen_from, [&](int j) {
-            through.damaged[j] = 1;
-            through.overstress[j] = std::max(through.overstress[j], damage.overstress[first]);
-        });
-    }
-    return through;
-}
 
 /// The two seeds that are nearest to a particle.
 struct TwoNearest {
@@ -238,10 +148,8 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
                               double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
                               const BlowAxis& blow) {
     const std::vector<Vec3> axes = wallAxes(solid);
-    Damage through = damage;
-    through.damaged = withoutSpecks(solid, damage.damaged);
-    through = throughTheWall(solid, axes, through, wall_thickness_m);
-    const std::vector<char> state = withoutSpecks(solid, through.damaged);
+    const Damage through = damagedRegion(solid, axes, damage, wall_thickness_m);
+    const std::vector<char>& state = through.damaged;
     const Parts parts = connectedParts(solid, state);
     FragmentLabels labels;
     labels.of_particle.assign(state.size(), -1);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "core/damage/damage.h"
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// Connected components of the particles with equal `state`, numbered by their first particle.
+struct Parts {
+    std::vector<int> of_particle;
+    std::vector<int> sizes;
+};
+Parts connectedParts(const Discretisation& solid, const std::vector<char>& state);
+
+/// What is split into clusters: the damaged particles and those behind them through the wall, with their overstress, and
+/// without specks of either state. `axes` are those of the walls (see wall_axes.h).
+Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
+                     double wall_thickness_m);
+
+}  // namespace sherd
