@@ -29,15 +29,17 @@ double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
 double wishedSpacing(const SamplingSettings& sampling, double volume, double wall_thickness) {
     const auto spacing_for = [&](double count) { return std::cbrt(volume / count); };
     if (sampling.spacing_m > 0) return std::min(sampling.spacing_m, spacing_for(1));
-    return std::max(std::min(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.smallest_count)),
-                    spacing_for(sampling.largest_count));
+    return std::max(
+        std::min(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.smallest_count)),
+        spacing_for(sampling.largest_count));
 }
 
 /// The same, made coarser until the factor of the stiffness matrix is as small as is wished.
 Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume,
                              double wall_thickness) {
     const double wished = wishedSpacing(settings.sampling, volume, wall_thickness);
-    if (settings.sampling.spacing_m > 0 || settings.stress.trial_function != TrialFunction::spline) return wished;
+    if (settings.sampling.spacing_m > 0 || settings.stress.trial_function != TrialFunction::spline)
+        return wished;
     constexpr double million = 1e6;
     return chooseSpacing(surface,
                          {wished, wall_thickness, splineDegree(settings.stress.basis),
@@ -158,7 +160,8 @@ double Body::weakestPlace() const {
     if (!sampled) return 0;
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (weakest_place_ >= 0) return weakest_place_;
-    weakest_place_ = 0;  // for a field that throws or is not above 0 and finite: the blow then says what is wrong
+    weakest_place_ =
+        0;  // for a field that throws or is not above 0 and finite: the blow then says what is wrong
     try {
         double weakest = std::numeric_limits<double>::infinity();
         for (const Particle& particle : sampled.value()->particles) {

@@ -47,8 +47,8 @@ class Body {
     Result<const StressSolver*> stressSolver() const;
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
-    /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at the first call.
-    /// Throws std::invalid_argument where the field is not positive.
+    /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
+    /// the first call. Throws std::invalid_argument where the field is not positive.
     const std::vector<double>& strengths(const Discretisation& solid) const;
     /// The smallest value of the strength field at any particle, 1 without a field; 0 if there is no telling.
     double weakestPlace() const;

@@ -15,9 +15,9 @@ struct Strength {
     double compressive_over_tensile = 1;
 };
 
-/// Goes on after the damage of the first solve: the stress without the damaged particles, under the same force, damages
-/// more of them, until no more are damaged or the settings' number of waves is reached (paper, section 6.1). Adds the
-/// time to `ms`.
+/// Goes on after the damage of the first solve: the stress without the damaged particles, under the same
+/// force, damages more of them, until no more are damaged or the settings' number of waves is reached (paper,
+/// section 6.1). Adds the time to `ms`.
 Result<Damage> furtherWaves(const Body& body, const std::vector<PointForce>& unit_loads, double peak_force_n,
                             const Strength& strength, Damage damage, StageTimes& ms);
 

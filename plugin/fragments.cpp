@@ -73,8 +73,9 @@ std::vector<Fragment> makeFragments(const Body& body, const Discretisation& soli
 
 void markDropped(const Body& body, std::vector<Fragment>& fragments) {
     const auto volume = [](const Fragment& fragment) { return fragment.body->moments().volume; };
-    const auto largest = std::max_element(fragments.begin(), fragments.end(),
-                                          [&](const auto& a, const auto& b) { return volume(a) < volume(b); });
+    const auto largest =
+        std::max_element(fragments.begin(), fragments.end(),
+                         [&](const auto& a, const auto& b) { return volume(a) < volume(b); });
     for (auto fragment = fragments.begin(); fragment != fragments.end(); ++fragment)
         fragment->dropped = fragment != largest && volume(*fragment) < body.smallestFragment();
 }

@@ -11,7 +11,8 @@ namespace sherd {
 int wantedClusters(const Body& body, const Damage& damage, const Discretisation& solid,
                    double strain_energy_j);
 
-/// Strain energy below which no crack runs through even the thinnest section, J (Griffith: its faces cost G_c each area).
+/// Strain energy below which no crack runs through even the thinnest section, J (Griffith: its faces cost G_c
+/// each area).
 double smallestCrackEnergy(const Body& body);
 
 /// Gives every cut surface its body and the boxes that stand for it in collisions.

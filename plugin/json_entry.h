@@ -48,7 +48,8 @@ class JsonEntry {
     void allowOnly(std::initializer_list<const char*> names) const {
         std::string list;
         for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-        for (const std::string& key : keysBeside(names)) fail("has the unknown key \"" + key + "\"; known are " + list);
+        for (const std::string& key : keysBeside(names))
+            fail("has the unknown key \"" + key + "\"; known are " + list);
     }
 
     double number() const {
@@ -84,7 +85,8 @@ class JsonEntry {
     std::string key_;
 };
 
-/// Reads a JSON file with `make`, which takes its root as JsonEntry. The error names the file, the key and what is wrong.
+/// Reads a JSON file with `make`, which takes its root as JsonEntry. The error names the file, the key and
+/// what is wrong.
 template <class Value, class Make>
 Result<Value> readJson(const std::string& path, const Make& make) {
     std::ifstream in(path);

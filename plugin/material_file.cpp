@@ -7,9 +7,9 @@ namespace sherd {
 namespace {
 
 Material materialOf(const JsonEntry& entry) {
-    entry.allowOnly({"name", "like", "youngs_modulus_pa", "poisson_ratio", "density_kg_m3", "tensile_strength_pa",
-                     "fracture_energy_j_m2", "strength_scatter", "compressive_strength_pa", "weibull_modulus",
-                     "weibull_volume_m3"});
+    entry.allowOnly({"name", "like", "youngs_modulus_pa", "poisson_ratio", "density_kg_m3",
+                     "tensile_strength_pa", "fracture_energy_j_m2", "strength_scatter",
+                     "compressive_strength_pa", "weibull_modulus", "weibull_volume_m3"});
     Material material;
     const bool complete = entry.has("like");
     if (complete) {

@@ -58,14 +58,16 @@ const StressSolver& preparedSolver(const Body& body, StageTimes& ms) {
     return solver;
 }
 
-/// A fragment may come apart in the cut, at a neck of few particles. Where that makes more pieces than the settings allow,
-/// the smallest fragments are merged to make room, and the body is cut again.
-FragmentSurfaces cutWithinLimit(const Body& body, const Discretisation& solid, FragmentLabels& labels, std::uint64_t seed) {
+/// A fragment may come apart in the cut, at a neck of few particles. Where that makes more pieces than the
+/// settings allow, the smallest fragments are merged to make room, and the body is cut again.
+FragmentSurfaces cutWithinLimit(const Body& body, const Discretisation& solid, FragmentLabels& labels,
+                                std::uint64_t seed) {
     const FractureSettings& fracture = body.settings().fracture;
     while (true) {
         FragmentSurfaces surfaces =
             require(cutFragments(body.surface(), solid, labels, {seed, fracture.crack_roughness}));
-        const int count = labels.count, excess = static_cast<int>(surfaces.pieces.size()) - fracture.largest_fragment_count;
+        const int count = labels.count,
+                  excess = static_cast<int>(surfaces.pieces.size()) - fracture.largest_fragment_count;
         if (excess > 0) mergeSmallest(solid, 0, std::max(2, count - excess), labels);
         if (excess <= 0 || labels.count == count) return surfaces;
     }
@@ -129,8 +131,9 @@ void runStages(const Body& body, const Blow& blow, std::uint64_t seed, BlowOutco
 
 bool canBreak(const Body& body, const Blow& blow) {
     // The body can store no more than the blow brings, and both of these must be paid for:
-    // a particle at its strength s stores at least s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume, the least energy density
-    // of any stress whose largest principal value is s; and a crack through the thinnest section costs its faces (Griffith).
+    // a particle at its strength s stores at least s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume, the least
+    // energy density of any stress whose largest principal value is s; and a crack through the thinnest
+    // section costs its faces (Griffith).
     const double energy = blowEnergy(blow);
     if (!(energy > smallestCrackEnergy(body))) return false;
     const Material& m = body.material();
@@ -156,7 +159,8 @@ BlowOutcome strike(const Body& body, const Blow& blow, std::uint64_t seed) {
         out.outcome = BreakEvent::Outcome::failed;
     } catch (...) {
         out.message =
-            "The blow could not be worked out: a strength field or guide field threw what is no std::exception; the body "
+            "The blow could not be worked out: a strength field or guide field threw what is no "
+            "std::exception; the body "
             "stays whole.";
         out.outcome = BreakEvent::Outcome::failed;
     }

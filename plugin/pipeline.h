@@ -30,8 +30,9 @@ struct BlowOutcome {
     std::string message;
 };
 
-/// A bound that costs nothing: false when the blow brings less energy than it takes to bring one particle's share of the
-/// material to its strength, or to pay for the smallest crack, so that no solve can end in a break.
+/// A bound that costs nothing: false when the blow brings less energy than it takes to bring one particle's
+/// share of the material to its strength, or to pay for the smallest crack, so that no solve can end in a
+/// break.
 bool canBreak(const Body& body, const Blow& blow);
 
 /// The whole way from a blow to fragments (paper, Figure 1). Never throws; on any failure the body stays

@@ -29,8 +29,8 @@ std::string coarseForWalls(double spacing, double wall) {
     return text.str();
 }
 
-/// Where the change that a traction makes at the surface has died away, in particle spacings: about as far as the
-/// nearest points at which the gradients of quadratic splines are superconvergent.
+/// Where the change that a traction makes at the surface has died away, in particle spacings: about as far as
+/// the nearest points at which the gradients of quadratic splines are superconvergent.
 constexpr double traction_depth = 0.25;
 
 /// Feet on the surface of those points that lie within that depth, and whose feet have a normal.
@@ -59,14 +59,17 @@ std::string outsideWarning(const Body& body, const std::vector<SurfaceFoot>& fee
         if (count++ == 0) first = static_cast<long>(i);
     }
     if (count == 0) return "";
-    return std::to_string(count) + " of " + std::to_string(feet.size()) + " points lie outside the body, the first is number " +
-           std::to_string(first) + " (from 0); stress there is zero or continued from inside. Are they in metres, in the body's frame?";
+    return std::to_string(count) + " of " + std::to_string(feet.size()) +
+           " points lie outside the body, the first is number " + std::to_string(first) +
+           " (from 0); stress there is zero or continued from inside. Are they in metres, in the body's "
+           "frame?";
 }
 
 Status checkFinite(const std::vector<Vec3>& points, const Vec3& spin_rad_s) {
     if (!spin_rad_s.allFinite()) return Error{"The spin is not finite; give it in rad/s."};
     for (std::size_t i = 0; i < points.size(); ++i)
-        if (!points[i].allFinite()) return Error{"Point number " + std::to_string(i) + " (from 0) is not finite."};
+        if (!points[i].allFinite())
+            return Error{"Point number " + std::to_string(i) + " (from 0) is not finite."};
     return success();
 }
 
@@ -115,7 +118,8 @@ Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, co
         const double depth = traction_depth * field.point_spacing_m[shallow.index[i]];
         if (foot.distance > depth) continue;
         const Voigt& raw = field.points[points.size() + i];
-        field.points[shallow.index[i]] += (1 - foot.distance / depth) * (tractions.imposedOn(raw, foot) - raw);
+        field.points[shallow.index[i]] +=
+            (1 - foot.distance / depth) * (tractions.imposedOn(raw, foot) - raw);
     }
     field.points.resize(points.size());
     field.point_spacing_m.resize(points.size());
@@ -148,7 +152,8 @@ StressModelReport StressModel::report() const {
     report.assemble_ms = solver.assemble_ms;
     report.factor_ms = solver.factor_ms;
     report.warnings = solver.warnings;
-    if (solid.spacing > body_->wallThickness()) report.warnings.push_back(coarseForWalls(solid.spacing, body_->wallThickness()));
+    if (solid.spacing > body_->wallThickness())
+        report.warnings.push_back(coarseForWalls(solid.spacing, body_->wallThickness()));
     return report;
 }
 

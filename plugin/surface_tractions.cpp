@@ -9,16 +9,21 @@ namespace sherd {
 SurfaceTractions::SurfaceTractions(const Body& body, const std::vector<PlacedLoad>& loads)
     : body_(body), elasticity_(body.material()), loads_(loads) {
     for (const PlacedLoad& placed : loads) load_regions_.emplace_back(body.surface(), placed.load.region);
-    for (const SurfaceRegion& support : body.supports()) support_regions_.emplace_back(body.surface(), support);
+    for (const SurfaceRegion& support : body.supports())
+        support_regions_.emplace_back(body.surface(), support);
 }
 
 Voigt SurfaceTractions::imposedOn(const Voigt& raw, const SurfaceFoot& foot) const {
-    const auto isOn = [&](const RegionOnSurface& region) { return region.holds(foot.triangle, foot.position); };
-    if (foot.normal.isZero() || std::any_of(support_regions_.begin(), support_regions_.end(), isOn)) return raw;
+    const auto isOn = [&](const RegionOnSurface& region) {
+        return region.holds(foot.triangle, foot.position);
+    };
+    if (foot.normal.isZero() || std::any_of(support_regions_.begin(), support_regions_.end(), isOn))
+        return raw;
     Vec3 traction = Vec3::Zero();
     for (std::size_t i = 0; i < loads_.size(); ++i) {
         const SurfaceLoad& load = loads_[i].load;
-        if (isOn(load_regions_[i])) traction += load.force_n / loads_[i].area_m2 - load.pressure_pa * foot.normal;
+        if (isOn(load_regions_[i]))
+            traction += load.force_n / loads_[i].area_m2 - load.pressure_pa * foot.normal;
     }
     return withTraction(raw, foot.normal, traction, elasticity_);
 }
@@ -31,7 +36,9 @@ void SurfaceTractions::imposeOnSurface(std::vector<Voigt>& surface) const {
     for (std::size_t q = 0; q < surface.size(); ++q) {
         const SurfacePoint& point = solid.surface_points[q];
         if (point.normal.isZero()) continue;
-        const auto mayHold = [&](const RegionOnSurface& region) { return region.mayHold(point.position, solid.spacing); };
+        const auto mayHold = [&](const RegionOnSurface& region) {
+            return region.mayHold(point.position, solid.spacing);
+        };
         if (std::any_of(load_regions_.begin(), load_regions_.end(), mayHold) ||
             std::any_of(support_regions_.begin(), support_regions_.end(), mayHold)) {
             near.push_back(q);

@@ -23,8 +23,8 @@ class SurfaceTractions {
   public:
     SurfaceTractions(const Body& body, const std::vector<PlacedLoad>& loads);
 
-    /// The stress at a foot on the surface, made to carry the traction there; `raw` where there is no normal, and on
-    /// supports.
+    /// The stress at a foot on the surface, made to carry the traction there; `raw` where there is no normal,
+    /// and on supports.
     Voigt imposedOn(const Voigt& raw, const SurfaceFoot& foot) const;
 
     /// Imposes them on the stresses at the surface points of the body's sampling.

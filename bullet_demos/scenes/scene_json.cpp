@@ -13,12 +13,13 @@ namespace {
 
 using nlohmann::json;
 
-/// Refuses a key that an object has twice: the parser would keep the last without a word. Refuses values nested so deeply
-/// that copying them would use up the stack.
+/// Refuses a key that an object has twice: the parser would keep the last without a word. Refuses values
+/// nested so deeply that copying them would use up the stack.
 class Strict {
   public:
     bool operator()(int depth, json::parse_event_t event, const json& parsed) {
-        if (depth > deepest) throw BadKey{"values are nested deeper than " + std::to_string(deepest) + " times."};
+        if (depth > deepest)
+            throw BadKey{"values are nested deeper than " + std::to_string(deepest) + " times."};
         if (event == json::parse_event_t::object_start) keys_.emplace_back();
         if (event == json::parse_event_t::object_end) keys_.pop_back();
         if (event == json::parse_event_t::key && !keys_.back().insert(parsed.get<std::string>()).second)

@@ -24,7 +24,8 @@ struct BreakEvent {
         failed,  ///< the blow could not be worked out; the body is whole and `message` says why
     };
     Outcome outcome = Outcome::held;
-    btRigidBody* broken = nullptr;        ///< the struck body; after a break out of the world, and alive until the next step
+    btRigidBody* broken =
+        nullptr;  ///< the struck body; after a break out of the world, and alive until the next step
     std::vector<btRigidBody*> fragments;  ///< empty unless it broke; alive until they break or are removed
     std::vector<btTypedConstraint*>
         removed_constraints;       ///< joints that held the broken body; the app owns them

@@ -18,10 +18,12 @@ struct Material {
         0.1;  ///< standard deviation of the strength over its mean, particle by particle
     double fracture_energy_j_m2 =
         10;  ///< energy to open a unit of crack area; sets how many fragments a blow can pay for
-    /// Largest compression that the material bears before it is crushed; scatters as the tensile strength does.
+    /// Largest compression that the material bears before it is crushed; scatters as the tensile strength
+    /// does.
     double compressive_strength_pa = std::numeric_limits<double>::infinity();
-    /// Weibull's modulus m; 0: strength scatters normally, as above, and does not depend on size. Otherwise the mean
-    /// strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that large pieces are weaker.
+    /// Weibull's modulus m; 0: strength scatters normally, as above, and does not depend on size. Otherwise
+    /// the mean strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that
+    /// large pieces are weaker.
     double weibull_modulus = 0;
     double weibull_volume_m3 = 1e-6;  ///< of the specimens that the tensile strength is the mean of
 
@@ -32,14 +34,15 @@ struct Material {
     static Material brick();  ///< burnt clay
     static Material stone();  ///< limestone
     static Material ice();
-    static Material wood();  ///< pine, its strength that across the grain; the grain is FractureSettings::guide
+    static Material
+    wood();  ///< pine, its strength that across the grain; the grain is FractureSettings::guide
 
     /// One of the above by its name; the error lists them.
     static Result<Material> named(const std::string& name);
 
-    /// Reads a file of this struct's fields, `{"name": "tile", "youngs_modulus_pa": 5e10, ...}`. Fields that are not given
-    /// are those of the material that `"like"` names; without it all but the scatter, the compressive strength and
-    /// Weibull's are needed.
+    /// Reads a file of this struct's fields, `{"name": "tile", "youngs_modulus_pa": 5e10, ...}`. Fields that
+    /// are not given are those of the material that `"like"` names; without it all but the scatter, the
+    /// compressive strength and Weibull's are needed.
     static Result<Material> fromJson(const std::string& path);
 
     /// Says which constant is out of range, and which values are possible.

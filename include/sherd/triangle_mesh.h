@@ -28,15 +28,15 @@ struct TriangleMesh {
     std::vector<Vec3> colours;                 ///< #V, red, green and blue from 0 to 1
 };
 
-/// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`, `f`,
-/// `usemtl` and the group `crack`. Polygons are split into triangles. Vertices at the same position become one, which
-/// has their mean colour; texture coordinates and normals belong to corners, so seams stay. Corners without texture
-/// coordinates or a normal get zeros if others have some, vertices without a colour are white. The error names the file
-/// and the line.
+/// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`,
+/// `f`, `usemtl` and the group `crack`. Polygons are split into triangles. Vertices at the same position
+/// become one, which has their mean colour; texture coordinates and normals belong to corners, so seams stay.
+/// Corners without texture coordinates or a normal get zeros if others have some, vertices without a colour
+/// are white. The error names the file and the line.
 Result<TriangleMesh> readObj(const std::string& path);
 
-/// Writes numbers with up to 17 digits, so that reading them gives the same bits; crack faces are in the group `crack`.
-/// Materials are named (`usemtl`), not described: there is no MTL file.
+/// Writes numbers with up to 17 digits, so that reading them gives the same bits; crack faces are in the
+/// group `crack`. Materials are named (`usemtl`), not described: there is no MTL file.
 Status writeObj(const TriangleMesh& mesh, const std::string& path);
 
 }  // namespace sherd

@@ -11,8 +11,8 @@ Identity Identity::of(const btRigidBody& body) {
 
 namespace {
 
-/// Whether the object at an app's body's address is another one. A body that was taken out and put back, or that was given
-/// another shape or mass where it is, is still itself.
+/// Whether the object at an app's body's address is another one. A body that was taken out and put back, or
+/// that was given another shape or mass where it is, is still itself.
 bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
     if (breakable.ownedHere()) return false;
     const btRigidBody* body = btRigidBody::upcast(&object);

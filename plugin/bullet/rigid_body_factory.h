@@ -13,7 +13,8 @@ namespace sherd {
 
 /// A collision shape with its children. Members die in reverse order: the compound before what it refers to.
 struct OwnedShape {
-    bool disjoint = false;  ///< from the shapes of other fragments of the same break: boxes of the body's own cells
+    bool disjoint =
+        false;  ///< from the shapes of other fragments of the same break: boxes of the body's own cells
     std::vector<std::unique_ptr<btCollisionShape>> children;
     std::unique_ptr<btCollisionShape> shape;
 };
@@ -31,8 +32,8 @@ struct PrincipalFrame {
 };
 PrincipalFrame principalFrame(const Moments& moments);
 
-/// The shape that the solid's settings ask for, in the body's frame; `boxes` are in the asset's. Without boxes the hull of the
-/// surface stands in for them, and they for a hull that is flat.
+/// The shape that the solid's settings ask for, in the body's frame; `boxes` are in the asset's. Without
+/// boxes the hull of the surface stands in for them, and they for a hull that is flat.
 OwnedShape makeShape(const Body& solid, const std::vector<Box>& boxes, const btTransform& body_from_asset);
 
 /// A rigid body of the solid's mass times `mass_scale`, at the world's origin, in no world yet.

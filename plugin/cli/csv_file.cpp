@@ -82,8 +82,8 @@ Result<std::vector<Vec3>> readPoints(const std::string& path) {
 
 Status writeStress(const StressTable& table, const std::string& path) {
     std::ofstream out(path);
-    out << "x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal" << (table.spacings.empty() ? "" : ",spacing_m")
-        << (table.kinds.empty() ? "\n" : ",kind\n");
+    out << "x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal"
+        << (table.spacings.empty() ? "" : ",spacing_m") << (table.kinds.empty() ? "\n" : ",kind\n");
     for (std::size_t i = 0; i < table.positions.size(); ++i) {
         std::string row;
         for (int k = 0; k < 3; ++k) append(row, table.positions[i][k]);

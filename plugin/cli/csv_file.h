@@ -19,8 +19,8 @@ struct StressTable {
     std::vector<double> spacings;    ///< of the particles there, m, or empty: no such column
 };
 
-/// Writes x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal and, if known, spacing_m and kind; numbers have the digits
-/// that give the same bits when read.
+/// Writes x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal and, if known, spacing_m and kind; numbers have
+/// the digits that give the same bits when read.
 Status writeStress(const StressTable& table, const std::string& path);
 
 }  // namespace sherd::cli

@@ -34,7 +34,8 @@ Result<StressModel> makeModel(const StressCase& problem, const Settings& setting
 /// The wanted points, which were solved for first; without any, particles and surface points.
 StressTable tableOf(const StressModel& model, const StressField& field, const std::vector<Vec3>& wanted) {
     if (!wanted.empty())
-        return {wanted, firstOf(field.points, wanted.size()), {}, firstOf(field.point_spacing_m, wanted.size())};
+        return {
+            wanted, firstOf(field.points, wanted.size()), {}, firstOf(field.point_spacing_m, wanted.size())};
     StressTable table{model.particlePositions(), field.particles, {}, {}};
     append(table.positions, model.surfacePositions());
     append(table.stresses, field.surface);
@@ -60,7 +61,8 @@ Status writeAll(const Arguments& arguments, const StressCase& problem, const Str
     if (status && !arguments.vtk.empty())
         status = writeVtk(pictureOf(model, field, wanted.size()), arguments.vtk);
     for (const std::string& key : problem.unknown_keys)
-        std::cerr << "warning: " << arguments.case_file << ": the key \"" << key << "\" is not known and was passed over\n";
+        std::cerr << "warning: " << arguments.case_file << ": the key \"" << key
+                  << "\" is not known and was passed over\n";
     for (const std::string warning : report["warnings"]) std::cerr << "warning: " << warning << "\n";
     return status;
 }

@@ -7,8 +7,8 @@ namespace sherd {
 
 Material Material::ceramic() {
     // Ashby & Jones, Engineering Materials 2, table 15.7: pottery and porcelain, 2300-2500 kg/m^3, E 70 GPa,
-    // modulus of rupture 45 MPa, compressive strength 350 MPa, K_c 1.0 MPa m^1/2, m about 10. Stoneware holds some pores and quartz: a
-    // little softer and weaker, with K_c near 1.35 MPa m^1/2.
+    // modulus of rupture 45 MPa, compressive strength 350 MPa, K_c 1.0 MPa m^1/2, m about 10. Stoneware holds
+    // some pores and quartz: a little softer and weaker, with K_c near 1.35 MPa m^1/2.
     return {"ceramic", 60e9, 0.2, 2300, 40e6, 0.12, 30, 350e6};
 }
 
@@ -19,27 +19,29 @@ Material Material::plaster() {
 }
 
 Material Material::glass() {
-    // Ashby & Jones, table 15.7: soda glass, 2480 kg/m^3, E 74 GPa, modulus of rupture 50 MPa, compressive strength 1000 MPa, K_c 0.7 MPa
-    // m^1/2; E and nu as EN 572-1 states them for float glass (70 GPa, 0.22 rounded from 0.2-0.23).
+    // Ashby & Jones, table 15.7: soda glass, 2480 kg/m^3, E 74 GPa, modulus of rupture 50 MPa, compressive
+    // strength 1000 MPa, K_c 0.7 MPa m^1/2; E and nu as EN 572-1 states them for float glass (70 GPa, 0.22
+    // rounded from 0.2-0.23).
     return {"glass", 70e9, 0.22, 2500, 50e6, 0.15, 8, 1000e6};
 }
 
 Material Material::concrete() {
-    // EN 1992-1-1, table 3.1, C30/37: E 33 GPa, mean tensile strength 2.9 MPa, nu 0.2 (3.1.3); fib Model Code 2010,
-    // Eq. 5.1-9: fracture energy 73 f_cm^0.18 = 140 J/m^2 at f_cm = 38 MPa, the
-    // mean compressive strength.
+    // EN 1992-1-1, table 3.1, C30/37: E 33 GPa, mean tensile strength 2.9 MPa, nu 0.2 (3.1.3); fib Model Code
+    // 2010, Eq. 5.1-9: fracture energy 73 f_cm^0.18 = 140 J/m^2 at f_cm = 38 MPa, the mean compressive
+    // strength.
     return {"concrete", 33e9, 0.2, 2400, 2.9e6, 0.12, 140, 38e6};
 }
 
 Material Material::brick() {
     // Van der Pluijm (1992) on solid clay units under uniaxial tension: strength 1.5-3.5 MPa, fracture energy
-    // 60-130 J/m^2, E 6-17 GPa. Density and compressive strength as EN 771-1 has clay units of class 30 declared.
+    // 60-130 J/m^2, E 6-17 GPa. Density and compressive strength as EN 771-1 has clay units of class 30
+    // declared.
     return {"brick", 12e9, 0.16, 1800, 2.5e6, 0.15, 90, 30e6};
 }
 
 Material Material::stone() {
-    // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa m^1/2,
-    // compressive strength 30-80 MPa.
+    // Ashby & Jones, table 15.7: limestone, 2700 kg/m^3, E 63 GPa, modulus of rupture 20 MPa, K_c 0.9 MPa
+    // m^1/2, compressive strength 30-80 MPa.
     return {"stone", 63e9, 0.25, 2700, 20e6, 0.12, 12, 55e6};
 }
 
@@ -50,16 +52,17 @@ Material Material::ice() {
 }
 
 Material Material::wood() {
-    // Forest Products Laboratory, Wood Handbook (2010), chapter 5: loblolly pine at 12 % moisture, specific gravity
-    // 0.51, E along the grain 12.3 GPa, tensile strength across it 3.2 MPa, nu_LR 0.33; a crack along the grain has a
-    // toughness near 0.45 MPa m^1/2, which with E across the grain of about 1.2 GPa makes 170 J/m^2. Wood is taken as
-    // isotropic here: what its grain decides is where cracks run.
+    // Forest Products Laboratory, Wood Handbook (2010), chapter 5: loblolly pine at 12 % moisture, specific
+    // gravity 0.51, E along the grain 12.3 GPa, tensile strength across it 3.2 MPa, nu_LR 0.33; a crack along
+    // the grain has a toughness near 0.45 MPa m^1/2, which with E across the grain of about 1.2 GPa makes 170
+    // J/m^2. Wood is taken as isotropic here: what its grain decides is where cracks run.
     return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170, 49e6};
 }
 
 Result<Material> Material::named(const std::string& name) {
     std::string known;
-    for (const Material& material : {ceramic(), plaster(), glass(), concrete(), brick(), stone(), ice(), wood()}) {
+    for (const Material& material :
+         {ceramic(), plaster(), glass(), concrete(), brick(), stone(), ice(), wood()}) {
         if (material.name == name) return material;
         known += (known.empty() ? "" : ", ") + material.name;
     }

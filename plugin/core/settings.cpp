@@ -12,19 +12,21 @@ Status SamplingSettings::validate() const {
                  "between 0.5 and 20")
         .require(smallest_count >= 1, "smallest_count", smallest_count, "at least 1")
         .require(largest_count >= smallest_count, "largest_count", largest_count, "at least smallest_count")
-        .require(isPositive(largest_factor_millions), "largest_factor_millions", largest_factor_millions, "positive")
-        .require(largest_factor_if_thin_millions >= largest_factor_millions, "largest_factor_if_thin_millions",
-                 largest_factor_if_thin_millions, "at least largest_factor_millions")
-        .require(moment_order >= 0 && moment_order <= 6 && moment_order % 2 == 0, "moment_order", moment_order,
-                 "0, 2, 4 or 6")
+        .require(isPositive(largest_factor_millions), "largest_factor_millions", largest_factor_millions,
+                 "positive")
+        .require(largest_factor_if_thin_millions >= largest_factor_millions,
+                 "largest_factor_if_thin_millions", largest_factor_if_thin_millions,
+                 "at least largest_factor_millions")
+        .require(moment_order >= 0 && moment_order <= 6 && moment_order % 2 == 0, "moment_order",
+                 moment_order, "0, 2, 4 or 6")
         .require(isWithin(cells_per_spacing, 1, 4), "cells_per_spacing", cells_per_spacing, "between 1 and 4")
         .require(isWithin(smallest_fill, 0, 0.9), "smallest_fill", smallest_fill, "between 0 and 0.9")
         .status();
 }
 
 Status StressSettings::validate() const {
-    // Near one spacing particles hardly see each other (errors of 700 %); beyond four the factor fills without a gain in
-    // accuracy.
+    // Near one spacing particles hardly see each other (errors of 700 %); beyond four the factor fills
+    // without a gain in accuracy.
     return RangeChecks("StressSettings")
         .require(support_radius == 0 || isWithin(support_radius, 1.2, 4), "support_radius", support_radius,
                  "0 (the form's own default) or between 1.2 and 4 particle spacings")

@@ -48,7 +48,8 @@ CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, co
 
 std::optional<FragmentSurfaces> tryLattice(const TriangleMesh& surface, const EdgeTable& edges,
                                            const Discretisation& solid, const FragmentLabels& labels,
-                                           const LatticeSettings& lattice_settings, double roughness, std::string& why) {
+                                           const LatticeSettings& lattice_settings, double roughness,
+                                           std::string& why) {
     const LabelLattice lattice = buildLabelLattice(surface, solid, labels, lattice_settings);
     CrackComplex crack = buildCrackComplex(lattice);
     smoothCracks(crack, lattice, smoothing_steps);

@@ -27,7 +27,8 @@ std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
 }
 
 /// The mean colour of the vertices that became each one.
-std::vector<Vec3> meanColours(const TriangleMesh& mesh, const std::vector<int>& renumbered, std::size_t count) {
+std::vector<Vec3> meanColours(const TriangleMesh& mesh, const std::vector<int>& renumbered,
+                              std::size_t count) {
     std::vector<Vec3> colours(count, Vec3::Zero());
     std::vector<int> shares(count, 0);
     for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

@@ -5,11 +5,13 @@
 namespace sherd {
 
 bool hasAttributes(const TriangleMesh& mesh) {
-    return !mesh.texture_coordinates.empty() || !mesh.normals.empty() || !mesh.material.empty() || !mesh.colours.empty();
+    return !mesh.texture_coordinates.empty() || !mesh.normals.empty() || !mesh.material.empty() ||
+           !mesh.colours.empty();
 }
 
 void copyCorners(const TriangleMesh& from, int triangle, TriangleMesh& to) {
-    if (!from.texture_coordinates.empty()) to.texture_coordinates.push_back(from.texture_coordinates[triangle]);
+    if (!from.texture_coordinates.empty())
+        to.texture_coordinates.push_back(from.texture_coordinates[triangle]);
     if (!from.normals.empty()) to.normals.push_back(from.normals[triangle]);
     if (!from.material.empty()) to.material.push_back(from.material[triangle]);
 }

@@ -32,8 +32,8 @@ std::vector<std::array<int, 3>> appendValues(std::string& text, const char* reco
     for (std::size_t t = 0; t < of_corners.size(); ++t)
         for (int i = 0; i < 3; ++i) {
             const Vector& value = of_corners[t][i];
-            const auto [entry, is_new] = number_of.try_emplace(std::vector<double>(value.begin(), value.end()),
-                                                               static_cast<int>(number_of.size()) + 1);
+            const auto [entry, is_new] = number_of.try_emplace(
+                std::vector<double>(value.begin(), value.end()), static_cast<int>(number_of.size()) + 1);
             numbers[t][i] = entry->second;
             if (!is_new) continue;
             appendNumbers(text += record, value);

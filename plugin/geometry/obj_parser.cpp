@@ -1,5 +1,3 @@
-#include "geometry/obj_file.h"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,6 +6,7 @@
 #include <type_traits>
 
 #include "geometry/mesh_attributes.h"
+#include "geometry/obj_file.h"
 
 namespace sherd {
 namespace {
@@ -103,10 +102,12 @@ class ObjParser {
         constexpr const char* names[] = {"the red component ", "the green component ", "the blue component "};
         Vec3 colour;
         for (int channel = 0; channel < 3; ++channel) {
-            colour[channel] = number(line, names[channel], "a vertex with a colour is 'v x y z r g b'", "colour");
+            colour[channel] =
+                number(line, names[channel], "a vertex with a colour is 'v x y z r g b'", "colour");
             if (colour[channel] < 0 || colour[channel] > 1)
-                return fail(names[channel] + std::string("of a colour is not between 0 and 1; divide colours by their "
-                                                         "largest value."));
+                return fail(names[channel] +
+                            std::string("of a colour is not between 0 and 1; divide colours by their "
+                                        "largest value."));
         }
         mesh_.colours.resize(mesh_.vertices.size(), Vec3::Ones());
         mesh_.colours.back() = colour;
@@ -135,8 +136,8 @@ class ObjParser {
             Corner corner;
             corner.vertex = index(takeIndex(word), whole, mesh_.vertices.size(), "vertex", "vertices");
             if (!word.empty() && word.front() != '/')
-                corner.texture = index(takeIndex(word), whole, texture_coordinates_.size(), "texture coordinate",
-                                       "texture coordinates");
+                corner.texture = index(takeIndex(word), whole, texture_coordinates_.size(),
+                                       "texture coordinate", "texture coordinates");
             else if (!word.empty())
                 word.remove_prefix(1);
             if (!word.empty()) corner.normal = index(word, whole, normals_.size(), "normal", "normals");
@@ -159,7 +160,8 @@ class ObjParser {
     // Only once all is read it is known which attributes there are.
     void addAttributes() {
         if (!mesh_.colours.empty()) mesh_.colours.resize(mesh_.vertices.size(), Vec3::Ones());
-        if (!texture_coordinates_.empty()) addCorners(&Corner::texture, texture_coordinates_, mesh_.texture_coordinates);
+        if (!texture_coordinates_.empty())
+            addCorners(&Corner::texture, texture_coordinates_, mesh_.texture_coordinates);
         if (!normals_.empty()) addCorners(&Corner::normal, normals_, mesh_.normals);
         addMaterials();
     }
@@ -183,7 +185,8 @@ class ObjParser {
         const auto is_named = [](std::string_view name) { return !name.empty(); };
         if (std::none_of(material_names_.begin(), material_names_.end(), is_named)) return;
         for (const std::string_view name : material_names_)
-            mesh_.material.push_back(findOrAddMaterial(mesh_, is_named(name) ? std::string(name) : "original"));
+            mesh_.material.push_back(
+                findOrAddMaterial(mesh_, is_named(name) ? std::string(name) : "original"));
     }
 
     double number(std::string_view& line, const std::string& subject, const char* form, const char* record) {
@@ -203,8 +206,8 @@ class ObjParser {
         const long long found = !given ? -1 : *given < 0 ? count + *given : *given - 1;
         if (!given) fail("the " + one + " number " + quoted(word) + " is not a whole number.");
         if (given && (found < 0 || found >= count))
-            fail("the face names " + one + " " + std::string(text) + ", but " + std::to_string(count) + " " + many +
-                 " precede it; correct the number.");
+            fail("the face names " + one + " " + std::string(text) + ", but " + std::to_string(count) + " " +
+                 many + " precede it; correct the number.");
         return static_cast<int>(found);
     }
 
@@ -219,7 +222,7 @@ class ObjParser {
     std::vector<Vec2> texture_coordinates_;
     std::vector<Vec3> normals_;
     std::vector<Corner> face_;
-    std::vector<std::array<Corner, 3>> corners_;     // of every triangle
+    std::vector<std::array<Corner, 3>> corners_;    // of every triangle
     std::vector<std::string_view> material_names_;  // of every triangle, in the text
     std::string_view material_name_;
     SurfaceKind kind_ = SurfaceKind::original;

@@ -21,7 +21,8 @@ Vec3 normalOf(const Kernel::Triangle_3& triangle) {
 /// Sum of the normals of the facets within `tolerance`, and whether they lie on one smooth side.
 std::pair<Vec3, bool> normalAt(const TriangleTree& surface, const Kernel::Point_3& foot, double tolerance) {
     std::vector<TriangleTree::Triangles::const_iterator> near;
-    surface.tree.all_intersected_primitives(Kernel::Sphere_3(foot, tolerance * tolerance), std::back_inserter(near));
+    surface.tree.all_intersected_primitives(Kernel::Sphere_3(foot, tolerance * tolerance),
+                                            std::back_inserter(near));
     std::sort(near.begin(), near.end());  // the same sum in the same order, whatever the tree
     Vec3 sum = Vec3::Zero();
     bool smooth = !near.empty();
@@ -35,7 +36,8 @@ std::pair<Vec3, bool> normalAt(const TriangleTree& surface, const Kernel::Point_
 
 }  // namespace
 
-std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector<Vec3>& points, double tolerance) {
+std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector<Vec3>& points,
+                                     double tolerance) {
     std::vector<SurfaceFoot> feet;
     if (points.empty()) return feet;
     const TriangleTree surface(mesh);

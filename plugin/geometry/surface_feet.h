@@ -15,8 +15,9 @@ struct SurfaceFoot {
     bool outside = false;          ///< whether the other point lies beyond the surface
 };
 
-/// Of each of `points`, #points. Facets within `tolerance` of a foot have to lie on one smooth side for it to have a
-/// normal.
-std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector<Vec3>& points, double tolerance);
+/// Of each of `points`, #points. Facets within `tolerance` of a foot have to lie on one smooth side for it to
+/// have a normal.
+std::vector<SurfaceFoot> surfaceFeet(const TriangleMesh& mesh, const std::vector<Vec3>& points,
+                                     double tolerance);
 
 }  // namespace sherd

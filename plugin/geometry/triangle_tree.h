@@ -20,9 +20,12 @@ struct TriangleTree {
     Triangles triangles;
     Tree tree;
 
-    explicit TriangleTree(const TriangleMesh& mesh) : triangles(trianglesOf(mesh)), tree(triangles.cbegin(), triangles.cend()) {}
+    explicit TriangleTree(const TriangleMesh& mesh)
+        : triangles(trianglesOf(mesh)), tree(triangles.cbegin(), triangles.cend()) {}
 
-    int indexOf(Triangles::const_iterator triangle) const { return static_cast<int>(triangle - triangles.cbegin()); }
+    int indexOf(Triangles::const_iterator triangle) const {
+        return static_cast<int>(triangle - triangles.cbegin());
+    }
     static Kernel::Point_3 toPoint(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
     static Vec3 toVec3(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
@@ -31,7 +34,8 @@ struct TriangleTree {
         Triangles triangles;
         triangles.reserve(mesh.triangles.size());
         for (const auto& [a, b, c] : mesh.triangles)
-            triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]), toPoint(mesh.vertices[c]));
+            triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]),
+                                   toPoint(mesh.vertices[c]));
         return triangles;
     }
 };

@@ -52,9 +52,9 @@ double thicknessByRays(const TriangleMesh& mesh) {
     std::vector<double> distances;
     for (const Ray& ray : inwardRays(mesh)) {
         const auto own = surface.triangles.cbegin() + static_cast<std::ptrdiff_t>(ray.triangle);
-        const Kernel::Ray_3 query(TriangleTree::toPoint(ray.origin), TriangleTree::toPoint(ray.origin + ray.direction));
-        const auto hit =
-            surface.tree.first_intersection(query, [&](const auto& id) { return id == own; });
+        const Kernel::Ray_3 query(TriangleTree::toPoint(ray.origin),
+                                  TriangleTree::toPoint(ray.origin + ray.direction));
+        const auto hit = surface.tree.first_intersection(query, [&](const auto& id) { return id == own; });
         if (!hit) continue;
         if (const auto* point = boost::get<Kernel::Point_3>(&hit->first))
             distances.push_back((TriangleTree::toVec3(*point) - ray.origin).norm());

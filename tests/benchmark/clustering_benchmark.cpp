@@ -1,6 +1,6 @@
-// Time to cluster a body: distances along the neighbour table against straight ones (the paper: 110 s against 4 s on its
-// plane of 2739 particles). Everything is damaged; medians of processor time of one thread.
-// Usage: clustering_benchmark MESH.obj SPACING_M CLUSTERS
+// Time to cluster a body: distances along the neighbour table against straight ones (the paper: 110 s against
+// 4 s on its plane of 2739 particles). Everything is damaged; medians of processor time of one thread. Usage:
+// clustering_benchmark MESH.obj SPACING_M CLUSTERS
 //   the paper's plane: build/meshes/plane_52500.obj 0.00654 6
 
 #include <sherd/triangle_mesh.h>
@@ -34,7 +34,8 @@ double medianMilliseconds(const Work& work) {
     return times[7];
 }
 
-/// No more than the paper's two loops with straight distances: seeds by farthest point, each particle to the nearest.
+/// No more than the paper's two loops with straight distances: seeds by farthest point, each particle to the
+/// nearest.
 std::vector<int> bareClusters(const Discretisation& solid, int clusters, std::uint64_t seed) {
     const std::size_t count = solid.particles.size();
     std::vector<double> nearest(count, std::numeric_limits<double>::infinity());
@@ -69,12 +70,15 @@ int main(int argc, char** argv) {
     straight.penalty = 1;
     const double along = medianMilliseconds(
         [&](std::uint64_t seed) { fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed); });
-    const double direct = medianMilliseconds(
-        [&](std::uint64_t seed) { fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed, straight); });
+    const double direct = medianMilliseconds([&](std::uint64_t seed) {
+        fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed, straight);
+    });
     const double bare =
         medianMilliseconds([&](std::uint64_t seed) { bareClusters(solid.value(), clusters, seed); });
     const double axes = medianMilliseconds([&](std::uint64_t) { wallAxes(solid.value()); });
-    std::printf("%zu particles, %d clusters, ms: path lengths %.2f, straight %.2f (%.2f times that), two bare loops %.2f; "
-                "wall axes %.2f of all but the last\n",
-                solid.value().particles.size(), clusters, along, direct, along / direct, bare, axes);
+    std::printf(
+        "%zu particles, %d clusters, ms: path lengths %.2f, straight %.2f (%.2f times that), two bare loops "
+        "%.2f; "
+        "wall axes %.2f of all but the last\n",
+        solid.value().particles.size(), clusters, along, direct, along / direct, bare, axes);
 }

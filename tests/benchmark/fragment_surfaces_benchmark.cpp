@@ -1,6 +1,6 @@
-// Time to cut a body into 37 fragments: Sherd against CGAL's corefinement, which intersects the same mesh with the
-// Voronoi cell of every fragment. Processor time of one thread.
-// Usage: fragment_surfaces_benchmark [plate | cup]
+// Time to cut a body into 37 fragments: Sherd against CGAL's corefinement, which intersects the same mesh
+// with the Voronoi cell of every fragment. Processor time of one thread. Usage: fragment_surfaces_benchmark
+// [plate | cup]
 //   plate: 1 x 1 x 0.09 m, 154,660 triangles, 968 particles, as the paper's walls; cup: 200,000 triangles
 
 #include <CGAL/Convex_hull_3/dual/halfspace_intersection_with_constructions_3.h>
@@ -96,6 +96,6 @@ int main(int argc, char** argv) {
     }
     std::printf("%zu triangles, %zu particles\n", body.triangles.size(), solid.particles.size());
     std::printf("Sherd %7.3f s, %zu pieces\nCGAL  %7.3f s, %zu pieces, volume %.6g of %.6g\nratio %.0f\n",
-                ours, fragments.value().pieces.size(), theirs, centres.size(), volume, solidMoments(body).volume,
-                theirs / ours);
+                ours, fragments.value().pieces.size(), theirs, centres.size(), volume,
+                solidMoments(body).volume, theirs / ours);
 }

@@ -1,9 +1,9 @@
-// Time to the stress in the paper's plaster wall (1 x 1 x 0.09 m, 22 x 22 x 2 = 968 particles; 5.65 s in its Table 1):
-// the paper's algorithm, which assembles and factors its matrix for every blow, against Sherd's splines, which keep the
-// factor. Struck as in tests/data/cases/slab_centre; the error is that of the largest principal stress against its
-// reference (relative L2, points that the case marks as far from the load).
-// Wall time, the smallest of three repeats, without the sampling, which both share. Sherd assembles on all cores, the
-// paper's algorithm on one; for one core each: taskset -c 0 paper_wall_benchmark.
+// Time to the stress in the paper's plaster wall (1 x 1 x 0.09 m, 22 x 22 x 2 = 968 particles; 5.65 s in its
+// Table 1): the paper's algorithm, which assembles and factors its matrix for every blow, against Sherd's
+// splines, which keep the factor. Struck as in tests/data/cases/slab_centre; the error is that of the largest
+// principal stress against its reference (relative L2, points that the case marks as far from the load). Wall
+// time, the smallest of three repeats, without the sampling, which both share. Sherd assembles on all cores,
+// the paper's algorithm on one; for one core each: taskset -c 0 paper_wall_benchmark.
 
 #include <sherd/stress_model.h>
 
@@ -70,7 +70,8 @@ struct Wall {
 Wall readWall() {
     const std::string folder = std::string(SHERD_TEST_DATA) + "/cases/slab_centre";
     const auto problem = valueOrExit(cli::readCase(folder + "/case.json"));
-    Wall wall{valueOrExit(readObj(problem.mesh)), problem.material, {}, readReference(folder + "/reference.csv")};
+    Wall wall{
+        valueOrExit(readObj(problem.mesh)), problem.material, {}, readReference(folder + "/reference.csv")};
     constexpr double quadrature_spacing_m = 0.01;
     for (const SurfaceLoad& load : problem.loads) {
         const auto area = valueOrExit(regionQuadrature(wall.surface, load.region, quadrature_spacing_m));

@@ -285,8 +285,8 @@ TEST(Break, DroppedDebrisTakesItsMomentumAlong) {
         settings.fracture.fragment_count = 20;
         settings.fracture.smallest_fragment_m3 = 7e-4;  // of 0.0216
         settings.fracture.debris = dropping ? Debris::dropped : Debris::unbreakable;
-        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
-                                                    crumbly(), settings);
+        const auto asset = BreakableAsset::fromMesh(
+            shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(), settings);
         fracture.add(asset.value(), at(0, 0, 0));
         scene.addBall(2, 0.1, btVector3(0.05, 0.02, 0.2), btVector3(0, 0, -8));
         const BreakEvent event = stepUntilBreak(scene, fracture);
@@ -295,8 +295,10 @@ TEST(Break, DroppedDebrisTakesItsMomentumAlong) {
         EXPECT_LT(event.mass_error_rel, 1e-6);
         for (const btRigidBody* body : event.fragments) mass[dropping] += 1 / body->getInvMass();
         count[dropping] = event.fragments.size();
-        if (dropping) dropped_kg = event.dropped_mass_kg;
-        else EXPECT_EQ(event.dropped_mass_kg, 0);
+        if (dropping)
+            dropped_kg = event.dropped_mass_kg;
+        else
+            EXPECT_EQ(event.dropped_mass_kg, 0);
         whole_kg = asset.value().mass();
         scene.step(5);
     }

@@ -1,11 +1,12 @@
 #include "core/clustering/clusters.h"
-#include "core/clustering/penalty_distance.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+
+#include "core/clustering/penalty_distance.h"
 
 namespace {
 
@@ -52,7 +53,8 @@ bool connected(const Discretisation& solid, const FragmentLabels& labels, int la
         for (int j : solid.neighbours[i])
             if (labels.of_particle[j] == label) stack.push_back(j);
     }
-    return static_cast<long>(seen.size()) == std::count(labels.of_particle.begin(), labels.of_particle.end(), label);
+    return static_cast<long>(seen.size()) ==
+           std::count(labels.of_particle.begin(), labels.of_particle.end(), label);
 }
 
 TEST(Clusters, ADamagedBandLeavesTwoWholePartsAndItsClusters) {
@@ -87,7 +89,8 @@ TEST(Clusters, DenserWhereTheStressIsHigher) {
 
 TEST(Clusters, SpecksJoinWhatSurroundsThem) {
     const Discretisation solid = sheet(12);
-    const Damage dots = damageWhere(solid, [](const Vec3& x) { return x.x() == 5 && (x.y() == 5 || x.y() == 6); });
+    const Damage dots =
+        damageWhere(solid, [](const Vec3& x) { return x.x() == 5 && (x.y() == 5 || x.y() == 6); });
     EXPECT_EQ(fragmentLabels(solid, dots, 4, 0, 1).count, 1);
     const Damage all_but_one = damageWhere(solid, [](const Vec3& x) { return !(x.x() == 5 && x.y() == 5); });
     EXPECT_EQ(fragmentLabels(solid, all_but_one, 4, 0, 1).count, 4);
@@ -145,8 +148,10 @@ TEST(PenaltyDistance, IsEquation18) {
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 1 / std::hypot(1, 2), 1e-13)
         << "no axis: away from the contact, as at the seed";
     contact.direction = Vec3::UnitZ();
-    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 0, 1e-14) << "straight through";
-    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(-3, 0, 5), grain, contact), 3, 1e-14) << "beyond the axis";
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 0, 1e-14)
+        << "straight through";
+    EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(-3, 0, 5), grain, contact), 3, 1e-14)
+        << "beyond the axis";
     grain.kind = GuideField::Kind::custom;
     grain.custom = [](const Vec3&, const Vec3&) { return Vec3(Vec3::Zero()); };
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14) << "no direction there";
@@ -177,7 +182,8 @@ TEST(Clusters, GrowAlongTheGrainHoweverItLies) {
     const Discretisation solid = sheet(40);
     const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
     GuideField grain;
-    EXPECT_NEAR(meanElongation(solid, fragmentLabels(solid, damage, 16, 0, 1, grain), Vec3::UnitX()), 1, 0.25);
+    EXPECT_NEAR(meanElongation(solid, fragmentLabels(solid, damage, 16, 0, 1, grain), Vec3::UnitX()), 1,
+                0.25);
     grain.kind = GuideField::Kind::constant;
     for (const double angle : {0.0, 0.5, 0.8}) {
         grain.direction = Vec3(std::cos(angle), std::sin(angle), 0);
@@ -203,7 +209,9 @@ TEST(Clusters, ARadialFieldMakesSectors) {
                 if (labels.of_particle[i] == labels.of_particle[j]) continue;
                 // A border between two clusters has the direction of the step across it.
                 const Vec3 step = (solid.particles[j].position - solid.particles[i].position).normalized();
-                const Vec3 radius = (0.5 * (solid.particles[i].position + solid.particles[j].position) - contact.contact).normalized();
+                const Vec3 radius =
+                    (0.5 * (solid.particles[i].position + solid.particles[j].position) - contact.contact)
+                        .normalized();
                 along += std::pow(step.dot(radius), 2);
                 across += 1 - std::pow(step.dot(radius), 2);
             }

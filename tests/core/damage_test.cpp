@@ -34,12 +34,14 @@ TEST(Damage, StrengthsHaveTheMeanAndScatterOfTheMaterial) {
     for (double s : strengths) square += (s - mean) * (s - mean) / strengths.size();
     EXPECT_NEAR(mean / 4e7, 1, 0.003);
     EXPECT_NEAR(std::sqrt(square) / 4e6, 1, 0.03);
-    EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()), 4e7 * weakestStrengthFraction(material, 1e-6));
+    EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()),
+              4e7 * weakestStrengthFraction(material, 1e-6));
     EXPECT_EQ(strengths, particleStrengths(material, particles, 7));
     EXPECT_NE(strengths, particleStrengths(material, particles, 8));
 }
 
-// Weibull: mean sigma_0 (V_0 / V)^(1/m), coefficient of variation sqrt(Gamma(1 + 2/m) / Gamma(1 + 1/m)^2 - 1).
+// Weibull: mean sigma_0 (V_0 / V)^(1/m), coefficient of variation sqrt(Gamma(1 + 2/m) / Gamma(1 + 1/m)^2 -
+// 1).
 TEST(Damage, WeibullStrengthsFallWithSize) {
     Material material;
     material.tensile_strength_pa = 4e7;
@@ -52,7 +54,8 @@ TEST(Damage, WeibullStrengthsFallWithSize) {
         EXPECT_NEAR(mean / expected, 1, 0.005);
         double square = 0;
         for (double s : strengths) square += (s / mean - 1) * (s / mean - 1) / strengths.size();
-        EXPECT_NEAR(std::sqrt(square), std::sqrt(std::tgamma(1.25) / std::pow(std::tgamma(1.125), 2) - 1), 0.004);
+        EXPECT_NEAR(std::sqrt(square), std::sqrt(std::tgamma(1.25) / std::pow(std::tgamma(1.125), 2) - 1),
+                    0.004);
         EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()),
                   4e7 * weakestStrengthFraction(material, volume) * (1 - 1e-12));
     }
@@ -96,8 +99,9 @@ TEST(Damage, AStrengthFieldScalesEveryParticleAtItsPlace) {
         particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return 1 - x.x(); });
         FAIL();
     } catch (const std::invalid_argument& trouble) {
-        EXPECT_STREQ(trouble.what(),
-                     "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
+        EXPECT_STREQ(
+            trouble.what(),
+            "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
     }
 }
 

@@ -12,7 +12,9 @@ using namespace sherd;
 
 constexpr double kPi = 3.14159265358979323846;
 
-TriangleMesh box(const Vec3& half, int n) { return shapes::box(-half, half, n, n, n); }
+TriangleMesh box(const Vec3& half, int n) {
+    return shapes::box(-half, half, n, n, n);
+}
 
 TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
     const TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.02), 3);

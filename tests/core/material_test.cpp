@@ -8,8 +8,9 @@ namespace {
 
 using namespace sherd;
 
-const Material known_materials[] = {Material::ceramic(), Material::plaster(), Material::glass(), Material::concrete(),
-                                    Material::stone(),   Material::ice(),     Material::wood()};
+const Material known_materials[] = {Material::ceramic(),  Material::plaster(), Material::glass(),
+                                    Material::concrete(), Material::stone(),   Material::ice(),
+                                    Material::wood()};
 
 TEST(Material, TheOnesThatComeWithItAreValidAndDiffer) {
     for (const Material& material : known_materials) EXPECT_EQ(material.validate().error(), "");
@@ -18,7 +19,8 @@ TEST(Material, TheOnesThatComeWithItAreValidAndDiffer) {
 }
 
 TEST(Material, ToughnessIsThatOfABrittleSolid) {
-    // K_c = sqrt(G_c E / (1 - nu^2)): 0.1 to 2 MPa m^1/2 for plaster, glass, clayware, rock and ice; concrete a little more.
+    // K_c = sqrt(G_c E / (1 - nu^2)): 0.1 to 2 MPa m^1/2 for plaster, glass, clayware, rock and ice; concrete
+    // a little more.
     for (const Material& m : known_materials) {
         const double toughness =
             std::sqrt(m.fracture_energy_j_m2 * m.youngs_modulus_pa / (1 - m.poisson_ratio * m.poisson_ratio));
@@ -60,8 +62,9 @@ TEST(Material, IsFoundByItsName) {
         EXPECT_EQ(material.value().name, name);
         EXPECT_TRUE(material.value().validate().ok()) << material.value().validate().error();
     }
-    EXPECT_EQ(Material::named("glas").error(),
-              "There is no material 'glas'; there are ceramic, plaster, glass, concrete, brick, stone, ice, wood.");
+    EXPECT_EQ(
+        Material::named("glas").error(),
+        "There is no material 'glas'; there are ceramic, plaster, glass, concrete, brick, stone, ice, wood.");
 }
 
 TEST(Material, NoNumberAndInfinityAreOutOfRange) {

@@ -8,7 +8,8 @@ namespace {
 
 using namespace sherd;
 
-/// A row of cubes of volume 1, one particle and one label each, that share a face of area `i + 1` between i and i + 1.
+/// A row of cubes of volume 1, one particle and one label each, that share a face of area `i + 1` between i
+/// and i + 1.
 Discretisation row(const std::vector<double>& volumes) {
     Discretisation solid;
     for (std::size_t i = 0; i < volumes.size(); ++i) {

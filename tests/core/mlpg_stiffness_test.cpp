@@ -85,8 +85,7 @@ TEST(GalerkinStiffness, PinsLeaveNoRigidMotion) {
 TEST(HeavisideStiffness, ForcesBalanceAndRigidMotionsVanish) {
     const Discretisation solid = cutBlock();
     const StressProblem problem = problemOf(solid, TrialFunction::mls);
-    const SparseMatrix rows =
-        heavisideStiffness(fluxThroughSharedFaces(problem), solid, problem.motions);
+    const SparseMatrix rows = heavisideStiffness(fluxThroughSharedFaces(problem), solid, problem.motions);
     const int n = static_cast<int>(problem.unknowns());
     Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(rows.size, rows.size);
     for (int row = 0; row < rows.size; ++row)
@@ -99,8 +98,8 @@ TEST(HeavisideStiffness, ForcesBalanceAndRigidMotionsVanish) {
     EXPECT_LT((dense.topRightCorner(n, 6) - dense.bottomLeftCorner(6, n).transpose()).norm(), 1e-15);
 }
 
-// 4 x 4 points on every face that leads to a neighbour, for each of the two cubes: 96 for a particle inside the block,
-// and 16 less for each face on its surface.
+// 4 x 4 points on every face that leads to a neighbour, for each of the two cubes: 96 for a particle inside
+// the block, and 16 less for each face on its surface.
 TEST(HeavisideCubes, Take96PointsInsideAndNoneOnFreeFaces) {
     for (const Eigen::Vector3i& n : {Eigen::Vector3i(5, 4, 3), Eigen::Vector3i(6, 4, 3)}) {
         const Result<Discretisation> solid =
@@ -117,8 +116,7 @@ TEST(HeavisideCubes, Take96PointsInsideAndNoneOnFreeFaces) {
 
 // Two cubes that share a face integrate it at the same points: forces balance as if it were integrated once.
 TEST(HeavisideCubes, ForcesBalance) {
-    const Result<Discretisation> solid =
-        sampleSolid(shapes::slab({0.5, 0.4, 0.3}), 0.1, SamplingSettings{});
+    const Result<Discretisation> solid = sampleSolid(shapes::slab({0.5, 0.4, 0.3}), 0.1, SamplingSettings{});
     ASSERT_TRUE(solid.ok()) << solid.error();
     const HeavisideBlocks blocks = fluxThroughCubes(problemOf(solid.value(), TrialFunction::mls));
     std::vector<Mat3> column_sums(blocks.rows.size(), Mat3::Zero());

@@ -135,7 +135,8 @@ TEST(SplineSpace, LinearDisplacementsHaveTheirGradientEverywhere) {
         const CellParts solid = partsOf(tiltedBox(), 0.14, degree);
         const auto space = std::make_shared<SplineSpace>(solid, degree);
         EXPECT_LT(space->function_count, space->raw_count) << "some functions see slivers only, and are tied";
-        const SplineField field{std::make_shared<CellParts>(solid), space, space->expand(linearUnknowns(*space, gradient))};
+        const SplineField field{std::make_shared<CellParts>(solid), space,
+                                space->expand(linearUnknowns(*space, gradient))};
         for (size_t p = 0; p < solid.parts.size(); ++p) {
             const Mat3 got = gradientOn(field, static_cast<int>(p), Vec3(0.2, -0.3, 0.4));
             EXPECT_LT((got - gradient).norm(), 1e-10 * gradient.norm());
@@ -162,7 +163,8 @@ TEST(SplineRefinement, KeepsTheDisplacement) {
     for (int degree = 1; degree <= 3; ++degree) {
         const CellParts coarse = partsOf(mesh, 0.2, degree);
         const auto space = std::make_shared<SplineSpace>(coarse, degree);
-        const SplineField field{std::make_shared<CellParts>(coarse), space, space->expand(randomVector(3L * space->function_count, 3))};
+        const SplineField field{std::make_shared<CellParts>(coarse), space,
+                                space->expand(randomVector(3L * space->function_count, 3))};
         const Result<CellParts> fine =
             refineCellParts(mesh, coarse, Eigen::Vector3i(1, 1, 1), Eigen::Vector3i(4, 4, 3));
         ASSERT_TRUE(fine.ok()) << fine.error();

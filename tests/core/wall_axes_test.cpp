@@ -46,8 +46,8 @@ TEST(WallAxes, AreNoneInTheCornersOfACube) {
         }
 }
 
-// A slab that is damaged on one side, left of a line: the cluster reaches through to the other side, and no further to the
-// right there.
+// A slab that is damaged on one side, left of a line: the cluster reaches through to the other side, and no
+// further to the right there.
 TEST(WallAxes, LeadDamageStraightThroughAWall) {
     const Discretisation solid = turnedSlab(Mat3::Identity());
     Damage damage;

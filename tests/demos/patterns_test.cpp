@@ -109,8 +109,8 @@ TEST(Patterns, PlasterPrefersNoDirection) {
     EXPECT_NEAR(upright / level, 1, 0.15);
 }
 
-// Share of the crack area whose plane is within 20 degrees of the radial plane (which holds the axis of the blow) or the
-// tangential one.
+// Share of the crack area whose plane is within 20 degrees of the radial plane (which holds the axis of the
+// blow) or the tangential one.
 TEST(Patterns, GlassCracksRunAwayFromTheBlowOrAroundIt) {
     const double least = std::cos(20 * std::acos(-1) / 180);
     double aligned = 0, all = 0;

@@ -54,7 +54,7 @@ struct Stage {
     std::vector<sherd::BreakableAsset> assets;
     std::unique_ptr<SceneWorld> world;
     std::vector<sherd::BreakEvent> events;
-    double seconds = 0;           ///< simulated so far
+    double seconds = 0;             ///< simulated so far
     Eigen::Isometry3d before_step;  ///< where the first body was before the last step of runToBreak
 };
 

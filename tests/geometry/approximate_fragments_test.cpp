@@ -19,7 +19,8 @@ using namespace fragment_support;
 
 const CutSettings no_lattice = {1, 0, 0};
 
-FragmentSurfaces approximated(const TriangleMesh& mesh, const Discretisation& solid, const FragmentLabels& labels) {
+FragmentSurfaces approximated(const TriangleMesh& mesh, const Discretisation& solid,
+                              const FragmentLabels& labels) {
     auto result = cutFragments(mesh, solid, labels, no_lattice);
     EXPECT_TRUE(result) << result.error();
     return result ? std::move(result).value() : FragmentSurfaces();
@@ -51,13 +52,15 @@ TEST_P(ApproximateFragmentsOf, AreAsSoundAsOthers) {
                     outer_vertices.insert(piece.mesh.triangles[t].begin(), piece.mesh.triangles[t].end());
             std::vector<Vec3> outer;
             for (int v : outer_vertices) outer.push_back(piece.mesh.vertices[v]);
-            for (const SurfaceFoot& foot : surfaceFeet(mesh, outer, 1e-9)) farthest = std::max(farthest, foot.distance);
+            for (const SurfaceFoot& foot : surfaceFeet(mesh, outer, 1e-9))
+                farthest = std::max(farthest, foot.distance);
         }
         // Masses are volumes times a density.
         EXPECT_NEAR(sum, volume, 1e-12 * volume);
         EXPECT_LT(farthest, GetParam().largest_distance * GetParam().spacing);
         ASSERT_EQ(fragments.notes.size(), 1u);
-        EXPECT_EQ(fragments.notes[0].rfind("The surface could not be cut cleanly (no lattice was tried): ", 0), 0u);
+        EXPECT_EQ(
+            fragments.notes[0].rfind("The surface could not be cut cleanly (no lattice was tried): ", 0), 0u);
         std::cout << fragments.pieces.size() << " pieces, " << fragments.notes[0] << '\n';
     }
 }
@@ -70,10 +73,11 @@ INSTANTIATE_TEST_SUITE_P(Shapes, ApproximateFragmentsOf,
                                          Shape{"cup", shapes::cup(0.5, 1, 0.08, 40, 14), 0.1, 0.5}),
                          [](const auto& info) { return info.param.name; });
 
-// A fin that the lattice does not see: it is lost, and leaves no crumbs where a node happened to be inside it.
+// A fin that the lattice does not see: it is lost, and leaves no crumbs where a node happened to be inside
+// it.
 TEST(ApproximateFragments, LoseFinsWithoutCrumbs) {
-    const TriangleMesh mesh =
-        shapes::rectilinear({0, 1, 1.2}, {0, 0.5, 0.52, 1}, {0, 1}, [](int i, int j, int) { return i == 0 || j == 1; });
+    const TriangleMesh mesh = shapes::rectilinear({0, 1, 1.2}, {0, 0.5, 0.52, 1}, {0, 1},
+                                                  [](int i, int j, int) { return i == 0 || j == 1; });
     const Discretisation solid = particlesOnly(shapes::box({0, 0, 0}, {1, 1, 1}), 0.13);
     for (unsigned seed = 0; seed < 4; ++seed) {
         const FragmentLabels labels = randomClusters(solid, 4, seed);
@@ -89,7 +93,8 @@ TEST(ApproximateFragments, OfSheetsFarThinnerThanTheLatticeAreRefused) {
     const Discretisation solid = particlesOnly(mesh, 0.5);
     const auto fragments = cutFragments(mesh, solid, randomClusters(solid, 4, 1), no_lattice);
     ASSERT_FALSE(fragments);
-    EXPECT_NE(fragments.error().find("walls are too thin for the lattice"), std::string::npos) << fragments.error();
+    EXPECT_NE(fragments.error().find("walls are too thin for the lattice"), std::string::npos)
+        << fragments.error();
 }
 
 TEST(ApproximateFragments, TakeAttributesFromTrianglesNearBy) {
@@ -104,13 +109,15 @@ TEST(ApproximateFragments, TakeAttributesFromTrianglesNearBy) {
         for (std::size_t t = 0; t < piece.parents.size(); ++t) {
             const auto& [a, b, c] = piece.mesh.triangles[t];
             if (piece.parents[t] < 0) continue;
-            const double height = piece.mesh.vertices[a].z() + piece.mesh.vertices[b].z() + piece.mesh.vertices[c].z();
+            const double height =
+                piece.mesh.vertices[a].z() + piece.mesh.vertices[b].z() + piece.mesh.vertices[c].z();
             if (std::abs(height) > 0.3) {
                 EXPECT_EQ(piece.mesh.materials[piece.mesh.material[t]], height > 0 ? "north" : "south");
             }
             for (int v : {a, b, c})
                 // A lattice triangle may reach as far as that beyond its parent.
-                EXPECT_LT((piece.mesh.colours[v] - piece.mesh.vertices[v] - Vec3::Constant(0.5)).norm(), 0.15);
+                EXPECT_LT((piece.mesh.colours[v] - piece.mesh.vertices[v] - Vec3::Constant(0.5)).norm(),
+                          0.15);
         }
     }
 }

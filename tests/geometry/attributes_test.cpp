@@ -34,7 +34,8 @@ TriangleMesh decorated(TriangleMesh mesh) {
         const auto& [a, b, c] = mesh.triangles[t];
         const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
         const Vec2 island(static_cast<double>(t), 0);
-        mesh.texture_coordinates.push_back({textureAt(p) + island, textureAt(q) + island, textureAt(r) + island});
+        mesh.texture_coordinates.push_back(
+            {textureAt(p) + island, textureAt(q) + island, textureAt(r) + island});
         const Vec3 normal = (q - p).cross(r - p).normalized();
         mesh.normals.push_back({normal, normal, (normal + Vec3(0.1, 0.2, 0.3)).normalized()});
         mesh.material.push_back(p.x() + q.x() + r.x() > 0);
@@ -128,17 +129,22 @@ TEST(Attributes, OfAFileThatHasThemInPartsAreFilledUp) {
 
 TEST(Attributes, ThatAreWrongAreNamed) {
     const auto fault = [](const std::string& text) { return parseObj(text, "cup.obj").error(); };
-    EXPECT_EQ(fault("v 0 0 0 1 0 x\n"),
-              "cup.obj:1: the blue component 'x' is not a number; a vertex with a colour is 'v x y z r g b'.");
-    EXPECT_EQ(fault("v 0 0 0 0 255 0\n"),
-              "cup.obj:1: the green component of a colour is not between 0 and 1; divide colours by their largest "
-              "value.");
-    EXPECT_EQ(fault("vt a 0\n"), "cup.obj:1: the u coordinate 'a' is not a number; texture coordinates are 'vt u v'.");
-    EXPECT_EQ(fault("vn 0 0 inf\n"), "cup.obj:1: the z component 'inf' is not a finite number; correct this normal.");
+    EXPECT_EQ(
+        fault("v 0 0 0 1 0 x\n"),
+        "cup.obj:1: the blue component 'x' is not a number; a vertex with a colour is 'v x y z r g b'.");
+    EXPECT_EQ(
+        fault("v 0 0 0 0 255 0\n"),
+        "cup.obj:1: the green component of a colour is not between 0 and 1; divide colours by their largest "
+        "value.");
+    EXPECT_EQ(fault("vt a 0\n"),
+              "cup.obj:1: the u coordinate 'a' is not a number; texture coordinates are 'vt u v'.");
+    EXPECT_EQ(fault("vn 0 0 inf\n"),
+              "cup.obj:1: the z component 'inf' is not a finite number; correct this normal.");
     const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\n";
-    EXPECT_EQ(fault(vertices + "f 1/1 2/2 3/1\n"),
-              "cup.obj:5: the face names texture coordinate 2, but 1 texture coordinates precede it; correct the "
-              "number.");
+    EXPECT_EQ(
+        fault(vertices + "f 1/1 2/2 3/1\n"),
+        "cup.obj:5: the face names texture coordinate 2, but 1 texture coordinates precede it; correct the "
+        "number.");
     EXPECT_EQ(fault(vertices + "f 1//1 2 3\n"),
               "cup.obj:5: the face names normal 1, but 0 normals precede it; correct the number.");
     EXPECT_EQ(fault(vertices + "f 1/x 2 3\n"),
@@ -167,7 +173,8 @@ void expectInherited(const TriangleMesh& body, const FragmentSurface& piece, int
         Mat3 corners;
         corners << corner(0), corner(1), corner(2);
         for (int i = 0; i < 3; ++i) {
-            const Vec3 w = (corners.colwise() + Vec3(5, 6, 7)).colPivHouseholderQr().solve(at(i) + Vec3(5, 6, 7));
+            const Vec3 w =
+                (corners.colwise() + Vec3(5, 6, 7)).colPivHouseholderQr().solve(at(i) + Vec3(5, 6, 7));
             Vec2 texture = Vec2::Zero();
             Vec3 normal = Vec3::Zero();
             for (int k = 0; k < 3; ++k) {
@@ -180,8 +187,8 @@ void expectInherited(const TriangleMesh& body, const FragmentSurface& piece, int
     }
 }
 
-// Crack coordinates measure lengths: they show no triangle smaller than 0.3 of its area, most areas nearly whole, and
-// are shared along edges but for places where the crack turns.
+// Crack coordinates measure lengths: they show no triangle smaller than 0.3 of its area, most areas nearly
+// whole, and are shared along edges but for places where the crack turns.
 void expectUsableCracks(const FragmentSurface& piece) {
     const TriangleMesh& mesh = piece.mesh;
     std::map<std::pair<int, int>, std::array<Vec2, 2>> across_edge;

@@ -15,7 +15,8 @@ std::string faultOfNeighbours(const FragmentSurfaces& cut) {
     std::map<std::array<Corner, 3>, int> owner;
     for (std::size_t p = 0; p < cut.pieces.size(); ++p)
         for (std::size_t t = 0; t < cut.pieces[p].parents.size(); ++t)
-            if (cut.pieces[p].parents[t] < 0) owner[cornersOf(cut.pieces[p].mesh, t, false)] = static_cast<int>(p);
+            if (cut.pieces[p].parents[t] < 0)
+                owner[cornersOf(cut.pieces[p].mesh, t, false)] = static_cast<int>(p);
     for (const FragmentSurface& piece : cut.pieces)
         for (std::size_t t = 0; t < piece.parents.size(); ++t)
             if (piece.parents[t] < 0 && owner.at(cornersOf(piece.mesh, t, true)) != piece.across[t])
@@ -37,7 +38,8 @@ std::string faultOfCut(const TriangleMesh& body, const FragmentSurfaces& cut) {
     std::vector<TriangleMesh> pieces;
     for (const FragmentSurface& piece : cut.pieces) {
         pieces.push_back(piece.mesh);
-        std::vector<SurfaceKind>& kinds = pieces.back().kinds;  // of this cut: the body may have had cracks before
+        std::vector<SurfaceKind>& kinds =
+            pieces.back().kinds;  // of this cut: the body may have had cracks before
         kinds.assign(piece.parents.size(), SurfaceKind::original);
         for (std::size_t t = 0; t < kinds.size(); ++t)
             if (piece.parents[t] < 0) kinds[t] = SurfaceKind::crack;

@@ -144,7 +144,8 @@ TEST(FragmentSurfaces, CanBeCutAgain) {
     const TriangleMesh mesh = shapes::slab({1, 1, 0.09}, 24, 24, 3);
     const Discretisation solid = particlesOnly(mesh, 1 / 22.0);
     for (unsigned seed = 0; seed < 3; ++seed)
-        for (const FragmentSurface& parent : cut(mesh, solid, randomClusters(solid, 8, seed), {seed}).pieces) {
+        for (const FragmentSurface& parent :
+             cut(mesh, solid, randomClusters(solid, 8, seed), {seed}).pieces) {
             const Discretisation parent_solid = particlesOnly(parent.mesh, 0.03);
             const auto fragments =
                 cut(parent.mesh, parent_solid, randomClusters(parent_solid, 5, seed), {seed});

@@ -54,13 +54,15 @@ TEST_P(SweepOf, ManySeedsIsSound) {
         notes += cut.value().notes.size();
     }
     RecordProperty("pieces_checked", static_cast<int>(checked));
-    std::cout << solid.particles.size() << " particles, " << checked << " pieces checked, " << notes << " notes\n";
+    std::cout << solid.particles.size() << " particles, " << checked << " pieces checked, " << notes
+              << " notes\n";
     EXPECT_GE(checked, 0.95 * seeds * 24);
     EXPECT_EQ(notes, 0u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, SweepOf,
-                         testing::Values(SweptBody{"plate", plate, 1 / 22.0}, SweptBody{"cup", coffeeCup, 0.004},
+                         testing::Values(SweptBody{"plate", plate, 1 / 22.0},
+                                         SweptBody{"cup", coffeeCup, 0.004},
                                          SweptBody{"bowl", thinBowl, 0.005}),
                          [](const auto& info) { return info.param.name; });
 

@@ -20,7 +20,8 @@ TEST(StrengthFromColours, GoesFromBlackToWhiteAlongTheSurface) {
     for (const double z : {-1.0, -0.4, 0.0, 0.7, 1.0}) {
         const double expected = 0.2 + 3 * (z + 1) / 2;
         EXPECT_NEAR(field.value()(Vec3(1, 0.3, z)), expected, 1e-12);
-        EXPECT_NEAR(field.value()(Vec3(0.99, 0.1, 0.98 * z)), 0.2 + 3 * (0.98 * z + 1) / 2, 1e-9) << "just inside";
+        EXPECT_NEAR(field.value()(Vec3(0.99, 0.1, 0.98 * z)), 0.2 + 3 * (0.98 * z + 1) / 2, 1e-9)
+            << "just inside";
     }
     EXPECT_NEAR(field.value()(Vec3(0.1, 0.2, 5)), 3.2, 1e-12);
 }

@@ -1,6 +1,5 @@
-#include <sherd/breakable_asset.h>
-
 #include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
 
 #include <limits>
 
@@ -11,12 +10,13 @@ namespace {
 using namespace sherd;
 
 std::string sentenceFor(const std::string& file) {
-    return BreakableAsset::fromObj(std::string(SHERD_TEST_DATA) + "/bad_obj/" + file, Material::ceramic()).error();
+    return BreakableAsset::fromObj(std::string(SHERD_TEST_DATA) + "/bad_obj/" + file, Material::ceramic())
+        .error();
 }
 
 TEST(Asset, EveryKindOfWrongObjHasItsOwnSentence) {
     const std::vector<std::pair<std::string, std::string>> expected = {
-        {"open.obj", "is open"},   {"inverted.obj", "inward"}, {"self_intersecting.obj", "intersect"},
+        {"open.obj", "is open"},   {"inverted.obj", "inward"},  {"self_intersecting.obj", "intersect"},
         {"empty.obj", "no faces"}, {"nan.obj", "not a finite"}, {"not_there.obj", "cannot be opened"}};
     for (const auto& [file, words] : expected) {
         const std::string sentence = sentenceFor(file);
@@ -35,19 +35,24 @@ TEST(Asset, ConstantsOutOfRangeAreNamed) {
     };
     EXPECT_NE(sentence([](Material& m) { m.poisson_ratio = 0.5; }).find("poisson_ratio"), std::string::npos);
     EXPECT_NE(sentence([](Material& m) { m.density_kg_m3 = 0; }).find("density"), std::string::npos);
-    EXPECT_NE(sentence([](Material& m) { m.tensile_strength_pa = -1; }).find("tensile_strength"), std::string::npos);
-    EXPECT_NE(sentence([](Material& m) { m.youngs_modulus_pa = std::numeric_limits<double>::quiet_NaN(); }).find("youngs_modulus"),
+    EXPECT_NE(sentence([](Material& m) { m.tensile_strength_pa = -1; }).find("tensile_strength"),
+              std::string::npos);
+    EXPECT_NE(sentence([](Material& m) {
+                  m.youngs_modulus_pa = std::numeric_limits<double>::quiet_NaN();
+              }).find("youngs_modulus"),
               std::string::npos);
     Settings settings;
     settings.sampling.spacing_m = -1;
-    EXPECT_NE(BreakableAsset::fromMesh(box, Material::glass(), settings).error().find("spacing_m"), std::string::npos);
+    EXPECT_NE(BreakableAsset::fromMesh(box, Material::glass(), settings).error().find("spacing_m"),
+              std::string::npos);
 }
 
 TEST(Asset, SpacingGivenIsSpacingUsed) {
     // The paper's wall (section 7, Table 1): 968 particles.
     Settings settings;
     settings.sampling.spacing_m = 0.045;
-    const auto wall = BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 0.09)), Material::plaster(), settings);
+    const auto wall = BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.5, 0), Vec3(0.5, 0.5, 0.09)),
+                                               Material::plaster(), settings);
     ASSERT_TRUE(wall.ok()) << wall.error();
     EXPECT_EQ(wall.value().particleCount(), 968);
     EXPECT_NEAR(wall.value().volume(), 0.09, 1e-12);

@@ -25,7 +25,8 @@ const std::string needed = R"("youngs_modulus_pa": 5e10, "poisson_ratio": 0.2, "
     "tensile_strength_pa": 2e7, "fracture_energy_j_m2": 12)";
 
 TEST(MaterialFile, GivesEveryField) {
-    const auto tile = read("{" + needed + R"(, "name": "tile", "strength_scatter": 0.3, "compressive_strength_pa": 2e8,
+    const auto tile =
+        read("{" + needed + R"(, "name": "tile", "strength_scatter": 0.3, "compressive_strength_pa": 2e8,
         "weibull_modulus": 9, "weibull_volume_m3": 2e-6})");
     ASSERT_TRUE(tile.ok()) << tile.error();
     const Material& m = tile.value();

@@ -42,17 +42,20 @@ double acrossFacet(double outer, double inner, int sides, double at) {
 
 TEST(StressModel, WhatIsNotFiniteIsNamed) {
     const StressModel model = modelOf(bar);
-    EXPECT_EQ(model.solve({}, {Vec3(0.5, 0.1, 0.1), Vec3(NAN, 0, 0)}).error(), "Point number 1 (from 0) is not finite.");
+    EXPECT_EQ(model.solve({}, {Vec3(0.5, 0.1, 0.1), Vec3(NAN, 0, 0)}).error(),
+              "Point number 1 (from 0) is not finite.");
     EXPECT_EQ(model.solve({}, {Vec3(INFINITY, 0, 0)}).error(), "Point number 0 (from 0) is not finite.");
     EXPECT_NE(model.solve({}, {}, Vec3(NAN, 0, 0)).error().find("spin"), std::string::npos);
 }
 
 TEST(StressModel, PointsOutsideAreCounted) {
-    const auto field = modelOf(bar).solve({pressureOn(left, 1e6), pressureOn(right, 1e6)},
-                                          {Vec3(0.5, 0.1, 0.1), Vec3(500, 100, 100), Vec3(0.5, 0.1, 0.2), Vec3(-1, 0, 0)});
+    const auto field =
+        modelOf(bar).solve({pressureOn(left, 1e6), pressureOn(right, 1e6)},
+                           {Vec3(0.5, 0.1, 0.1), Vec3(500, 100, 100), Vec3(0.5, 0.1, 0.2), Vec3(-1, 0, 0)});
     ASSERT_TRUE(field.ok()) << field.error();
     ASSERT_EQ(field.value().warnings.size(), 1u);
-    EXPECT_EQ(field.value().warnings[0].find("2 of 4 points lie outside the body, the first is number 1"), 0u);
+    EXPECT_EQ(field.value().warnings[0].find("2 of 4 points lie outside the body, the first is number 1"),
+              0u);
     EXPECT_NEAR(field.value().points[0][0], -1e6, 10);
     EXPECT_NEAR(field.value().points[2][0], -1e6, 10);
 }
@@ -64,7 +67,8 @@ TEST(StressModel, SupportsHaveToHold) {
         return StressModel::make(bar, material, Settings::forQuality(Quality::preview), {support});
     };
     for (const SurfaceRegion& support :
-         {SurfaceRegion(SphereRegion{Vec3(0, 0.1, 0.1), 1e-5}), SurfaceRegion(BoxRegion{Vec3(0, 0, 0.09999), Vec3(0, 0.2, 0.10001)})}) {
+         {SurfaceRegion(SphereRegion{Vec3(0, 0.1, 0.1), 1e-5}),
+          SurfaceRegion(BoxRegion{Vec3(0, 0, 0.09999), Vec3(0, 0.2, 0.10001)})}) {
         const auto model = make(support);
         ASSERT_FALSE(model.ok());
         EXPECT_NE(model.error().find("free to turn"), std::string::npos) << model.error();
@@ -72,12 +76,13 @@ TEST(StressModel, SupportsHaveToHold) {
     EXPECT_TRUE(make(left).ok());
 }
 
-// The traction that the surface carries is the one that was placed, by the same tolerance: also when a flat box misses its
-// face by what digits in a file lose, and on coarse facets of a bore.
+// The traction that the surface carries is the one that was placed, by the same tolerance: also when a flat
+// box misses its face by what digits in a file lose, and on coarse facets of a bore.
 TEST(StressModel, SurfaceCarriesTheLoadsThatWerePlaced) {
     const BoxRegion missed{Vec3(1 + 5e-7, 0, 0), Vec3(1 + 5e-7, 0.2, 0.2)};
     const StressModel model = modelOf(bar);
-    const auto field = model.solve({pressureOn(left, 1e6), pressureOn(missed, 1e6)}, {Vec3(1, 0.1, 0.1), Vec3(0.999, 0.1, 0.1)});
+    const auto field = model.solve({pressureOn(left, 1e6), pressureOn(missed, 1e6)},
+                                   {Vec3(1, 0.1, 0.1), Vec3(0.999, 0.1, 0.1)});
     ASSERT_TRUE(field.ok()) << field.error();
     for (const Voigt& stress : field.value().points) EXPECT_NEAR(stress[0], -1e6, 1e3);
 

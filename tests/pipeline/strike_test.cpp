@@ -1,14 +1,12 @@
-#include "pipeline.h"
-
 #include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
 
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <stdexcept>
 
-#include <sherd/breakable_asset.h>
-
+#include "pipeline.h"
 #include "support/shapes.h"
 
 namespace {
@@ -17,7 +15,8 @@ using namespace sherd;
 
 /// A plate of 0.4 x 0.4 x 0.03 m that a ball hits in the middle of its upper face.
 std::shared_ptr<const Body> plate(const Material& material, const Settings& settings = {}) {
-    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)), material, settings);
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
+                                                material, settings);
     EXPECT_TRUE(asset.ok()) << asset.error();
     return asset.value().body();
 }
@@ -105,7 +104,8 @@ TEST(Strike, SameSeedSameFragmentsOtherSeedOthers) {
         Settings settings;
         settings.fracture.seed = seed;
         std::vector<double> v;
-        for (const Fragment& f : strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), seed).fragments)
+        for (const Fragment& f :
+             strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), seed).fragments)
             v.push_back(f.body->moments().volume);
         return v;
     };
@@ -219,7 +219,8 @@ TEST(Strike, DebrisIsKeptMergedOrDropped) {
     const BlowOutcome kept = struck(Debris::unbreakable), merged = struck(Debris::merged),
                       dropped = struck(Debris::dropped);
     ASSERT_GT(small(kept), 3);
-    // Merging goes by particles, and the cut is smooth: a piece may end up a little smaller than its particles.
+    // Merging goes by particles, and the cut is smooth: a piece may end up a little smaller than its
+    // particles.
     EXPECT_EQ(small(merged), 0);
     EXPECT_LT(merged.fragments.size(), kept.fragments.size());
     ASSERT_EQ(dropped.fragments.size(), kept.fragments.size());
@@ -269,7 +270,8 @@ TEST(Strike, TwiceTheImpulseNeverDamagesLess) {
         for (const bool faster : {false, true}) {  // or heavier
             int last = 0;
             for (double factor = 0.01; factor < 50; factor *= 2) {
-                const Blow blow = faster ? blowInTheMiddle(0.3, 3 * factor) : blowInTheMiddle(0.3 * factor, 3);
+                const Blow blow =
+                    faster ? blowInTheMiddle(0.3, 3 * factor) : blowInTheMiddle(0.3 * factor, 3);
                 const int damaged = strike(*body, blow, 1).damaged_particles;
                 EXPECT_GE(damaged, last) << factor;
                 last = damaged;

@@ -3,8 +3,8 @@
 namespace sherd::stability {
 namespace {
 
-/// Largest stress in one leg of a tuning fork while the other one is bent, over the largest anywhere. Legs of 0.2 x 0.2 x 1
-/// on a base that joins them.
+/// Largest stress in one leg of a tuning fork while the other one is bent, over the largest anywhere. Legs of
+/// 0.2 x 0.2 x 1 on a base that joins them.
 double stressAcrossGap(double gap, double spacing, const StressSettings& settings) {
     const double leg = 0.2, height = 1;
     const TriangleMesh fork =
@@ -13,7 +13,8 @@ double stressAcrossGap(double gap, double spacing, const StressSettings& setting
     SamplingSettings sampling;
     sampling.moment_order = 4;
     const auto solid = std::make_shared<Discretisation>(valueOf(sampleSolid(fork, spacing, sampling)));
-    // A couple of forces in the upper half of the left leg alone: self-balanced, so nothing is left for the right leg.
+    // A couple of forces in the upper half of the left leg alone: self-balanced, so nothing is left for the
+    // right leg.
     std::vector<PointForce> loads;
     for (const auto& [z, force] : {std::pair{0.95, 1.0}, {0.75, -2.0}, {0.55, 1.0}})
         loads.push_back({{-leg - gap / 2, 0.1, z}, {force * 1e4, 0, 0}});
@@ -42,26 +43,30 @@ TEST(Gaps, NothingPassesThroughAir) {
     }
 }
 
-/// A bar with a square neck in its middle, pulled: force through the neck's section from the stress there, over the load.
+/// A bar with a square neck in its middle, pulled: force through the neck's section from the stress there,
+/// over the load.
 struct Neck {
     double carried = 0, reciprocal_condition = 0;
     size_t warnings = 0;
 };
 Neck pulledNeck(double width, double spacing) {
     const double half = width / 2;
-    const TriangleMesh mesh = shapes::rectilinear({-1, -0.2, 0.2, 1}, {-0.4, -half, half, 0.4}, {-0.4, -half, half, 0.4},
-                                                  [](int i, int j, int k) { return i != 1 || (j == 1 && k == 1); });
+    const TriangleMesh mesh =
+        shapes::rectilinear({-1, -0.2, 0.2, 1}, {-0.4, -half, half, 0.4}, {-0.4, -half, half, 0.4},
+                            [](int i, int j, int k) { return i != 1 || (j == 1 && k == 1); });
     const auto solid = sampledForSplines(mesh, spacing, Basis::quadratic);
     std::vector<PointForce> loads;
     for (const SurfaceNode& node : surfaceQuadrature(mesh, solid->parts))
         if (std::abs(node.position.x()) > 0.999 && std::abs(node.area.normalized().x()) > 0.9)
             loads.push_back({node.position, 1e6 * node.area});
     std::vector<Vec3> section;
-    for (int i = 0; i < 16; ++i) section.emplace_back(0.03, (i % 4 - 1.5) / 4 * width, (i / 4 - 1.5) / 4 * width);
+    for (int i = 0; i < 16; ++i)
+        section.emplace_back(0.03, (i % 4 - 1.5) / 4 * width, (i / 4 - 1.5) / 4 * width);
     const StressSolver solver = build(solid, elasticMaterial(), quadratic_splines);
     const StressField field = valueOf(solver.solve(loads, section));
     Neck neck;
-    for (const Voigt& stress : field.points) neck.carried += stress[0] / 16 * width * width / (1e6 * 0.8 * 0.8);
+    for (const Voigt& stress : field.points)
+        neck.carried += stress[0] / 16 * width * width / (1e6 * 0.8 * 0.8);
     neck.reciprocal_condition = solver.report().reciprocal_condition;
     neck.warnings = field.warnings.size();
     return neck;
@@ -78,13 +83,13 @@ TEST(Necks, CarryTheLoad) {
     }
 }
 
-// Two blocks that share an edge only, or a corner, with vertices of their own: there is no section that could carry
-// anything, so they are two bodies, each balanced by itself.
+// Two blocks that share an edge only, or a corner, with vertices of their own: there is no section that could
+// carry anything, so they are two bodies, each balanced by itself.
 TEST(JoinedAtAnEdge, AreTwoBodies) {
     const TriangleMesh one = shapes::box({0, 0, 0}, {1, 1, 1});
     Table table("joined at | error of constant stress | stress in the unloaded one");
-    for (const auto& [name, offset] : {std::pair{"an edge", Vec3(1, 1, 0)}, {"a corner", Vec3(1, 1, 1)},
-                                       {"nothing", Vec3(1.5, 0, 0)}}) {
+    for (const auto& [name, offset] :
+         {std::pair{"an edge", Vec3(1, 1, 0)}, {"a corner", Vec3(1, 1, 1)}, {"nothing", Vec3(1.5, 0, 0)}}) {
         const TriangleMesh both = shapes::joined(one, shapes::translated(one, offset));
         SamplingSettings sampling;
         sampling.moment_order = 4;
@@ -115,13 +120,14 @@ TEST(ThinWalls, DownToATwentiethOfASpacing) {
     Table table("thickness (spacings) | constant stress | bending | 1/condition");
     for (const double thickness : {1.0, 0.5, 0.25, 0.1, 0.05}) {
         const Mat3 stress = (Mat3() << 2, 1, 0, 1, -1, 0, 0, 0, 0).finished() * 1e6;
-        const ClosedForm plate{shapes::moved(shapes::slab({1, 0.7, 0.1 * thickness}), someRotation()),
-                               elasticMaterial(), [&](const Vec3&) -> Mat3 {
-                                   return someRotation() * stress * someRotation().transpose();
-                               }};
+        const ClosedForm plate{
+            shapes::moved(shapes::slab({1, 0.7, 0.1 * thickness}), someRotation()), elasticMaterial(),
+            [&](const Vec3&) -> Mat3 { return someRotation() * stress * someRotation().transpose(); }};
         const Outcome stretched = solveAt(plate, 0.1, quadratic_splines);
-        const Outcome bent = solveAt(turned(curvedPlate(0.3, 0.1 * thickness), someRotation()), 0.1, quadratic_splines);
-        table.row("%.2f | %.0e | %.0e | %.0e", thickness, stretched.error, bent.error, stretched.reciprocal_condition);
+        const Outcome bent =
+            solveAt(turned(curvedPlate(0.3, 0.1 * thickness), someRotation()), 0.1, quadratic_splines);
+        table.row("%.2f | %.0e | %.0e | %.0e", thickness, stretched.error, bent.error,
+                  stretched.reciprocal_condition);
         EXPECT_LT(stretched.error, 1e-5);
         EXPECT_LT(bent.error, 0.03);
     }
@@ -131,8 +137,9 @@ TEST(ThinWalls, DownToATwentiethOfASpacing) {
 TEST(Loads, NotFiniteOrBesideTheBody) {
     const auto solid = sampledForSplines(shapes::slab({1, 1, 0.2}), 0.1, Basis::quadratic);
     const StressSolver solver = build(solid, elasticMaterial(), quadratic_splines);
-    for (const PointForce& load : {PointForce{{0, 0, 0}, {NAN, 0, 0}}, PointForce{{NAN, 0, 0}, {1, 0, 0}},
-                                   PointForce{{0, 0, INFINITY}, {1, 0, 0}}, PointForce{{0, 0, 9}, {1, 0, 0}}}) {
+    for (const PointForce& load :
+         {PointForce{{0, 0, 0}, {NAN, 0, 0}}, PointForce{{NAN, 0, 0}, {1, 0, 0}},
+          PointForce{{0, 0, INFINITY}, {1, 0, 0}}, PointForce{{0, 0, 9}, {1, 0, 0}}}) {
         const auto field = solver.solve({load});
         ASSERT_FALSE(field.ok());
         EXPECT_NE(field.error().find("load"), std::string::npos);

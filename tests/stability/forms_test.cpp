@@ -6,15 +6,18 @@
 namespace sherd::stability {
 namespace {
 
-// Supports that hold too few particles are widened where they are; the outcome says how often. Beyond 3.5 nothing is won.
+// Supports that hold too few particles are widened where they are; the outcome says how often. Beyond 3.5
+// nothing is won.
 TEST(SupportRadius, EveryFormSurvivesEveryRadius) {
     const ClosedForm plate = bentPlate(0.3);
-    Table table("support radius | mls, galerkin | gmls, galerkin | mls, heaviside | smallest 1/condition | warnings");
+    Table table(
+        "support radius | mls, galerkin | gmls, galerkin | mls, heaviside | smallest 1/condition | warnings");
     for (const double radius : {1.2, 1.3, 1.6, 2.0, 2.5, 3.0, 3.5}) {
         const Outcome mls = solveAt(plate, 0.06, withRadius(galerkin_mls, radius));
         const Outcome gmls = solveAt(plate, 0.06, withRadius(galerkin_gmls, radius));
         const Outcome flux = solveAt(plate, 0.06, withRadius(heaviside_mls, radius));
-        table.row("%.2f | %.3f | %.3f | %.3f | %.0e | %zu, %zu, %zu", radius, mls.error, gmls.error, flux.error,
+        table.row("%.2f | %.3f | %.3f | %.3f | %.0e | %zu, %zu, %zu", radius, mls.error, gmls.error,
+                  flux.error,
                   std::min({mls.reciprocal_condition, gmls.reciprocal_condition, flux.reciprocal_condition}),
                   mls.warnings, gmls.warnings, flux.warnings);
         EXPECT_LT(gmls.error, 0.08);
@@ -57,15 +60,16 @@ TEST(Jitter, PatchTestHoldsUpToHalfASpacing) {
     }
 }
 
-// Layers of particles across a plate of nu 0.43 in bending. Linear MLS locks with two, Heaviside test functions are too
-// weak with any; splines know neither, and both others warn or stay out of the presets.
+// Layers of particles across a plate of nu 0.43 in bending. Linear MLS locks with two, Heaviside test
+// functions are too weak with any; splines know neither, and both others warn or stay out of the presets.
 TEST(Layers, OneToSixAcross) {
     const ClosedForm plate = bentPlate(0.43, 0.5);
     Table table("layers | splines | gmls | mls | heaviside");
     for (const int layers : {1, 2, 3, 4, 6}) {
         const double spacing = 0.12 / layers;
         const Outcome spline = solveAt(plate, spacing, quadratic_splines);
-        const Outcome gmls = solveAt(plate, spacing, galerkin_gmls), mls = solveAt(plate, spacing, galerkin_mls);
+        const Outcome gmls = solveAt(plate, spacing, galerkin_gmls),
+                      mls = solveAt(plate, spacing, galerkin_mls);
         const Outcome flux = solveAt(plate, spacing, heaviside_mls);
         table.row("%d | %.4f | %.3f | %.3f | %.3f", layers, spline.error, gmls.error, mls.error, flux.error);
         EXPECT_LT(spline.error, 0.06 / layers);
@@ -84,7 +88,8 @@ TEST(Layers, TwoAtThePapersPoissonRatio) {
     Table table("two layers at nu | mls | splines");
     for (const double nu : {0.0, 0.2, 0.3, 0.43, 0.49}) {
         const ClosedForm plate = curvedPlate(nu, 0.09);
-        const Outcome mls = solveAt(plate, 0.045, galerkin_mls), spline = solveAt(plate, 0.045, quadratic_splines);
+        const Outcome mls = solveAt(plate, 0.045, galerkin_mls),
+                      spline = solveAt(plate, 0.045, quadratic_splines);
         table.row("%.2f | %.3f | %.0e", nu, mls.error, spline.error);
         EXPECT_LT(spline.error, 1e-7 / (1 - 2 * nu));
         if (nu >= 0.43) {
@@ -112,8 +117,8 @@ TEST(HeavisidePaper, ManyPointsAFaceBeatOne) {
     EXPECT_LT(solveOn(plate, solid, heaviside_paper).error, solveOn(plate, solid, heaviside_mls).error);
 }
 
-/// The voxels of a grid whose middles lie in a hollow sphere, as a surface of its own: what a sampling without cut cells
-/// would have.
+/// The voxels of a grid whose middles lie in a hollow sphere, as a surface of its own: what a sampling
+/// without cut cells would have.
 TriangleMesh voxelised(double outer, double inner, double edge) {
     const int half = static_cast<int>(std::ceil(outer / edge)) + 1;
     std::vector<double> lines;
@@ -169,8 +174,8 @@ TEST(WholeVoxels, AreWhatCutCellsAreFor) {
             if (field) {
                 Squares squares;
                 for (size_t i = 0; i < solid->particles.size(); ++i)
-                    squares.add(toMatrix(field.value().particles[i]), sphere.stress(solid->particles[i].position),
-                                solid->particles[i].volume);
+                    squares.add(toMatrix(field.value().particles[i]),
+                                sphere.stress(solid->particles[i].position), solid->particles[i].volume);
                 whole = squares.ratio();
             }
         }
@@ -182,9 +187,10 @@ TEST(WholeVoxels, AreWhatCutCellsAreFor) {
     EXPECT_GT(worst_whole, 0.3) << "or the sentence in README.md is out of date";
 }
 
-/// Gradient of x that functions of values alone make from sum phi_i x_i; the paper's Eq. 12 adds the derivatives of the
-/// basis to the moment matrix (`with_derivatives`), where Eq. 10 has none.
-double gradientError(const std::vector<Vec3>& particles, const Vec3& x, double radius, bool with_derivatives) {
+/// Gradient of x that functions of values alone make from sum phi_i x_i; the paper's Eq. 12 adds the
+/// derivatives of the basis to the moment matrix (`with_derivatives`), where Eq. 10 has none.
+double gradientError(const std::vector<Vec3>& particles, const Vec3& x, double radius,
+                     bool with_derivatives) {
     const auto interpolated = [&](const Vec3& at) {
         Eigen::Matrix4d moment = Eigen::Matrix4d::Zero();
         Eigen::Vector4d right = Eigen::Vector4d::Zero();
@@ -203,17 +209,21 @@ double gradientError(const std::vector<Vec3>& particles, const Vec3& x, double r
     const double step = 1e-5 * radius;
     Vec3 gradient;
     for (int j = 0; j < 3; ++j)
-        gradient[j] = (interpolated(x + step * Vec3::Unit(j)) - interpolated(x - step * Vec3::Unit(j))) / (2 * step);
+        gradient[j] =
+            (interpolated(x + step * Vec3::Unit(j)) - interpolated(x - step * Vec3::Unit(j))) / (2 * step);
     return (gradient - Vec3::UnitX()).norm();
 }
 
-// Eq. 12 taken literally, with displacements as the only unknowns: a linear field does not come back, so that a rotation
-// would make stress. Sherd's gmls has the gradients of Eq. 11 as unknowns, and its rigid motions are free of stress.
+// Eq. 12 taken literally, with displacements as the only unknowns: a linear field does not come back, so that
+// a rotation would make stress. Sherd's gmls has the gradients of Eq. 11 as unknowns, and its rigid motions
+// are free of stress.
 TEST(Equation12, LosesLinearFieldsWhenTakenLiterally) {
     Table table("spacing (m) | support radius (spacings) | Eq. 10 | Eq. 12 literally | Sherd's gmls");
     const auto solid = sampled(shapes::slab({1, 0.7, 0.4}), 0.15);
-    // The terms that Eq. 12 adds have another unit than those of Eq. 10: what they do depends on the unit of length.
-    for (const auto& [spacing, radius] : {std::pair{1.0, 1.5}, {0.2, 1.5}, {0.2, 3.0}, {0.05, 1.5}, {0.05, 3.0}}) {
+    // The terms that Eq. 12 adds have another unit than those of Eq. 10: what they do depends on the unit of
+    // length.
+    for (const auto& [spacing, radius] :
+         {std::pair{1.0, 1.5}, {0.2, 1.5}, {0.2, 3.0}, {0.05, 1.5}, {0.05, 3.0}}) {
         std::vector<Vec3> particles;
         for (int i = 0; i < 343; ++i) particles.push_back(spacing * Vec3(i % 7, i / 7 % 7, i / 49));
         double plain = 0, literal = 0;

@@ -3,13 +3,14 @@
 namespace sherd::stability {
 namespace {
 
-// Toward nu 0.5: quadratic splines hold constant curvatures exactly, but other fields lock slowly. It is said above 0.47,
-// and refused above 0.499.
+// Toward nu 0.5: quadratic splines hold constant curvatures exactly, but other fields lock slowly. It is said
+// above 0.47, and refused above 0.499.
 TEST(PoissonRatio, FromZeroToTheLimit) {
     Table table("nu | bent plate, 2 layers | 3 layers | cubic, 2 layers | 1/condition | warnings");
     for (const double nu : {0.0, 0.2, 0.3, 0.43, 0.45, 0.48, 0.49, 0.499}) {
         const ClosedForm plate = turned(bentPlate(nu, 0.5), someRotation());
-        const Outcome two = solveAt(plate, 0.06, quadratic_splines), three = solveAt(plate, 0.04, quadratic_splines);
+        const Outcome two = solveAt(plate, 0.06, quadratic_splines),
+                      three = solveAt(plate, 0.04, quadratic_splines);
         const Outcome cubic = solveAt(plate, 0.06, splines(Basis::cubic));
         table.row("%.3f | %.4f | %.4f | %.4f | %.0e | %zu", nu, two.error, three.error, cubic.error,
                   two.reciprocal_condition, two.warnings);
@@ -34,7 +35,8 @@ TriangleMesh stepped(double cut) {
                                [](int, int j, int k) { return k == 0 || j == 0; });
 }
 
-// Cells that hold next to nothing of the solid: their functions are continued from full ones, and the condition stays.
+// Cells that hold next to nothing of the solid: their functions are continued from full ones, and the
+// condition stays.
 TEST(CutCells, SliversDownToAHundredThousandth) {
     const Mat3 stress = (Mat3() << 2, 1, 0, 1, -1, 0.5, 0, 0.5, 3).finished() * 1e6;
     Table table("part of the cell that is solid | constant stress | 1/condition");
@@ -55,11 +57,13 @@ TEST(CutCells, GridShift) {
     Table table("shift of the grid (cells) | bent plate");
     double least = 1, most = 0;
     for (int step = 0; step < 10; ++step) {
-        // A corner piece that sticks out shifts the grid under the plate, whose thickness is no multiple of a cell.
+        // A corner piece that sticks out shifts the grid under the plate, whose thickness is no multiple of a
+        // cell.
         const double shift = 0.005 * step;
         ClosedForm plate = bentPlate(0.43);
-        plate.surface = shapes::rectilinear({-0.5, 0.45, 0.5}, {-0.5, 0.45, 0.5}, {-0.06, 0.06, 0.0601 + shift},
-                                            [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); });
+        plate.surface =
+            shapes::rectilinear({-0.5, 0.45, 0.5}, {-0.5, 0.45, 0.5}, {-0.06, 0.06, 0.0601 + shift},
+                                [](int i, int j, int k) { return k == 0 || (i == 1 && j == 1); });
         const Outcome outcome = solveAt(plate, 0.05, quadratic_splines);
         table.row("%.1f | %.4f", 0.1 * step, outcome.error);
         least = std::min(least, outcome.error);
@@ -69,8 +73,8 @@ TEST(CutCells, GridShift) {
     EXPECT_LT(most, 3 * least);
 }
 
-/// Stress in a bar that is squeezed between two small patches on its ends: on its middle section, where it is F / A
-/// (Saint-Venant), and under a patch.
+/// Stress in a bar that is squeezed between two small patches on its ends: on its middle section, where it is
+/// F / A (Saint-Venant), and under a patch.
 struct SqueezedBar {
     std::vector<Voigt> middle, near;
 };
@@ -89,8 +93,8 @@ SqueezedBar squeezedBar(double spacing, int rounds) {
     return {{field.points.begin(), field.points.begin() + 9}, {field.points.begin() + 9, field.points.end()}};
 }
 
-// Resampling joins cells of different size. Far away nothing may change; near the load each round has to bring the
-// stress nearer to that of a grid that is fine everywhere.
+// Resampling joins cells of different size. Far away nothing may change; near the load each round has to
+// bring the stress nearer to that of a grid that is fine everywhere.
 TEST(Octree, EveryRoundHelpsNearTheLoadAndHarmsNothingElsewhere) {
     const SqueezedBar fine = squeezedBar(0.025, 0);
     Table table("rounds | middle of the bar | under the load");
@@ -110,7 +114,8 @@ TEST(Octree, EveryRoundHelpsNearTheLoadAndHarmsNothingElsewhere) {
     EXPECT_LT(before, 0.25);
 }
 
-// Next to its border little of the finer grid may move, and the more so toward nu 0.5: the coarser one is read there.
+// Next to its border little of the finer grid may move, and the more so toward nu 0.5: the coarser one is
+// read there.
 TEST(Octree, FinerGridIsNotReadAtItsBorder) {
     const auto solid = sampledForSplines(shapes::slab({1.2, 0.2, 0.2}), 0.1, Basis::quadratic);
     StressSettings settings = quadratic_splines;
@@ -125,18 +130,25 @@ TEST(Octree, FinerGridIsNotReadAtItsBorder) {
     EXPECT_DOUBLE_EQ(field.point_spacing_m[3], coarse / 2);
 }
 
-// From one particle up: constant stress is right in bodies of any number, in plates and rods of one layer too.
+// From one particle up: constant stress is right in bodies of any number, in plates and rods of one layer
+// too.
 TEST(BodySize, FromOneParticleUp) {
     const Mat3 stress = (Mat3() << 2, 1, 0, 1, -1, 0.5, 0, 0.5, 3).finished() * 1e6;
     Table table("body | particles | constant stress: splines | gmls | 1/condition");
-    const std::tuple<const char*, Vec3, double> bodies[] = {
-        {"crumb", {1, 1, 1}, 1.0},         {"two", {2, 1, 1}, 1.0},           {"coplanar", {5, 4, 1}, 1.0},
-        {"collinear", {6, 1, 1}, 1.0},     {"cube of 2", {2, 2, 2}, 1.0},     {"cube of 3", {3, 3, 3}, 1.0},
-        {"sheet, 1 : 50", {50, 50, 1}, 5.0}, {"needle, 1 : 100", {100, 1, 1}, 4.0}, {"larger than itself", {1, 1, 1}, 50.0}};
+    const std::tuple<const char*, Vec3, double> bodies[] = {{"crumb", {1, 1, 1}, 1.0},
+                                                            {"two", {2, 1, 1}, 1.0},
+                                                            {"coplanar", {5, 4, 1}, 1.0},
+                                                            {"collinear", {6, 1, 1}, 1.0},
+                                                            {"cube of 2", {2, 2, 2}, 1.0},
+                                                            {"cube of 3", {3, 3, 3}, 1.0},
+                                                            {"sheet, 1 : 50", {50, 50, 1}, 5.0},
+                                                            {"needle, 1 : 100", {100, 1, 1}, 4.0},
+                                                            {"larger than itself", {1, 1, 1}, 50.0}};
     for (const auto& [name, size, spacing] : bodies) {
         const ClosedForm constant{shapes::slab(size), elasticMaterial(), [&](const Vec3&) { return stress; }};
         const auto solid = sampledForSplines(constant.surface, spacing, Basis::quadratic);
-        const Outcome spline = solveOn(constant, solid, quadratic_splines), gmls = solveOn(constant, solid, galerkin_gmls);
+        const Outcome spline = solveOn(constant, solid, quadratic_splines),
+                      gmls = solveOn(constant, solid, galerkin_gmls);
         table.row("%s | %zu | %.0e | %.0e | %.0e", name, solid->particles.size(), spline.error, gmls.error,
                   spline.reciprocal_condition);
         EXPECT_LT(spline.error, 1e-6) << name;
@@ -155,7 +167,8 @@ TEST(Contrast, StiffnessAndSize) {
             scaled.material = elasticMaterial(stiffness, 0.3);
             scaled.stress = [unit, length](const Vec3& x) { return unit.stress(x / length); };
             const Outcome outcome = solveAt(scaled, 0.06 * length, quadratic_splines);
-            table.row("%.0e | %g | %.6f | %.0e", stiffness, length, outcome.error, outcome.reciprocal_condition);
+            table.row("%.0e | %g | %.6f | %.0e", stiffness, length, outcome.error,
+                      outcome.reciprocal_condition);
             if (first == 0) first = outcome.error;
             EXPECT_NEAR(outcome.error, first, 1e-8);
         }

@@ -6,8 +6,9 @@
 
 #include "validation/known_fields.h"
 
-/// A sweep solves one problem while one thing about it gets worse. Tests say what Sherd does there; with the environment
-/// variable SHERD_TABLES set they also print the rows of the tables in README.md beside this file.
+/// A sweep solves one problem while one thing about it gets worse. Tests say what Sherd does there; with the
+/// environment variable SHERD_TABLES set they also print the rows of the tables in README.md beside this
+/// file.
 namespace sherd::stability {
 
 using namespace validation;
@@ -70,7 +71,8 @@ inline Outcome solveOn(const ClosedForm& form, std::shared_ptr<const Discretisat
 
 inline Outcome solveAt(const ClosedForm& form, double spacing, const StressSettings& settings) {
     SamplingSettings sampling;
-    if (settings.trial_function == TrialFunction::spline) sampling.moment_order = 2 * splineDegree(settings.basis);
+    if (settings.trial_function == TrialFunction::spline)
+        sampling.moment_order = 2 * splineDegree(settings.basis);
     auto solid = sampleSolid(form.surface, spacing, sampling);
     if (!solid) {
         Outcome outcome;

@@ -163,8 +163,8 @@ inline TriangleMesh tube(double outer_radius, double inner_radius, double length
                     segments);
 }
 
-/// The same for a profile whose first and last point are next to the axis: fans about points on the axis, as high as
-/// these two, close it.
+/// The same for a profile whose first and last point are next to the axis: fans about points on the axis, as
+/// high as these two, close it.
 inline TriangleMesh revolvedSolid(const std::vector<std::pair<double, double>>& profile, int segments) {
     TriangleMesh mesh = revolved(profile, segments);
     // The ring's innermost strip, from the last point of the profile to the first, becomes two fans.
@@ -202,7 +202,8 @@ inline TriangleMesh bowl(double outer_radius, double wall, int segments, int row
     std::vector<std::pair<double, double>> profile;
     for (int i = 1; i <= rows; ++i)
         profile.emplace_back(outer_radius * std::sin(step * i), -outer_radius * std::cos(step * i));
-    for (int i = rows; i >= 1; --i) profile.emplace_back(inner * std::sin(step * i), -inner * std::cos(step * i));
+    for (int i = rows; i >= 1; --i)
+        profile.emplace_back(inner * std::sin(step * i), -inner * std::cos(step * i));
     return revolvedSolid(profile, segments);
 }
 

@@ -9,8 +9,8 @@ constexpr double length = 1, side = 0.1, force = 1000;
 /// halves. Inertia loads it by F/L a length, so that M = F s^2 / (2 L), s from the nearer end, and sigma = M
 /// z / I, I = a^4/12.
 double bendingError(const StressSettings& settings, double spacing, const Mat3& tilt) {
-    const auto solid = sampledForSplines(shapes::moved(shapes::slab({length, side, side}, 20, 2, 2), tilt), spacing,
-                                         Basis::quadratic);
+    const auto solid = sampledForSplines(shapes::moved(shapes::slab({length, side, side}, 20, 2, 2), tilt),
+                                         spacing, Basis::quadratic);
     const auto loads =
         spreadOverSurface(*solid, tilt * Vec3(0, 0, -force), [&](const Vec3& x, const Vec3& normal) {
             return (tilt.transpose() * normal).z() > 0.9 && std::abs((tilt.transpose() * x).x()) < side / 2;

@@ -9,8 +9,8 @@
 
 namespace sherd::validation {
 
-/// A body and a stress field in it that balances without body forces. Loaded with the field's own tractions on every
-/// facet, the field is the exact solution in the faceted body too.
+/// A body and a stress field in it that balances without body forces. Loaded with the field's own tractions
+/// on every facet, the field is the exact solution in the faceted body too.
 struct ClosedForm {
     TriangleMesh surface;
     Material material;
@@ -41,7 +41,8 @@ struct Squares {
     double ratio() const { return std::sqrt(difference / norm); }
 };
 
-/// Tractions sigma n of the closed form over the whole surface, by a rule that is exact to rounding for polynomials.
+/// Tractions sigma n of the closed form over the whole surface, by a rule that is exact to rounding for
+/// polynomials.
 inline std::vector<PointForce> tractions(const ClosedForm& form, const Discretisation& solid) {
     constexpr int gauss_points = 6;
     std::vector<PointForce> loads;
@@ -50,7 +51,8 @@ inline std::vector<PointForce> tractions(const ClosedForm& form, const Discretis
     return loads;
 }
 
-inline std::shared_ptr<Discretisation> sampledForSplines(const TriangleMesh& mesh, double spacing, Basis basis) {
+inline std::shared_ptr<Discretisation> sampledForSplines(const TriangleMesh& mesh, double spacing,
+                                                         Basis basis) {
     SamplingSettings settings;
     settings.moment_order = 2 * splineDegree(basis);
     return std::make_shared<Discretisation>(valueOf(sampleSolid(mesh, spacing, settings)));
@@ -61,7 +63,8 @@ inline Errors errorsOf(const ClosedForm& form, double spacing, Basis basis) {
     const auto solid = sampledForSplines(form.surface, spacing, basis);
     const StressField field =
         valueOf(build(solid, form.material, splines(basis)).solve(tractions(form, *solid)));
-    EXPECT_LT(field.residual_rel, 1e-10 / (1 - 2 * form.material.poisson_ratio));  // rounding grows with lambda / mu
+    EXPECT_LT(field.residual_rel,
+              1e-10 / (1 - 2 * form.material.poisson_ratio));  // rounding grows with lambda / mu
     Squares interior, surface, with_traction;
     for (size_t i = 0; i < solid->particles.size(); ++i)
         interior.add(toMatrix(field.particles[i]), form.stress(solid->particles[i].position),
@@ -78,7 +81,8 @@ inline Errors errorsOf(const ClosedForm& form, double spacing, Basis basis) {
     return {interior.ratio(), surface.ratio(), with_traction.ratio()};
 }
 
-/// Observed orders of convergence between the first and the last of three resolutions, whose errors have to fall.
+/// Observed orders of convergence between the first and the last of three resolutions, whose errors have to
+/// fall.
 struct Convergence {
     Errors coarse, fine;
     double interior_rate = 0, surface_rate = 0, with_traction_rate = 0;
@@ -91,11 +95,12 @@ inline Convergence converge(const ClosedForm& form, const std::array<double, 3>&
     const auto rate = [&](double Errors::*kind) {
         return std::log(errors[0].*kind / errors[2].*kind) / std::log(spacings[0] / spacings[2]);
     };
-    return {errors[0], errors[2], rate(&Errors::interior), rate(&Errors::surface), rate(&Errors::with_traction)};
+    return {errors[0], errors[2], rate(&Errors::interior), rate(&Errors::surface),
+            rate(&Errors::with_traction)};
 }
 
-/// Stress of splines of degree p converges with h^p (C^(p-1) functions, energy norm); a quarter of an order is left to
-/// resolutions that are not yet in the asymptotic range.
+/// Stress of splines of degree p converges with h^p (C^(p-1) functions, energy norm); a quarter of an order
+/// is left to resolutions that are not yet in the asymptotic range.
 inline double expectedRate(Basis basis) {
     return splineDegree(basis) - 0.25;
 }

@@ -22,8 +22,8 @@ TEST(Convergence, Cantilever) {
         expectRates(turned(cantilever(), someRotation()), {0.125, 0.09, 0.0625}, basis);
 }
 
-// Its displacement is cubic, so cubic splines say it exactly, in cut cells as in whole ones; what is left is rounding
-// times the condition of functions that were continued over slivers.
+// Its displacement is cubic, so cubic splines say it exactly, in cut cells as in whole ones; what is left is
+// rounding times the condition of functions that were continued over slivers.
 TEST(Convergence, CubicSplinesHoldTheCantileverToRounding) {
     EXPECT_LT(errorsOf(turned(cantilever(), someRotation()), 0.1, Basis::cubic).interior, 1e-6);
 }

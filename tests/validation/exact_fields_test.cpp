@@ -3,14 +3,16 @@
 namespace sherd::validation {
 namespace {
 
-// Constant curvatures come with a quadratic displacement, so quadratic splines have no thickness locking, whatever Poisson's ratio and however few particles lie across.
+// Constant curvatures come with a quadratic displacement, so quadratic splines have no thickness locking,
+// whatever Poisson's ratio and however few particles lie across.
 TEST(PlateInBending, ConstantCurvatureIsExactAtAnyPoissonRatio) {
     for (const double nu : {0.0, 0.2, 0.43, 0.49, 0.499})
         for (const int layers : {1, 2, 3}) {
             const double thickness = 0.12;
             const ClosedForm plate = curvedPlate(nu, thickness);
             const double rounding = 1e-8 / (1 - 2 * nu);
-            EXPECT_LT(errorsOf(turned(plate, someRotation()), thickness / layers, Basis::quadratic).surface, rounding)
+            EXPECT_LT(errorsOf(turned(plate, someRotation()), thickness / layers, Basis::quadratic).surface,
+                      rounding)
                 << "nu " << nu << ", " << layers << " layers";
         }
 }
@@ -28,7 +30,8 @@ TriangleMesh disc(double radius, double thickness) {
         }
         for (int s = 0; s < segments; ++s) {
             const int a = first + 1 + s, b = first + 1 + (s + 1) % segments;
-            mesh.triangles.push_back(z > 0 ? std::array<int, 3>{first, a, b} : std::array<int, 3>{first, b, a});
+            mesh.triangles.push_back(z > 0 ? std::array<int, 3>{first, a, b}
+                                           : std::array<int, 3>{first, b, a});
         }
     }
     for (int s = 0; s < segments; ++s) {
@@ -39,7 +42,8 @@ TriangleMesh disc(double radius, double thickness) {
     return mesh;
 }
 
-/// Error on the loaded diameter of a disc that is squeezed by pressure p on two arcs of 2 alpha, against Hondros (1959):
+/// Error on the loaded diameter of a disc that is squeezed by pressure p on two arcs of 2 alpha, against
+/// Hondros (1959):
 ///     sigma_theta, sigma_r = +-(2 p / pi) ((1 - q) sin 2 alpha / (1 - 2 q cos 2 alpha + q^2)
 ///                                          -+ atan((1 + q) / (1 - q) tan alpha)),  q = (r / R)^2.
 double squeezedDiscError(double spacing) {
@@ -74,7 +78,8 @@ double squeezedDiscError(double spacing) {
 }
 
 TEST(SqueezedDisc, Converges) {
-    const double coarse = squeezedDiscError(0.2), middle = squeezedDiscError(0.14), fine = squeezedDiscError(0.1);
+    const double coarse = squeezedDiscError(0.2), middle = squeezedDiscError(0.14),
+                 fine = squeezedDiscError(0.1);
     EXPECT_LT(middle, coarse);
     EXPECT_LT(fine, middle);
     EXPECT_GT(std::log(coarse / fine) / std::log(2.0), expectedRate(Basis::quadratic));
@@ -109,21 +114,25 @@ TEST(Inertia, PulledRodIsExact) {
     EXPECT_LT(error, 1e-8);
 }
 
-// A block that spins about z at nu 0: sigma_xx = rho w^2 (L_x^2 / 4 - x^2) / 2, sigma_yy likewise; cubic displacements.
+// A block that spins about z at nu 0: sigma_xx = rho w^2 (L_x^2 / 4 - x^2) / 2, sigma_yy likewise; cubic
+// displacements.
 TEST(Inertia, SpinIsExactForCubicsAndConverges) {
     const Vec3 sides(1, 0.6, 0.3), spin(0, 0, 40);
     const Material material = elasticMaterial(5e9, 0);
     const auto exact = [&](const Vec3& x) {
         const double load = material.density_kg_m3 * spin.squaredNorm() / 2;
-        return Mat3(load * Vec3(sides.x() * sides.x() / 4 - x.x() * x.x(), sides.y() * sides.y() / 4 - x.y() * x.y(), 0)
+        return Mat3(load * Vec3(sides.x() * sides.x() / 4 - x.x() * x.x(),
+                                sides.y() * sides.y() / 4 - x.y() * x.y(), 0)
                                .asDiagonal());
     };
     const auto error = [&](double spacing, Basis basis) {
         const auto solid = sampledForSplines(shapes::slab(sides), spacing, basis);
-        return largestErrorAt(*solid, valueOf(build(solid, material, splines(basis)).solve({}, {}, spin)), exact);
+        return largestErrorAt(*solid, valueOf(build(solid, material, splines(basis)).solve({}, {}, spin)),
+                              exact);
     };
     EXPECT_LT(error(0.15, Basis::cubic), 1e-7);
-    const double rate = std::log(error(0.15, Basis::quadratic) / error(0.075, Basis::quadratic)) / std::log(2.0);
+    const double rate =
+        std::log(error(0.15, Basis::quadratic) / error(0.075, Basis::quadratic)) / std::log(2.0);
     EXPECT_GT(rate, expectedRate(Basis::quadratic));
 }
 
@@ -135,33 +144,37 @@ std::vector<SupportPoint> heldAtZero(const TriangleMesh& mesh, const Discretisat
     return supports;
 }
 
-// A bar that is held at one end and pulled at the other carries the same stress everywhere, to what the penalty gives.
+// A bar that is held at one end and pulled at the other carries the same stress everywhere, to what the
+// penalty gives.
 TEST(Supports, HeldBarCarriesItsLoad) {
     const TriangleMesh mesh = shapes::box({0, 0, 0}, {1, 0.2, 0.2});
     const auto solid = sampledForSplines(mesh, 0.07, Basis::quadratic);
     std::vector<PointForce> loads;
     for (const SurfaceNode& node : surfaceQuadrature(mesh, solid->parts))
         if (node.area.normalized().x() > 0.9) loads.push_back({node.position, 1e6 * node.area});
-    const StressSolver solver = valueOf(StressSolver::build(solid, elasticMaterial(5e9, 0), splines(Basis::quadratic),
-                                                            heldAtZero(mesh, *solid)));
+    const StressSolver solver = valueOf(StressSolver::build(
+        solid, elasticMaterial(5e9, 0), splines(Basis::quadratic), heldAtZero(mesh, *solid)));
     const StressField field = valueOf(solver.solve(loads));
     EXPECT_LT(largestError(field.particles, Mat3(1e6 * Vec3::UnitX() * Vec3::UnitX().transpose())), 1e-8);
 }
 
-// Clamped instead of left with the shape that Timoshenko's field has there: the same stress a height away (Saint-Venant).
+// Clamped instead of left with the shape that Timoshenko's field has there: the same stress a height away
+// (Saint-Venant).
 TEST(Supports, ClampedCantilever) {
-    const double length = 1, height = 0.2, width = 0.1, force = 1e3, inertia = width * std::pow(height, 3) / 12;
+    const double length = 1, height = 0.2, width = 0.1, force = 1e3,
+                 inertia = width * std::pow(height, 3) / 12;
     const TriangleMesh mesh = shapes::box({0, -width / 2, -height / 2}, {length, width / 2, height / 2});
     const auto solid = sampledForSplines(mesh, 0.04, Basis::quadratic);
     std::vector<PointForce> loads;
     for (const SurfaceNode& node : surfaceQuadrature(mesh, solid->parts))
         if (node.area.normalized().x() > 0.9) {
             const double z = node.position.z();
-            loads.push_back({node.position, Vec3(0, 0, force / (2 * inertia) * (height * height / 4 - z * z) *
-                                                           node.area.x())});
+            loads.push_back(
+                {node.position,
+                 Vec3(0, 0, force / (2 * inertia) * (height * height / 4 - z * z) * node.area.x())});
         }
-    const StressSolver solver = valueOf(StressSolver::build(solid, elasticMaterial(5e9, 0), splines(Basis::quadratic),
-                                                            heldAtZero(mesh, *solid)));
+    const StressSolver solver = valueOf(StressSolver::build(
+        solid, elasticMaterial(5e9, 0), splines(Basis::quadratic), heldAtZero(mesh, *solid)));
     const StressField field = valueOf(solver.solve(loads));
     Squares squares;
     for (size_t i = 0; i < solid->particles.size(); ++i) {
@@ -175,8 +188,8 @@ TEST(Supports, ClampedCantilever) {
     EXPECT_LT(squares.ratio(), 0.02);
 }
 
-// Held at both ends, a bar that spins about its middle is not determinate: only stiff supports keep its ends apart, so
-// that sigma_xx = rho w^2 (L^2 / 12 - (x - L / 2)^2) / 2 away from them at nu 0.
+// Held at both ends, a bar that spins about its middle is not determinate: only stiff supports keep its ends
+// apart, so that sigma_xx = rho w^2 (L^2 / 12 - (x - L / 2)^2) / 2 away from them at nu 0.
 TEST(Supports, AreStiff) {
     const double length = 1;
     const TriangleMesh mesh = shapes::box({0, 0, 0}, {length, 0.2, 0.2});

@@ -84,7 +84,9 @@ TEST(FreeBody, WrongInputGetsASentence) {
     const auto solid = sampled(shapes::slab({1, 1, 1}), 0.5);
     EXPECT_FALSE(StressSolver::build(nullptr, elasticMaterial(), galerkin_gmls).ok());
     for (const double nu : {0.5, 0.4995, -1.0})
-        EXPECT_NE(StressSolver::build(solid, elasticMaterial(5e9, nu), galerkin_gmls).error().find("Poisson's ratio"),
+        EXPECT_NE(StressSolver::build(solid, elasticMaterial(5e9, nu), galerkin_gmls)
+                      .error()
+                      .find("Poisson's ratio"),
                   std::string::npos);
     EXPECT_FALSE(StressSolver::build(solid, elasticMaterial(0), galerkin_gmls).ok());
     EXPECT_FALSE(StressSolver::build(solid, elasticMaterial(NAN), galerkin_gmls).ok());

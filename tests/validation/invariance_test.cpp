@@ -103,13 +103,15 @@ TriangleMesh tiltedBlock() {
 std::vector<PointForce> tiltedBlow(const Mat3& rotation, const Vec3& offset) {
     std::vector<PointForce> loads = {{{0.22, 0.11, 0.1}, {10, 0, -100}}, {{-0.13, 0.02, 0.1}, {0, 5, -50}}};
     for (PointForce& load : loads)
-        load = {rotation * (someRotation() * load.position) + offset, rotation * (someRotation() * load.force)};
+        load = {rotation * (someRotation() * load.position) + offset,
+                rotation * (someRotation() * load.force)};
     return loads;
 }
 const std::vector<Vec3> tiltedPoints() {
     std::vector<Vec3> points;
     for (int i = 0; i < 60; ++i)
-        points.push_back(someRotation() * Vec3(0.01 * (i - 30), 0.006 * (i % 7 - 3) * 10, 0.03 * (i % 5 - 2)));
+        points.push_back(someRotation() *
+                         Vec3(0.01 * (i - 30), 0.006 * (i % 7 - 3) * 10, 0.03 * (i % 5 - 2)));
     return points;
 }
 std::vector<Voigt> stressIn(const TriangleMesh& mesh, const Mat3& rotation, const Vec3& offset) {
@@ -127,26 +129,33 @@ std::vector<Voigt> stressIn(const TriangleMesh& mesh, const Mat3& rotation, cons
 TEST(Invariance, SplinesGoWithTheBody) {
     const std::vector<Voigt> here = stressIn(tiltedBlock(), Mat3::Identity(), Vec3::Zero());
     const Vec3 offset(3, -5, 7);
-    EXPECT_LT(largestDifference(here, stressIn(shapes::translated(tiltedBlock(), offset), Mat3::Identity(), offset), 1),
+    EXPECT_LT(largestDifference(
+                  here, stressIn(shapes::translated(tiltedBlock(), offset), Mat3::Identity(), offset), 1),
               1e-8);
     const Mat3 quarter = (Mat3() << 0, 0, 1, 1, 0, 0, 0, 1, 0).finished();
-    EXPECT_LT(largestDifference(here, stressIn(shapes::moved(tiltedBlock(), quarter), quarter, Vec3::Zero()), 1), 1e-8);
+    EXPECT_LT(
+        largestDifference(here, stressIn(shapes::moved(tiltedBlock(), quarter), quarter, Vec3::Zero()), 1),
+        1e-8);
 }
 
-// Any other rotation turns the body against its grid: what changes is part of the discretisation error, and goes with it.
+// Any other rotation turns the body against its grid: what changes is part of the discretisation error, and
+// goes with it.
 TEST(Invariance, SplinesAtOtherAnglesDifferByTheirErrorOnly) {
     const auto difference = [&](double spacing) {
         const auto bending = [&](const Mat3& tilt) {
-            const auto solid =
-                sampledForSplines(shapes::moved(shapes::slab(size, 3, 2, 1), tilt), spacing, Basis::quadratic);
+            const auto solid = sampledForSplines(shapes::moved(shapes::slab(size, 3, 2, 1), tilt), spacing,
+                                                 Basis::quadratic);
             // Pressed in the middle from above, held up by inertia.
-            const auto loads = spreadOverSurface(*solid, tilt * Vec3(0, 0, -100), [&](const Vec3& x, const Vec3& n) {
-                return (tilt.transpose() * n).z() > 0.9 && (tilt.transpose() * x).head<2>().norm() < 0.1;
-            });
+            const auto loads =
+                spreadOverSurface(*solid, tilt * Vec3(0, 0, -100), [&](const Vec3& x, const Vec3& n) {
+                    return (tilt.transpose() * n).z() > 0.9 && (tilt.transpose() * x).head<2>().norm() < 0.1;
+                });
             std::vector<Vec3> points;
-            for (int i = 0; i < 25; ++i) points.push_back(tilt * Vec3(0.04 * (i % 5 - 2), 0.04 * (i / 5 - 2), -0.05));
+            for (int i = 0; i < 25; ++i)
+                points.push_back(tilt * Vec3(0.04 * (i % 5 - 2), 0.04 * (i / 5 - 2), -0.05));
             std::vector<Voigt> found =
-                valueOf(build(solid, elasticMaterial(), splines(Basis::quadratic)).solve(loads, points)).points;
+                valueOf(build(solid, elasticMaterial(), splines(Basis::quadratic)).solve(loads, points))
+                    .points;
             for (Voigt& stress : found) stress = toVoigt(tilt.transpose() * toMatrix(stress) * tilt);
             return found;
         };
@@ -173,7 +182,8 @@ TEST(Invariance, SplinesDoNotDependOnTheOrderOfTriangles) {
 TEST(Invariance, SameInputSameBits) {
     for (const StressSettings& settings : {splines(Basis::quadratic), galerkin_gmls}) {
         const StressField first = struckBlock(1, 1, settings), second = struckBlock(1, 1, settings);
-        for (size_t i = 0; i < first.particles.size(); ++i) EXPECT_EQ(first.particles[i], second.particles[i]);
+        for (size_t i = 0; i < first.particles.size(); ++i)
+            EXPECT_EQ(first.particles[i], second.particles[i]);
         EXPECT_EQ(first.strain_energy_j, second.strain_energy_j);
     }
 }

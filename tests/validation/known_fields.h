@@ -54,8 +54,9 @@ inline ClosedForm cantilever() {
             }};
 }
 
-/// Airy's function cos(kx) f(z), f = C sinh kz + D kz cosh kz, with C such that no shear acts on the two sides: a free
-/// rod of one wave length, bent by normal loads that add up to nothing (Timoshenko and Goodier, section 24).
+/// Airy's function cos(kx) f(z), f = C sinh kz + D kz cosh kz, with C such that no shear acts on the two
+/// sides: a free rod of one wave length, bent by normal loads that add up to nothing (Timoshenko and Goodier,
+/// section 24).
 inline ClosedForm wavyRod() {
     const double length = 1, side = 0.15, nu = 0.35, k = 2 * std::acos(-1.0) / length;
     const double end = k * side / 2;
@@ -71,13 +72,12 @@ inline ClosedForm wavyRod() {
 
 /// sigma = diag(m_x, m_y, 0) z: a plate of constant curvatures.
 inline ClosedForm curvedPlate(double poisson_ratio, double thickness) {
-    return {shapes::slab({1, 0.7, thickness}), elasticMaterial(5e9, poisson_ratio), [](const Vec3& x) {
-                return Mat3(Vec3(2e6, -1e6, 0).asDiagonal() * Mat3::Identity() * x.z());
-            }};
+    return {shapes::slab({1, 0.7, thickness}), elasticMaterial(5e9, poisson_ratio),
+            [](const Vec3& x) { return Mat3(Vec3(2e6, -1e6, 0).asDiagonal() * Mat3::Identity() * x.z()); }};
 }
 
-/// u = grad F / (2 mu) with F = cos(ax) cos(by) sinh(cz), c^2 = a^2 + b^2, is harmonic: sigma = Hessian of F. Odd in z, so
-/// a plate that is bent both ways.
+/// u = grad F / (2 mu) with F = cos(ax) cos(by) sinh(cz), c^2 = a^2 + b^2, is harmonic: sigma = Hessian of F.
+/// Odd in z, so a plate that is bent both ways.
 inline ClosedForm bentPlate(double poisson_ratio = 0.43, double width = 1) {
     const double a = 3, b = 4, c = 5;
     return {shapes::slab({width, width, 0.12}), elasticMaterial(5e9, poisson_ratio), [=](const Vec3& x) {

@@ -34,7 +34,8 @@ TEST(Patch, Splines) {
         for (const TriangleMesh& mesh : cutSolids()) {
             const ClosedForm constant{mesh, material, [&](const Vec3&) { return stress; }};
             const auto solid = sampledForSplines(mesh, 0.12, basis);
-            const StressField field = valueOf(build(solid, material, splines(basis)).solve(tractions(constant, *solid)));
+            const StressField field =
+                valueOf(build(solid, material, splines(basis)).solve(tractions(constant, *solid)));
             // Cubics that are continued over slivers have a condition that costs a digit more.
             const double rounding = basis == Basis::cubic ? 1e-6 : 1e-8;
             EXPECT_LT(largestError(field.particles, stress), rounding);

@@ -23,16 +23,16 @@ struct TwoNearest {
     int label = -1, second = -1;
 };
 
-/// Distances from seeds among the damaged particles, longer where the stress is higher, so that seeds lie denser there:
-/// path lengths, or with a guide field those of Eq. 18.
+/// Distances from seeds among the damaged particles, longer where the stress is higher, so that seeds lie
+/// denser there: path lengths, or with a guide field those of Eq. 18.
 class StressMetric {
   public:
     StressMetric(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
                  const std::vector<char>& state, const GuideField& guide, const BlowAxis& blow)
         : solid_(solid), axes_(axes), damage_(damage), state_(state), guide_(guide), blow_(blow) {}
 
-    /// Claims what is nearer to `source` than to all seeds before for `label`, going along the neighbour table through
-    /// what it wins; beyond, as far as it comes second, it is noted as the second.
+    /// Claims what is nearer to `source` than to all seeds before for `label`, going along the neighbour
+    /// table through what it wins; beyond, as far as it comes second, it is noted as the second.
     void claim(int source, int label, std::vector<TwoNearest>& nearest) const {
         using Entry = std::tuple<double, int, bool>;  // distance, particle, whether it was won
         std::priority_queue<Entry, std::vector<Entry>, std::greater<Entry>> front;
@@ -63,7 +63,8 @@ class StressMetric {
             if (outdated) continue;
             for (int j : solid_.neighbours[i])
                 if (state_[j])
-                    reach(j, guide_.kind == GuideField::Kind::none ? d + step(i, j) : straight(source, j), won);
+                    reach(j, guide_.kind == GuideField::Kind::none ? d + step(i, j) : straight(source, j),
+                          won);
         }
     }
 
@@ -77,13 +78,14 @@ class StressMetric {
     }
 
     double straight(int source, int i) const {
-        return penaltyDistance(solid_.particles[source].position, solid_.particles[i].position, guide_, blow_) *
+        return penaltyDistance(solid_.particles[source].position, solid_.particles[i].position, guide_,
+                               blow_) *
                density(damage_.overstress[i]);
     }
 
-    // Cracks are paid for by the elastic energy that was there, which goes with the square of the stress: pieces of edge d
-    // have crack faces of about 1 / d a volume. Right under a contact the stress is that of the load's patch; it counts as
-    // `highest`, or all seeds would go there.
+    // Cracks are paid for by the elastic energy that was there, which goes with the square of the stress:
+    // pieces of edge d have crack faces of about 1 / d a volume. Right under a contact the stress is that of
+    // the load's patch; it counts as `highest`, or all seeds would go there.
     static double density(double overstress) {
         constexpr double highest = 3;
         const double stress = std::clamp(overstress, 1.0, highest);
@@ -98,7 +100,8 @@ class StressMetric {
     const BlowAxis& blow_;
 };
 
-/// Seeds by farthest point, the first at random; returns them, a cluster each, labelled from `first_label` on.
+/// Seeds by farthest point, the first at random; returns them, a cluster each, labelled from `first_label`
+/// on.
 std::vector<int> clusterDamaged(const StressMetric& metric, const std::vector<char>& state, int clusters,
                                 int first_label, std::uint64_t seed, FragmentLabels& labels) {
     std::vector<int> candidates;
@@ -112,9 +115,8 @@ std::vector<int> clusterDamaged(const StressMetric& metric, const std::vector<ch
     while (true) {
         metric.claim(next, first_label + static_cast<int>(seeds.size()), nearest);
         seeds.push_back(next);
-        next = *std::max_element(candidates.begin(), candidates.end(), [&](int a, int b) {
-            return nearest[a].distance < nearest[b].distance;
-        });
+        next = *std::max_element(candidates.begin(), candidates.end(),
+                                 [&](int a, int b) { return nearest[a].distance < nearest[b].distance; });
         // Beyond the wanted number only parts that no seed reaches yet get one.
         const double farthest = nearest[next].distance;
         if (farthest == 0 || (static_cast<int>(seeds.size()) >= clusters && farthest != kFar)) break;
@@ -124,7 +126,8 @@ std::vector<int> clusterDamaged(const StressMetric& metric, const std::vector<ch
         labels.of_particle[i] = here.label;
         // Linear between two seeds, and 1/2 where a particle is as near to both.
         const double both = here.distance + here.second_distance;
-        if (here.second >= 0 && both > 0) labels.shared[i] = {here.second, std::min(0.5, here.distance / both)};
+        if (here.second >= 0 && both > 0)
+            labels.shared[i] = {here.second, std::min(0.5, here.distance / both)};
     }
     return seeds;
 }
@@ -161,12 +164,15 @@ FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage,
         if (label < 0) label = labels.count++;
         labels.of_particle[i] = label;
     }
-    const std::vector<int> seeds =
-        clusterDamaged(StressMetric(solid, axes, through, state, guide, blow), state, clusters, labels.count, seed, labels);
+    const std::vector<int> seeds = clusterDamaged(StressMetric(solid, axes, through, state, guide, blow),
+                                                  state, clusters, labels.count, seed, labels);
     if (guide.kind != GuideField::Kind::none) {
-        labels.distance = [guide, blow](const Vec3& a, const Vec3& x) { return penaltyDistance(a, x, guide, blow); };
+        labels.distance = [guide, blow](const Vec3& a, const Vec3& x) {
+            return penaltyDistance(a, x, guide, blow);
+        };
         for (const int i : seeds) labels.seeds.push_back(solid.particles[i].position);
-        for (const int label : labels.of_particle) labels.cluster.push_back(std::max(-1, label - labels.count));
+        for (const int label : labels.of_particle)
+            labels.cluster.push_back(std::max(-1, label - labels.count));
     }
     labels.count += static_cast<int>(seeds.size());
     return labels;

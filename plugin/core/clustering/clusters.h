@@ -25,8 +25,8 @@ int affordableClusters(const ClusterBudget& budget, double damaged_volume_m3);
 
 /// Fragments (paper, sections 6.1 and 6.2): each connected undamaged part is one; damaged particles are
 /// clustered to seeds spread by farthest point along the neighbour table, denser where the stress is higher.
-/// Specks (an undamaged or damaged part of up to five particles) join what surrounds them. Damage on one side of a wall
-/// reaches through it. Count 1 means: nothing came off.
+/// Specks (an undamaged or damaged part of up to five particles) join what surrounds them. Damage on one side
+/// of a wall reaches through it. Count 1 means: nothing came off.
 ///
 /// With a guide field distances are those of Eq. 18 instead of path lengths, and clusters grow from
 /// their seeds along the neighbour table, so that they keep together.

@@ -8,9 +8,10 @@ namespace sherd {
 
 namespace {
 
-constexpr double kAcrossWall = 0.75;  // of the wall, about the way between the outermost particles of two sides
+constexpr double kAcrossWall =
+    0.75;  // of the wall, about the way between the outermost particles of two sides
 constexpr double kCompactReach = 2.01;  // in spacings of the particles
-constexpr int kSpeck = 6;  // parts of fewer particles are no fragments
+constexpr int kSpeck = 6;               // parts of fewer particles are no fragments
 
 /// Flips specks of either state to that of what surrounds them; a body of its own stays as it is.
 std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
@@ -28,10 +29,10 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
     return state;
 }
 
-/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight through the
-/// wall, no further than its thickness. Where there is no telling which way is through: as far as three quarters of the
-/// wall, or two particles in a compact body.
-/// `seen_from` (#particles) notes who was reached from where; no call may have had the same `first`.
+/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight
+/// through the wall, no further than its thickness. Where there is no telling which way is through: as far as
+/// three quarters of the wall, or two particles in a compact body. `seen_from` (#particles) notes who was
+/// reached from where; no call may have had the same `first`.
 template <class Visit>
 void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
                         std::vector<int>& seen_from, const Visit& visit) {
@@ -46,7 +47,8 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
         for (const int j : solid.neighbours[i]) {
             const Vec3 offset = solid.particles[j].position - solid.particles[i].position;
             const double distance = so_far + offset.norm();
-            if (distance > reach || (known && std::abs(offset.dot(axis)) < straight * offset.norm())) continue;
+            if (distance > reach || (known && std::abs(offset.dot(axis)) < straight * offset.norm()))
+                continue;
             if (seen_from[j] == first) continue;
             seen_from[j] = first;
             reached.push_back({j, distance});
@@ -55,9 +57,10 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
     }
 }
 
-/// Takes in what lies behind damaged particles, with their overstress: a crack that starts on one side of a wall runs
-/// straight through to the other, it does not turn and peel the wall.
-Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage, double wall) {
+/// Takes in what lies behind damaged particles, with their overstress: a crack that starts on one side of a
+/// wall runs straight through to the other, it does not turn and peel the wall.
+Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
+                      double wall) {
     Damage through = damage;
     std::vector<int> seen_from(damage.damaged.size(), -1);
     for (std::size_t first = 0; first < damage.damaged.size(); ++first) {

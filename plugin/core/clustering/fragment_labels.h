@@ -19,9 +19,9 @@ struct FragmentLabels {
     int count = 0;
     /// #particles, or empty. They place a crack between two fragments to a fraction of the particle spacing.
     std::vector<SharedLabel> shared;
-    /// Where a guide field shaped the fragments: how far any point is from a seed, m, the seeds of the clusters, and the
-    /// cluster of each particle (#particles; -1: not damaged), which may have been merged with others into a fragment; or
-    /// all empty. They place cracks exactly, between particles too.
+    /// Where a guide field shaped the fragments: how far any point is from a seed, m, the seeds of the
+    /// clusters, and the cluster of each particle (#particles; -1: not damaged), which may have been merged
+    /// with others into a fragment; or all empty. They place cracks exactly, between particles too.
     std::function<double(const Vec3& seed, const Vec3& x)> distance;
     std::vector<Vec3> seeds;
     std::vector<int> cluster;

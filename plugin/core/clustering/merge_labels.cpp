@@ -53,7 +53,8 @@ void mergeIntoNeighbour(std::vector<Piece>& pieces, int small) {
 
 }  // namespace
 
-void mergeSmallest(const Discretisation& solid, double smallest_m3, int largest_count, FragmentLabels& labels) {
+void mergeSmallest(const Discretisation& solid, double smallest_m3, int largest_count,
+                   FragmentLabels& labels) {
     std::vector<Piece> pieces = measure(solid, labels);
     for (int left = labels.count;; --left) {
         const int small = smallestWithNeighbours(pieces);

@@ -6,8 +6,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double most = 0.7;   // of the surface around a particle, which has to face one way
-constexpr int rounds = 3;      // of neighbours: the middle of a wall knows its sides
+constexpr double most = 0.7;  // of the surface around a particle, which has to face one way
+constexpr int rounds = 3;     // of neighbours: the middle of a wall knows its sides
 
 }  // namespace
 
@@ -28,7 +28,8 @@ std::vector<Vec3> wallAxes(const Discretisation& solid) {
     std::vector<Vec3> axes(count, Vec3::Zero());
     for (std::size_t i = 0; i < count; ++i) {
         const Eigen::SelfAdjointEigenSolver<Mat3> solver(facing[i]);
-        if (solver.eigenvalues()[2] > most * solver.eigenvalues().sum()) axes[i] = solver.eigenvectors().col(2);
+        if (solver.eigenvalues()[2] > most * solver.eigenvalues().sum())
+            axes[i] = solver.eigenvectors().col(2);
     }
     return axes;
 }

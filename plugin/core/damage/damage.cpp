@@ -20,7 +20,8 @@ double nearlyNormal(std::mt19937_64& random) {
     return std::clamp(sum, -kWidest, kWidest);
 }
 
-constexpr double weakest = 1.0 / 3;  // of the mean strength: real bodies that were handled hold no worse flaws
+constexpr double weakest =
+    1.0 / 3;  // of the mean strength: real bodies that were handled hold no worse flaws
 
 /// Mean strength of a volume over the material's (Weibull 1939).
 double sizeEffect(const Material& material, double volume_m3) {
@@ -56,7 +57,8 @@ std::vector<double> particleStrengths(const Material& material, const std::vecto
                             scattered(material, random));
     for (std::size_t i = 0; field && i < strengths.size(); ++i) {
         const double factor = field(particles[i].position);
-        if (!(factor > 0) || !std::isfinite(factor)) throw std::invalid_argument(notPositive(factor, particles[i].position));
+        if (!(factor > 0) || !std::isfinite(factor))
+            throw std::invalid_argument(notPositive(factor, particles[i].position));
         strengths[i] *= factor;
     }
     return strengths;
@@ -83,7 +85,8 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     damage.damaged.resize(n);
     damage.overstress.resize(n);
     for (std::size_t i = 0; i < n; ++i) {
-        damage.overstress[i] = scale / strengths[i] * std::max(tension[i], compression[i] / compressive_over_tensile);
+        damage.overstress[i] =
+            scale / strengths[i] * std::max(tension[i], compression[i] / compressive_over_tensile);
         damage.damaged[i] = damage.overstress[i] > 1 || (!damaged.empty() && damaged[i]);
         damage.count += damage.damaged[i];
         damage.largest_stress_pa = std::max(damage.largest_stress_pa, scale * tension[i]);

@@ -6,14 +6,13 @@
 namespace sherd {
 
 Result<Eigen::VectorXd> solveByConjugateGradients(const SparseMatrix& lower, const Eigen::VectorXd& b,
-                                                double tolerance) {
+                                                  double tolerance) {
     constexpr int largest_iterations = 1000;
     using Matrix = Eigen::SparseMatrix<double>;
     const Eigen::Map<const Matrix> view(lower.size, lower.size, static_cast<long>(lower.values.size()),
                                         lower.starts.data(), lower.indices.data(), lower.values.data());
     const Matrix matrix = view.triangularView<Eigen::Lower>();
-    Eigen::ConjugateGradient<Matrix, Eigen::Lower>
-        solver;
+    Eigen::ConjugateGradient<Matrix, Eigen::Lower> solver;
     solver.setTolerance(tolerance);
     solver.setMaxIterations(largest_iterations);
     solver.compute(matrix);

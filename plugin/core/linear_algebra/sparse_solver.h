@@ -44,8 +44,8 @@ class SparseSolver {
 /// (`relativeShift`).
 Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size);
 
-/// Numbers that the Cholesky factor of a symmetric matrix would store, from its pattern alone: lines are columns of
-/// blocks of `block_size`, entries above the diagonal are ignored, values are not used.
+/// Numbers that the Cholesky factor of a symmetric matrix would store, from its pattern alone: lines are
+/// columns of blocks of `block_size`, entries above the diagonal are ignored, values are not used.
 Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size);
 
 /// LU factorisation of a general matrix (UMFPACK). Lines are rows. Solves take up to two steps of iterative

@@ -113,7 +113,8 @@ double toleranceOf(const TriangleMesh& surface) {
 
 /// Empty where a triangle only touches the region.
 ConvexPolygon partInside(const SurfaceRegion& region, const Triangle& triangle, double tolerance) {
-    ConvexPolygon part = std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
+    ConvexPolygon part =
+        std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
     if (!part.empty() && isSliver(part, tolerance)) part.clear();
     return part;
 }

@@ -14,7 +14,8 @@ using ConvexPolygon = std::vector<Vec3>;
 /// `checkRegion` accepts.
 std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const SurfaceRegion& region);
 
-/// A region as part of a surface: what lies on it is told by the same triangles and tolerances that place its loads.
+/// A region as part of a surface: what lies on it is told by the same triangles and tolerances that place its
+/// loads.
 class RegionOnSurface {
   public:
     RegionOnSurface(const TriangleMesh& surface, const SurfaceRegion& region);

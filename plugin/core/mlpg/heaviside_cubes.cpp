@@ -31,7 +31,8 @@ struct CubeGrid {
     Vec3 cubeOf(const Particle& particle) const { return toGrid(particle.position).array().floor(); }
 };
 
-/// The face of a cube that a piece of a sub-domain's boundary lies in, or -1: merged sub-domains reach beyond.
+/// The face of a cube that a piece of a sub-domain's boundary lies in, or -1: merged sub-domains reach
+/// beyond.
 int faceOfCube(const Vec3& cube, const Vec3& point, const Vec3& outward) {
     constexpr double rounding = 1e-6;  // of an edge
     int axis;
@@ -42,7 +43,8 @@ int faceOfCube(const Vec3& cube, const Vec3& point, const Vec3& outward) {
     return inside && std::abs(offset[axis] - upper) < rounding ? 2 * axis + upper : -1;
 }
 
-/// Per particle, what lies beyond the faces of its cube: the sub-domain that the largest face of the solid leads to.
+/// Per particle, what lies beyond the faces of its cube: the sub-domain that the largest face of the solid
+/// leads to.
 std::vector<CubeFaces> findNeighbours(const Discretisation& solid, const CubeGrid& grid) {
     std::vector<CubeFaces> faces(solid.particles.size());
     const auto link = [&](int particle, int other, const IntegrationFace& shared, const Vec3& outward) {
@@ -76,7 +78,8 @@ FacePoints gaussPointsOn(int side, const Vec3& cube, const CubeGrid& grid, const
             u[e] += 0.5 + rule.points[i];
             u[f] += 0.5 + rule.points[j];
             const double weight = rule.weights[i] * rule.weights[j] * grid.edges[e] * grid.edges[f];
-            points[i * points_per_edge + j] = {grid.toWorld(u), (upper ? weight : -weight) * Vec3::Unit(axis)};
+            points[i * points_per_edge + j] = {grid.toWorld(u),
+                                               (upper ? weight : -weight) * Vec3::Unit(axis)};
         }
     return points;
 }

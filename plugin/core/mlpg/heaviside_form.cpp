@@ -60,9 +60,8 @@ class HeavisideForm : public WeakForm {
 Result<std::unique_ptr<WeakForm>> makeHeavisideForm(const StressProblem& problem, TestFunction test,
                                                     double& factor_ms, std::vector<std::string>& warnings) {
     const bool paper = test == TestFunction::heaviside_paper;
-    const auto matrix = std::make_shared<const SparseMatrix>(
-        heavisideStiffness(paper ? fluxThroughCubes(problem) : fluxThroughSharedFaces(problem), problem.solid,
-                           problem.motions));
+    const auto matrix = std::make_shared<const SparseMatrix>(heavisideStiffness(
+        paper ? fluxThroughCubes(problem) : fluxThroughSharedFaces(problem), problem.solid, problem.motions));
     Stopwatch watch;
     Result<std::unique_ptr<SparseSolver>> solver = factorLu(matrix);
     factor_ms = watch.milliseconds();
@@ -73,7 +72,8 @@ Result<std::unique_ptr<WeakForm>> makeHeavisideForm(const StressProblem& problem
         "about eight particles lie across the thickness; galerkin test functions have no such limit.");
     if (paper)
         warnings.push_back(
-            "The sub-domains of heaviside_paper are whole cubes of the grid: on bodies that the grid does not fit, "
+            "The sub-domains of heaviside_paper are whole cubes of the grid: on bodies that the grid does "
+            "not fit, "
             "stress near the surface is wrong; heaviside test functions follow the surface.");
     return std::unique_ptr<WeakForm>(
         std::make_unique<HeavisideForm>(problem, matrix, std::move(solver).value()));

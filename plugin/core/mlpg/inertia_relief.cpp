@@ -110,9 +110,9 @@ InertiaRelief InertiaRelief::heaviside(const Discretisation& solid, const RigidM
     return relief;
 }
 
-Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::balance(Eigen::VectorXd& forces,
-                            const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
-                            const RigidMotions& motions) const {
+Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::balance(
+    Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+    const RigidMotions& motions) const {
     Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration(6, resultants.cols());
     for (long component = 0; component < resultants.cols(); ++component)
         acceleration.col(component) =

@@ -30,8 +30,9 @@ class InertiaRelief {
     /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances
     /// them.
     /// Returns the factors of the six motions, 6 x #components.
-    Eigen::Matrix<double, 6, Eigen::Dynamic> balance(Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
-                 const RigidMotions& motions) const;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> balance(
+        Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+        const RigidMotions& motions) const;
 
   private:
     void sumResultants(const RigidMotions& motions);

@@ -1,10 +1,9 @@
-#include "core/mlpg/stress_solver_impl.h"
-
 #include <cmath>
 #include <exception>
 
 #include "core/mlpg/nearest_owner.h"
 #include "core/mlpg/stress_problem.h"
+#include "core/mlpg/stress_solver_impl.h"
 #include "core/mlpg/weak_form.h"
 #include "core/stress/stress_recovery.h"
 #include "stopwatch.h"
@@ -60,7 +59,7 @@ class ParticleSolver : public StressSolver::Impl {
 };
 
 Result<StressField> ParticleSolver::solve(LoadVector loads, double load_magnitude,
-                                              const std::vector<Vec3>& points) const {
+                                          const std::vector<Vec3>& points) const {
     const Stopwatch solve_watch;
     form->addInertia(loads);
     const Result<Displacement> solved = form->solve(loads.forces);
@@ -131,7 +130,7 @@ Result<StressField> ParticleSolver::solveTraction(
 }
 
 StressField ParticleSolver::stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
-                                   const std::function<Mat3(const Vec3& x)>& gradient) const {
+                                     const std::function<Mat3(const Vec3& x)>& gradient) const {
     Eigen::VectorXd unknowns(problem.unknowns());
     const int block = problem.space.unknownsPerParticle();
     for (size_t i = 0; i < problem.solid.particles.size(); ++i) {
@@ -157,8 +156,9 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overParticles(
     report.warnings = trustWarnings(solver->problem, material);
     const bool galerkin = settings.test_function == TestFunction::galerkin;
     Result<std::unique_ptr<WeakForm>> form =
-        galerkin ? makeGalerkinForm(solver->problem, report.factor_ms, report.warnings)
-                 : makeHeavisideForm(solver->problem, settings.test_function, report.factor_ms, report.warnings);
+        galerkin
+            ? makeGalerkinForm(solver->problem, report.factor_ms, report.warnings)
+            : makeHeavisideForm(solver->problem, settings.test_function, report.factor_ms, report.warnings);
     if (!form) return Error{form.error()};
     solver->form = std::move(form).value();
     report.assemble_ms = watch.milliseconds() - report.factor_ms;

@@ -13,9 +13,11 @@ namespace {
 constexpr int attempts = 6;
 constexpr double supernodal_surplus = 1.25;  // dense blocks store zeros too; 1.1 to 1.25 was measured
 constexpr double good_use = 0.6;  // of the entries that are allowed; closer is not worth another attempt
-constexpr double entries_power = 3;  // entries grow about as h^-3, from h^-2.5 of sheets to h^-4 of compact bodies
+constexpr double entries_power =
+    3;  // entries grow about as h^-3, from h^-2.5 of sheets to h^-4 of compact bodies
 
-Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree, int cells_per_spacing) {
+Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree,
+                               int cells_per_spacing) {
     const Result<SamplingGrid> grid = makeGrid(surface, spacing, cells_per_spacing);
     if (!grid) return Error{grid.error()};
     const CutSurface cut = cutSurface(surface, grid.value());
@@ -33,7 +35,8 @@ double firstGuess(const TriangleMesh& surface, double entries) {
     double six_volumes = 0, area = 0;
     const Vec3 origin = surface.vertices[surface.triangles[0][0]];
     for (const auto& [a, b, c] : surface.triangles) {
-        const Vec3 p = surface.vertices[a] - origin, q = surface.vertices[b] - origin, r = surface.vertices[c] - origin;
+        const Vec3 p = surface.vertices[a] - origin, q = surface.vertices[b] - origin,
+                   r = surface.vertices[c] - origin;
         six_volumes += p.dot(q.cross(r));
         area += (q - p).cross(r - p).norm() / 2;
     }
@@ -44,7 +47,8 @@ double firstGuess(const TriangleMesh& surface, double entries) {
     return spacing;
 }
 
-/// The finest spacing from `finest` up with no more than `largest` entries, or one with at least `good_use` of them.
+/// The finest spacing from `finest` up with no more than `largest` entries, or one with at least `good_use`
+/// of them.
 template <class EntriesAt>
 double finestWithin(const EntriesAt& entries_at, double finest, double largest, double guess) {
     double spacing = std::max(finest, guess);

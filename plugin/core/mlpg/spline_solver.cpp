@@ -1,8 +1,8 @@
 #include <cmath>
 #include <exception>
 
-#include "core/mlpg/inertia_relief.h"
 #include "core/mlpg/galerkin_stiffness.h"
+#include "core/mlpg/inertia_relief.h"
 #include "core/mlpg/nearest_owner.h"
 #include "core/mlpg/rigid_motions.h"
 #include "core/mlpg/spline_stiffness.h"
@@ -62,11 +62,14 @@ class SplineSolver : public StressSolver::Impl {
         const double stiffness =
             support_stiffness * (elasticity_.lambda_pa + 2 * elasticity_.mu_pa) / parts_.edges.maxCoeff();
         for (const SupportPoint& support : supports) {
-            if (parts_.partAt(support.position) < 0) throw std::invalid_argument("a support lies beside the solid.");
+            if (parts_.partAt(support.position) < 0)
+                throw std::invalid_argument("a support lies beside the solid.");
             supports_.push_back({support.position, stiffness * support.area_m2});
         }
-        for (const Particle& particle : solid_->particles) located_.push_back(locate(parts_, particle.position));
-        for (const SurfacePoint& point : solid_->surface_points) located_.push_back(locate(parts_, point.position));
+        for (const Particle& particle : solid_->particles)
+            located_.push_back(locate(parts_, particle.position));
+        for (const SurfacePoint& point : solid_->surface_points)
+            located_.push_back(locate(parts_, point.position));
         springs_ = springsOf(parts_, supports_);
         for (const PointSpring& spring : springs_) supported_[space_.component_of_part[spring.part]] = 1;
         checkSupports();
@@ -87,14 +90,16 @@ class SplineSolver : public StressSolver::Impl {
         solver_ = std::move(solver).value();
         if (poisson_ratio_ > first_doubtful_poisson_ratio)
             report.warnings.push_back(
-                "Poisson's ratio is near 0.5, where displacements barely tell the pressure: stress may be off by a "
+                "Poisson's ratio is near 0.5, where displacements barely tell the pressure: stress may be "
+                "off by a "
                 "tenth and more; use a higher quality, or 0.47.");
         report.unknowns = stiffness_.size;
         report.factor_entries = solver_->factorEntries();
         report.reciprocal_condition = solver_->reciprocalCondition();
         if (solver_->relativeShift() > 0)
             report.warnings.push_back(
-                "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added to every "
+                "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added "
+                "to every "
                 "unknown; try another spacing.");
         return success();
     }
@@ -111,7 +116,8 @@ class SplineSolver : public StressSolver::Impl {
             const int part = parts_.partAt(load.position);
             if (part < 0)
                 return Error{
-                    "A load acts more than a particle spacing outside the body; give it in the asset's frame."};
+                    "A load acts more than a particle spacing outside the body; give it in the asset's "
+                    "frame."};
             splineValues(space_.degree, parts_.toCell(load.position, parts_.parts[part].cell), values);
             const std::vector<int>& functions = space_.raw_of[part];
             for (size_t a = 0; a < functions.size(); ++a) raw.col(functions[a]) += values[a] * load.force;
@@ -128,7 +134,8 @@ class SplineSolver : public StressSolver::Impl {
         std::vector<PointForce> loads;
         for (const SurfacePoint& point : solid_->surface_points) {
             const double area = point.area.norm();
-            if (area > 0) loads.push_back({point.position, area * traction(point.position, point.area / area)});
+            if (area > 0)
+                loads.push_back({point.position, area * traction(point.position, point.area / area)});
         }
         return solve(loads, points, Vec3::Zero());
     }
@@ -136,7 +143,8 @@ class SplineSolver : public StressSolver::Impl {
     StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
                          const std::function<Mat3(const Vec3& x)>&) const override {
         Eigen::VectorXd unknowns(stiffness_.size);
-        for (int f = 0; f < space_.function_count; ++f) unknowns.segment<3>(3L * f) = displacement(space_.centres[f]);
+        for (int f = 0; f < space_.function_count; ++f)
+            unknowns.segment<3>(3L * f) = displacement(space_.centres[f]);
         StressField field;
         evaluate(fieldOf(unknowns), {}, {}, field);
         return field;
@@ -147,7 +155,8 @@ class SplineSolver : public StressSolver::Impl {
         return {std::shared_ptr<const CellParts>(solid_, &parts_), space_pointer_, space_.expand(unknowns)};
     }
 
-    /// Supports have to hold all six rigid motions of what they hold at all: those of a point or a line leave it free to turn.
+    /// Supports have to hold all six rigid motions of what they hold at all: those of a point or a line leave
+    /// it free to turn.
     void checkSupports() const {
         constexpr double smallest_hold = 1e-6;  // of the weakest held motion over the strongest
         std::vector<Eigen::Matrix<double, 6, 6>> holds(static_cast<size_t>(space_.component_count),
@@ -163,13 +172,15 @@ class SplineSolver : public StressSolver::Impl {
                                                                                     Eigen::EigenvaluesOnly);
             if (solver.eigenvalues()[0] < smallest_hold * solver.eigenvalues()[5])
                 throw std::invalid_argument(
-                    "the supports lie in a point or on a line, so that the body is free to turn about it; hold a larger part.");
+                    "the supports lie in a point or on a line, so that the body is free to turn about it; "
+                    "hold a larger part.");
         }
     }
 
     Eigen::Matrix4Xd gatherMoments() const {
         std::vector<Vec3> origins;
-        for (const int component : space_.component_of_part) origins.push_back(motions_.moments[component].centroid);
+        for (const int component : space_.component_of_part)
+            origins.push_back(motions_.moments[component].centroid);
         const Eigen::Matrix4Xd raw = splineBodyMoments(parts_, space_, origins);
         Eigen::Matrix4Xd sums = Eigen::Matrix4Xd::Zero(4, space_.function_count);
         for (int r = 0; r < space_.raw_count; ++r)
@@ -204,9 +215,10 @@ class SplineSolver : public StressSolver::Impl {
             for (size_t parent = begin; parent < (round == 0 ? 1 : end); ++parent) {
                 const BodyLoads acting = round == 0 ? loads : zooms[parent].loads;
                 const CellParts& grid = round == 0 ? parts_ : *zooms[parent].field.parts;
-                for (const CellBox& box : boxesAroundLoads(grid, acting.forces, largest_patch, zoom_margin_)) {
-                    Result<Zoom> zoom = zoomIn(*solid_->surface, round == 0 ? whole : zooms[parent].field, box,
-                                               elasticity_, acting, supports_);
+                for (const CellBox& box :
+                     boxesAroundLoads(grid, acting.forces, largest_patch, zoom_margin_)) {
+                    Result<Zoom> zoom = zoomIn(*solid_->surface, round == 0 ? whole : zooms[parent].field,
+                                               box, elasticity_, acting, supports_);
                     if (!zoom) return Error{zoom.error()};
                     zooms.push_back(std::move(zoom).value());
                 }
@@ -261,12 +273,14 @@ class SplineSolver : public StressSolver::Impl {
         field.warnings = report.warnings;
         constexpr double largest_good_residual = 1e-6;
         if (!(field.residual_rel < largest_good_residual))
-            field.warnings.push_back("The linear solve left a residual of " + std::to_string(field.residual_rel) +
+            field.warnings.push_back("The linear solve left a residual of " +
+                                     std::to_string(field.residual_rel) +
                                      " of the load; do the supports hold the body well?");
         return finiteOrError(std::move(field));
     }
 
-    /// Refinement mends what the factorisation lost to a shifted diagonal or a bad condition; mostly it never runs.
+    /// Refinement mends what the factorisation lost to a shifted diagonal or a bad condition; mostly it never
+    /// runs.
     Status solveRefined(const Eigen::VectorXd& forces, double scale, Eigen::VectorXd& unknowns,
                         double& residual_rel) const {
         constexpr double good_residual = 1e-10;
@@ -275,7 +289,8 @@ class SplineSolver : public StressSolver::Impl {
         Eigen::VectorXd residual = forces, correction;
         for (int step = 0; step <= largest_refinements && residual_rel > good_residual; ++step) {
             for (const int unknown : pinned_) residual[unknown] = 0;
-            if (!solver_->solve(residual, correction)) return Error{"The stress solve failed in the linear solver."};
+            if (!solver_->solve(residual, correction))
+                return Error{"The stress solve failed in the linear solver."};
             const Eigen::VectorXd next = unknowns + correction;
             residual = forces - symmetricProduct(stiffness_, next);
             const double next_rel = residual.norm() / scale;
@@ -344,8 +359,10 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     const int degree = splineDegree(settings.basis);
     if (solid->parts.order < 2 * degree)
         return Error{"The solid was sampled with moments of order " + std::to_string(solid->parts.order) +
-                     "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) + "."};
-    auto solver = std::make_unique<SplineSolver>(std::move(solid), material, degree, settings, supports, damaged);
+                     "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) +
+                     "."};
+    auto solver =
+        std::make_unique<SplineSolver>(std::move(solid), material, degree, settings, supports, damaged);
     if (const Status factored = solver->factor(); !factored) return Error{factored.error()};
     return std::unique_ptr<Impl>(std::move(solver));
 }

@@ -38,10 +38,12 @@ class Ties {
         const std::vector<int>& raws = space.raw_of[part];
         for (size_t a = 0; a < raws.size(); ++a)
             for (int k = space.term_starts[raws[a]]; k < space.term_starts[raws[a] + 1]; ++k) {
-                const auto place = std::lower_bound(functions.begin(), functions.end(), space.terms[k].function);
+                const auto place =
+                    std::lower_bound(functions.begin(), functions.end(), space.terms[k].function);
                 terms_.push_back({static_cast<int>(a), static_cast<int>(place - functions.begin()),
                                   space.terms[k].factor});
-                trivial_ = trivial_ && terms_.back().own == terms_.back().unknown && space.terms[k].factor == 1;
+                trivial_ =
+                    trivial_ && terms_.back().own == terms_.back().unknown && space.terms[k].factor == 1;
             }
         trivial_ = trivial_ && functions.size() == raws.size();
     }
@@ -69,9 +71,10 @@ class Ties {
 };
 
 /// int sigma(u) grad phi_a dV over a part, 3 x #functions, for its own coefficients u.
-Eigen::Matrix3Xd internalForces(const PartIntegrals& integrals, const CellPart& part, const Elasticity& elasticity,
-                                const Eigen::Matrix3Xd& u) {
-    const PartIntegrals::Gram own = part.moments.empty() ? PartIntegrals::Gram{} : integrals.gradientProducts(part);
+Eigen::Matrix3Xd internalForces(const PartIntegrals& integrals, const CellPart& part,
+                                const Elasticity& elasticity, const Eigen::Matrix3Xd& u) {
+    const PartIntegrals::Gram own =
+        part.moments.empty() ? PartIntegrals::Gram{} : integrals.gradientProducts(part);
     const PartIntegrals::Gram& gram = part.moments.empty() ? integrals.wholeCell() : own;
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, u.cols());
     for (int j = 0; j < 3; ++j)
@@ -89,7 +92,8 @@ Eigen::Matrix3Xd internalForces(const PartIntegrals& integrals, const CellPart& 
     return forces;
 }
 
-std::vector<std::vector<int>> blockPattern(const SplineSpace& space, const std::vector<std::vector<int>>& reach) {
+std::vector<std::vector<int>> blockPattern(const SplineSpace& space,
+                                           const std::vector<std::vector<int>>& reach) {
     std::vector<std::vector<int>> parts_of(space.function_count), rows(space.function_count);
     for (size_t part = 0; part < reach.size(); ++part)
         for (const int function : reach[part]) parts_of[function].push_back(static_cast<int>(part));
@@ -123,8 +127,8 @@ SparseMatrix allocate(const std::vector<std::vector<int>>& pattern) {
     return matrix;
 }
 
-void scatter(const PartMatrix& part, const Elasticity& elasticity, const std::vector<std::vector<int>>& pattern,
-             SparseMatrix& matrix) {
+void scatter(const PartMatrix& part, const Elasticity& elasticity,
+             const std::vector<std::vector<int>>& pattern, SparseMatrix& matrix) {
     const double lambda = elasticity.lambda_pa, mu = elasticity.mu_pa;
     const int count = static_cast<int>(part.functions.size());
     for (int b = 0; b < count; ++b) {
@@ -138,9 +142,9 @@ void scatter(const PartMatrix& part, const Elasticity& elasticity, const std::ve
             };
             if (part.springs.size() > 0) isotropic += part.springs(a, b);
             for (int j = 0; j < 3; ++j) {
-                double* target = matrix.values.data() + matrix.starts[3 * part.functions[b] + j] + 3 * position;
-                for (int i = 0; i < 3; ++i)
-                    target[i] += lambda * gram(i, j) + mu * gram(j, i);
+                double* target =
+                    matrix.values.data() + matrix.starts[3 * part.functions[b] + j] + 3 * position;
+                for (int i = 0; i < 3; ++i) target[i] += lambda * gram(i, j) + mu * gram(j, i);
                 target[j] += isotropic;
             }
         }
@@ -154,13 +158,15 @@ std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<Sup
     for (const SupportSpring& support : supports) {
         const int part = solid.partAt(support.position);
         if (part >= 0)
-            springs.push_back({part, solid.toCell(support.position, solid.parts[part].cell), support.stiffness_n_m});
+            springs.push_back(
+                {part, solid.toCell(support.position, solid.parts[part].cell), support.stiffness_n_m});
     }
     return springs;
 }
 
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs, const std::vector<double>& share_of_part) {
+                             const std::vector<PointSpring>& springs,
+                             const std::vector<double>& share_of_part) {
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<std::vector<int>> reach(part_count);
     for (int part = 0; part < part_count; ++part) reach[part] = functionsOf(space, part);
@@ -175,7 +181,8 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
         const int size = std::min(batch_size, part_count - first);
         forEachChunk(chunk_count, [&](int chunk) {
             std::vector<double> values;
-            for (int n = chunkBegin(chunk, chunk_count, size); n < chunkBegin(chunk + 1, chunk_count, size); ++n) {
+            for (int n = chunkBegin(chunk, chunk_count, size); n < chunkBegin(chunk + 1, chunk_count, size);
+                 ++n) {
                 const int part = first + n;
                 PartMatrix& own = batch[n];
                 own.functions = reach[part];
@@ -205,7 +212,8 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
 
 SparseMatrix splinePattern(const CellParts& solid, const SplineSpace& space) {
     std::vector<std::vector<int>> reach(solid.parts.size());
-    for (size_t part = 0; part < reach.size(); ++part) reach[part] = functionsOf(space, static_cast<int>(part));
+    for (size_t part = 0; part < reach.size(); ++part)
+        reach[part] = functionsOf(space, static_cast<int>(part));
     SparseMatrix blocks;
     blocks.size = space.function_count;
     blocks.starts.assign(1, 0);
@@ -216,8 +224,9 @@ SparseMatrix splinePattern(const CellParts& solid, const SplineSpace& space) {
     return blocks;
 }
 
-Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                                      const std::vector<PointSpring>& springs, const Eigen::Matrix3Xd& displacement) {
+Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space,
+                                      const Elasticity& elasticity, const std::vector<PointSpring>& springs,
+                                      const Eigen::Matrix3Xd& displacement) {
     const PartIntegrals integrals(space.degree, solid.edges);
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<Eigen::Matrix3Xd> own(part_count);

@@ -23,20 +23,24 @@ struct SupportSpring {
 std::vector<PointSpring> springsOf(const CellParts& solid, const std::vector<SupportSpring>& supports);
 
 /// Stiffness of the Galerkin form on a spline space, row (a, i), column (b, j):
-///     K_ab = int lambda grad phi_a grad phi_b^T + mu grad phi_b grad phi_a^T + mu (grad phi_a . grad phi_b) I dV
+///     K_ab = int lambda grad phi_a grad phi_b^T + mu grad phi_b grad phi_a^T + mu (grad phi_a . grad phi_b)
+///     I dV
 ///            + sum over springs k phi_a phi_b I,
-/// integrated exactly on every part of a cell by its moments; whole cells share one matrix. `share_of_part` scales what
-/// each part adds (#parts, or empty: 1). Columns; entries from the diagonal blocks (complete) downwards, in blocks of 3.
+/// integrated exactly on every part of a cell by its moments; whole cells share one matrix. `share_of_part`
+/// scales what each part adds (#parts, or empty: 1). Columns; entries from the diagonal blocks (complete)
+/// downwards, in blocks of 3.
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs, const std::vector<double>& share_of_part = {});
+                             const std::vector<PointSpring>& springs,
+                             const std::vector<double>& share_of_part = {});
 
 /// The pattern alone, a line for each column of 3 x 3 blocks; no values.
 SparseMatrix splinePattern(const CellParts& solid, const SplineSpace& space);
 
-/// The same stiffness between raw functions, without its matrix: forces (3 x raw_count, N) that balance the stresses
-/// which raw coefficients `displacement` (m) make.
-Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                                      const std::vector<PointSpring>& springs, const Eigen::Matrix3Xd& displacement);
+/// The same stiffness between raw functions, without its matrix: forces (3 x raw_count, N) that balance the
+/// stresses which raw coefficients `displacement` (m) make.
+Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space,
+                                      const Elasticity& elasticity, const std::vector<PointSpring>& springs,
+                                      const Eigen::Matrix3Xd& displacement);
 
 /// Integrals of phi_a (1, x - origin) of every raw function, 4 x raw_count; `origins` per part.
 Eigen::Matrix4Xd splineBodyMoments(const CellParts& solid, const SplineSpace& space,

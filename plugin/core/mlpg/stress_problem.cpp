@@ -34,7 +34,8 @@ Status checkStressProblem(const Discretisation* solid, const Material& material,
         return Error{"Young's modulus must be positive and finite."};
     if (!(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio))
         return Error{
-            "Poisson's ratio must be above -1 and at most 0.499, since displacements alone cannot tell the pressure in a "
+            "Poisson's ratio must be above -1 and at most 0.499, since displacements alone cannot tell the "
+            "pressure in a "
             "body that keeps its volume; for rubber-like material use 0.49."};
     if (!(settings.support_radius >= 0 && settings.support_radius < 10))
         return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
@@ -44,11 +45,14 @@ Status checkStressProblem(const Discretisation* solid, const Material& material,
     if (heaviside && settings.trial_function == TrialFunction::spline)
         return Error{"Spline trial functions go with galerkin test functions; use " + name + " with mls."};
     if (settings.trial_function != TrialFunction::spline && settings.basis == Basis::cubic)
-        return Error{"The cubic basis is there for spline trial functions; use linear or quadratic with mls and gmls."};
+        return Error{
+            "The cubic basis is there for spline trial functions; use linear or quadratic with mls and "
+            "gmls."};
     if (heaviside && settings.trial_function == TrialFunction::gmls)
         return Error{
             "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: "
-            "use " + name + " with mls, or gmls with galerkin test functions."};
+            "use " +
+            name + " with mls, or gmls with galerkin test functions."};
     return success();
 }
 
@@ -72,7 +76,8 @@ std::vector<std::string> trustWarnings(const StressProblem& problem, const Mater
         "or a finer spacing.");
     if (material.poisson_ratio > locking_poisson_ratio)
         warnings.push_back(
-            "At this Poisson's ratio walls with fewer than three layers of particles, or an even number of them, come out "
+            "At this Poisson's ratio walls with fewer than three layers of particles, or an even number of "
+            "them, come out "
             "too stiff in bending; use three or five across a wall, or spline trial functions.");
     return warnings;
 }

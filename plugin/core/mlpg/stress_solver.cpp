@@ -48,14 +48,13 @@ Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> s
     if (Status status = checkStressProblem(solid.get(), material, settings); !status)
         return Error{status.error()};
     const bool splines = settings.trial_function == TrialFunction::spline;
-    if (!splines && !supports.empty())
-        return Error{"Supports are there for spline trial functions only."};
+    if (!splines && !supports.empty()) return Error{"Supports are there for spline trial functions only."};
     if (!splines && !damaged.empty())
         return Error{"Damaged particles are left out of the stress with spline trial functions only."};
     return guarded<StressSolver>([&]() -> Result<StressSolver> {
-        Result<std::unique_ptr<Impl>> impl = splines
-                                                 ? Impl::overSplines(std::move(solid), material, settings, supports, damaged)
-                                                 : Impl::overParticles(std::move(solid), material, settings);
+        Result<std::unique_ptr<Impl>> impl =
+            splines ? Impl::overSplines(std::move(solid), material, settings, supports, damaged)
+                    : Impl::overParticles(std::move(solid), material, settings);
         if (!impl) return Error{impl.error()};
         return StressSolver(std::move(impl).value());
     });

@@ -35,8 +35,8 @@ struct SupportPoint {
 /// builds K.
 class StressSolver {
   public:
-    /// `damaged` (#particles, or empty: none) marks particles that carry no stress: a ten-thousandth of their stiffness
-    /// keeps what they hold together from drifting. Splines only.
+    /// `damaged` (#particles, or empty: none) marks particles that carry no stress: a ten-thousandth of their
+    /// stiffness keeps what they hold together from drifting. Splines only.
     static Result<StressSolver> build(std::shared_ptr<const Discretisation> solid, const Material& material,
                                       const StressSettings& settings,
                                       const std::vector<SupportPoint>& supports = {},

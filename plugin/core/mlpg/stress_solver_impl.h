@@ -18,7 +18,8 @@ struct StressSolver::Impl {
                                  const std::function<Mat3(const Vec3& x)>& gradient) const = 0;
 
     static Result<std::unique_ptr<Impl>> overParticles(std::shared_ptr<const Discretisation> solid,
-                                                       const Material& material, const StressSettings& settings);
+                                                       const Material& material,
+                                                       const StressSettings& settings);
     static Result<std::unique_ptr<Impl>> overSplines(std::shared_ptr<const Discretisation> solid,
                                                      const Material& material, const StressSettings& settings,
                                                      const std::vector<SupportPoint>& supports,

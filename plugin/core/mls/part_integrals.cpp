@@ -58,7 +58,8 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
 
 PartIntegrals::Gram PartIntegrals::gradientProducts(const CellPart& part) const {
     if (part.moments.empty()) return whole_;
-    return contracted(Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size())));
+    return contracted(
+        Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size())));
 }
 
 PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) const {
@@ -75,7 +76,8 @@ PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) co
             target.resize(functions, functions);
             // From pairs in each direction to a pair of functions.
             for (int b = 0; b < functions; ++b) {
-                const int bx = b % width_ * width_, by = b / width_ % width_ * width_, bz = b / pairs * width_;
+                const int bx = b % width_ * width_, by = b / width_ % width_ * width_,
+                          bz = b / pairs * width_;
                 double* entry = target.data() + static_cast<long>(b) * functions;
                 for (int az = 0; az < width_; ++az)
                     for (int ay = 0; ay < width_; ++ay) {
@@ -88,19 +90,18 @@ PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) co
 }
 
 Eigen::Matrix4Xd PartIntegrals::bodyMoments(const CellPart& part, const Vec3& middle) const {
-    const Eigen::VectorXd moments =
-        part.moments.empty()
-            ? whole_moments_
-            : Eigen::VectorXd(
-                  Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size())));
+    const Eigen::VectorXd moments = part.moments.empty()
+                                        ? whole_moments_
+                                        : Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
+                                              part.moments.data(), static_cast<long>(part.moments.size())));
     Eigen::Matrix4Xd result(4, width_ * width_ * width_);
     result.row(0) =
         edges_.prod() * contract(functions_[0], functions_[0], functions_[0], moments).transpose();
     for (int d = 0; d < 3; ++d)
-        result.row(1 + d) = edges_.prod() * edges_[d] *
-                                contract(functions_[d == 0], functions_[d == 1], functions_[d == 2], moments)
-                                    .transpose() +
-                            middle[d] * result.row(0);
+        result.row(1 + d) =
+            edges_.prod() * edges_[d] *
+                contract(functions_[d == 0], functions_[d == 1], functions_[d == 2], moments).transpose() +
+            middle[d] * result.row(0);
     return result;
 }
 

@@ -6,8 +6,8 @@
 namespace sherd {
 namespace {
 
-/// Elementary symmetric polynomial e_k(t, t + s, ..., t + (n - 1) s) over binomial(n, k): the polar form (blossom) of
-/// x^k as a polynomial of degree n.
+/// Elementary symmetric polynomial e_k(t, t + s, ..., t + (n - 1) s) over binomial(n, k): the polar form
+/// (blossom) of x^k as a polynomial of degree n.
 double polarPower(int k, int n, double t, double s) {
     std::vector<double> e(n + 1, 0.0);
     e[0] = 1;
@@ -18,9 +18,9 @@ double polarPower(int k, int n, double t, double s) {
     return e[k] / binomial;
 }
 
-/// One direction: from a coarse cell's coefficients to those of a fine cell half as long whose middle lies at `middle`
-/// (coarse edges from the middle of the coarse cell). The coefficient of a B-spline of degree p is the polar form of
-/// the polynomial at its p inner knots.
+/// One direction: from a coarse cell's coefficients to those of a fine cell half as long whose middle lies at
+/// `middle` (coarse edges from the middle of the coarse cell). The coefficient of a B-spline of degree p is
+/// the polar form of the polynomial at its p inner knots.
 Eigen::MatrixXd childMatrix(int degree, const Eigen::MatrixXd& powers, double middle) {
     Eigen::MatrixXd polar(degree + 1, degree + 1);
     for (int a = 0; a <= degree; ++a) {
@@ -71,7 +71,8 @@ Eigen::Matrix3Xd refinedCoefficients(const CellParts& coarse, const SplineSpace&
             for (int rest = 0; rest < width * width; ++rest)
                 for (int to = 0; to < width; ++to)
                     for (int from = 0; from < width; ++from)
-                        turned.col(to * width * width + rest) += child(to, from) * own.col(rest * width + from);
+                        turned.col(to * width * width + rest) +=
+                            child(to, from) * own.col(rest * width + from);
             own.swap(turned);
         }
         for (int a = 0; a < per_part; ++a) {

@@ -15,7 +15,8 @@ constexpr int search_layers = 3;      // of neighbouring parts, for a well-fille
 
 using Pieces = std::array<double, 4>;
 
-/// The p + 1 B-splines that differ from zero on a cell, at t in [-1/2, 1/2] from its middle, and their slopes.
+/// The p + 1 B-splines that differ from zero on a cell, at t in [-1/2, 1/2] from its middle, and their
+/// slopes.
 void pieces(int degree, double t, Pieces& value, Pieces& slope) {
     const double s = t + 0.5, r = 1 - s;
     switch (degree) {
@@ -120,11 +121,14 @@ class Builder {
         }
     }
 
-    static Eigen::Vector3i offset(int n, int width) { return {n % width, n / width % width, n / width / width}; }
+    static Eigen::Vector3i offset(int n, int width) {
+        return {n % width, n / width % width, n / width / width};
+    }
 
     Eigen::Vector3i pointOf(long long index) const {
         const long long nx = solid_.count.x() + space_.degree, ny = solid_.count.y() + space_.degree;
-        return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny), static_cast<int>(index / nx / ny)};
+        return {static_cast<int>(index % nx), static_cast<int>(index / nx % ny),
+                static_cast<int>(index / nx / ny)};
     }
 
     /// Well-filled parts, and where there is none around, the best of a function's support.
@@ -143,8 +147,8 @@ class Builder {
         }
     }
 
-    /// Of the good parts in the fewest steps along neighbours, the one nearest to the middle of the function's support;
-    /// -1 if none is near.
+    /// Of the good parts in the fewest steps along neighbours, the one nearest to the middle of the
+    /// function's support; -1 if none is near.
     int nearestGood(int raw) {
         const std::vector<int>& from = supports_[raw];
         // Twice the distance to the middle of a cell, in cells, squared.
@@ -155,7 +159,8 @@ class Builder {
         };
         const auto better = [&](int a, int b) {
             if (distance(a) != distance(b)) return distance(a) < distance(b);
-            if (solid_.parts[a].fill != solid_.parts[b].fill) return solid_.parts[a].fill > solid_.parts[b].fill;
+            if (solid_.parts[a].fill != solid_.parts[b].fill)
+                return solid_.parts[a].fill > solid_.parts[b].fill;
             return a < b;
         };
         std::vector<int>& layer = layer_;
@@ -218,7 +223,8 @@ class Builder {
     SplineSpace& space_;
     int part_count_;
     std::vector<std::vector<int>> supports_;  // per raw function: its parts
-    std::vector<Eigen::Vector3i> points_;     // per raw function: its lattice point, the highest cell of its support
+    std::vector<Eigen::Vector3i>
+        points_;  // per raw function: its lattice point, the highest cell of its support
     std::vector<char> good_;
     std::vector<int> mark_, layer_, next_;
     int stamp_ = 0;

@@ -13,7 +13,7 @@ namespace sherd {
 namespace {
 
 constexpr int cells_across_patch = 4;  // that a grid needs to see how a load is spread
-constexpr int cells_of_rim = 1;  // along the border of a box, with too few functions left that may move
+constexpr int cells_of_rim = 1;        // along the border of a box, with too few functions left that may move
 
 struct PatchBounds {
     Vec3 lower, upper;
@@ -21,7 +21,8 @@ struct PatchBounds {
 
 /// Loads that act in the same or in touching cells belong to one patch.
 std::vector<PatchBounds> loadPatches(const CellParts& grid, const std::vector<PointForce>& loads) {
-    std::map<std::array<int, 3>, std::pair<int, PatchBounds>> cells;  // patch and bounds of the loads in a cell
+    std::map<std::array<int, 3>, std::pair<int, PatchBounds>>
+        cells;  // patch and bounds of the loads in a cell
     for (const PointForce& load : loads) {
         const Vec3 u = (load.position - grid.origin).cwiseQuotient(grid.edges);
         const Eigen::Vector3i cell = u.array().floor().cast<int>();
@@ -40,7 +41,8 @@ std::vector<PatchBounds> loadPatches(const CellParts& grid, const std::vector<Po
             const std::array<int, 3> cell = queue.back();
             queue.pop_back();
             for (int n = 0; n < 27; ++n) {
-                const auto other = cells.find({cell[0] + n / 9 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n % 3 - 1});
+                const auto other =
+                    cells.find({cell[0] + n / 9 - 1, cell[1] + n / 3 % 3 - 1, cell[2] + n % 3 - 1});
                 if (other == cells.end() || other->second.first >= 0) continue;
                 other->second.first = entry.first;
                 PatchBounds& sum = patches.back();
@@ -80,8 +82,8 @@ Eigen::Matrix3Xd externalForces(const SplineField& field, const BodyLoads& loads
     const Eigen::Matrix4Xd body = splineBodyMoments(parts, space, origins);
     for (size_t p = 0; p < parts.parts.size(); ++p)
         for (const int f : space.raw_of[p])  // all parts of a function are of one body, under one force
-            raw.col(f) =
-                loads.body_forces[p].value * body(0, f) + loads.body_forces[p].gradient * body.col(f).tail<3>();
+            raw.col(f) = loads.body_forces[p].value * body(0, f) +
+                         loads.body_forces[p].gradient * body.col(f).tail<3>();
     std::vector<double> values;
     for (const PointForce& load : loads.forces) {
         const int part = parts.partAt(load.position);
@@ -101,14 +103,15 @@ BodyLoads loadsInside(const CellParts& fine, const std::vector<int>& parents, co
     return inside;
 }
 
-/// The box in cells of the fine grid, which begin along x where the coarse grid or the box does, whichever comes first.
+/// The box in cells of the fine grid, which begin along x where the coarse grid or the box does, whichever
+/// comes first.
 CellBox onFineGrid(const CellBox& box) {
     const Eigen::Vector3i begin(2 * (box.lower.x() - std::min(0, box.lower.x())), 0, 0);
     return {begin, begin + 2 * (box.upper - box.lower)};
 }
 
-/// What must not move: functions that reach beyond the box, and where nothing of a component does and no support holds
-/// it, six unknowns against its rigid motions.
+/// What must not move: functions that reach beyond the box, and where nothing of a component does and no
+/// support holds it, six unknowns against its rigid motions.
 std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const CellBox& fine_box,
                               const std::vector<PointSpring>& springs) {
     std::vector<int> held;
@@ -131,7 +134,8 @@ std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<P
     std::vector<CellBox> boxes;
     for (const PatchBounds& patch : loadPatches(grid, loads)) {
         const Vec3 extent = patch.upper - patch.lower;
-        if (extent.maxCoeff() >= cells_across_patch || extent.cwiseProduct(grid.edges).norm() > largest_patch) continue;
+        if (extent.maxCoeff() >= cells_across_patch || extent.cwiseProduct(grid.edges).norm() > largest_patch)
+            continue;
         const Vec3 border = Vec3::Constant(margin);
         boxes.push_back({(patch.lower - border).array().floor().cast<int>(),
                          (patch.upper + border).array().ceil().cast<int>()});

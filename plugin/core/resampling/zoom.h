@@ -45,9 +45,9 @@ struct CellBox {
     Eigen::Vector3i lower, upper;
 };
 
-/// Boxes around those loads that act on a patch of fewer than four cells across: there stress diverges as the grid gets
-/// finer, and the coarse grid only sees the resultant. Patches above `largest_patch` (m) are left alone. At least `margin`
-/// cells beyond the loads.
+/// Boxes around those loads that act on a patch of fewer than four cells across: there stress diverges as the
+/// grid gets finer, and the coarse grid only sees the resultant. Patches above `largest_patch` (m) are left
+/// alone. At least `margin` cells beyond the loads.
 std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
                                       double largest_patch, double margin);
 
@@ -55,18 +55,19 @@ std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<P
 struct Zoom {
     SplineField field;
     BodyLoads loads;  ///< what acts on it
-    CellBox inner;    ///< cells of the field's grid where it is better than the coarser one: not those at the border
+    CellBox inner;    ///< cells of the field's grid where it is better than the coarser one: not those at the
+                      ///< border
     long long stiffness_entries = 0;  ///< numbers stored for its solve, which needs no factor
 };
 
 /// Displacement gradient of a zoom at x; false where the coarser grid is to be read.
 bool displacementGradient(const Zoom& zoom, const Vec3& x, Mat3& gradient);
 
-/// Resampling (paper, section 5) as a local zoom: cells half as long inside the box. The fine displacement is the coarse
-/// one plus a correction that vanishes with its derivative at the border of the box,
+/// Resampling (paper, section 5) as a local zoom: cells half as long inside the box. The fine displacement is
+/// the coarse one plus a correction that vanishes with its derivative at the border of the box,
 ///     a(correction, v) = f(v) - a(coarse, v) for all fine v inside the box,
-/// so the coarse factorisation stays as it is. Nothing is handed back to the coarse grid: its far field already knows
-/// the resultant of the loads, and further corrections in turn were measured to gain little.
+/// so the coarse factorisation stays as it is. Nothing is handed back to the coarse grid: its far field
+/// already knows the resultant of the loads, and further corrections in turn were measured to gain little.
 Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, const CellBox& box,
                     const Elasticity& elasticity, const BodyLoads& loads,
                     const std::vector<SupportSpring>& supports);

@@ -28,14 +28,16 @@ struct MomentFlux {
 class FluxSum {
   public:
     explicit FluxSum(int order) : n_(order + 1) {
-        // Gradients of splines of degree p = order / 2 have the flux degree 3 p + 1; n points are exact to 2 n - 2.
-        // The error of fewer points falls with the size of the triangle, as size^(2 n): far below 1e-8 for these.
+        // Gradients of splines of degree p = order / 2 have the flux degree 3 p + 1; n points are exact to 2
+        // n - 2. The error of fewer points falls with the size of the triangle, as size^(2 n): far below 1e-8
+        // for these.
         const int exact = (3 * order / 2 + 4) / 2;
         for (const int points : {exact - 3, exact - 2, exact, exact + 2})
             rules_.push_back(gaussLegendre(std::max(3, points)));
     }
 
-    void add(const Polygon& polygon, const Vec3& centre, double scale, bool with_volume, MomentFlux& flux) const {
+    void add(const Polygon& polygon, const Vec3& centre, double scale, bool with_volume,
+             MomentFlux& flux) const {
         const Vec3 a = (polygon.points[0] - centre) * scale;
         for (int i = 1; i + 1 < polygon.count; ++i) {
             const Vec3 b = (polygon.points[i] - centre) * scale, c = (polygon.points[i + 1] - centre) * scale;
@@ -47,8 +49,8 @@ class FluxSum {
     }
 
   private:
-    /// Collapsed Gauss rule: x = a + u (b - a) + u v (c - b), dA = 2 A u du dv. N powers a direction, known to the
-    /// compiler, which unrolls the sums.
+    /// Collapsed Gauss rule: x = a + u (b - a) + u v (c - b), dA = 2 A u du dv. N powers a direction, known
+    /// to the compiler, which unrolls the sums.
     template <int N>
     void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, bool with_volume, MomentFlux& flux) const {
         const double area = (b - a).cross(c - a).x();
@@ -87,15 +89,16 @@ class FluxSum {
     std::vector<GaussRule> rules_;
 };
 
-/// Columns of cells along x whose moments are asked for. Rows are swept from the top down: what lies below does not
-/// count, and of what lies above only the flux through the faces.
+/// Columns of cells along x whose moments are asked for. Rows are swept from the top down: what lies below
+/// does not count, and of what lies above only the flux through the faces.
 struct Columns {
     int first, last;
 };
 
 /// Of a range of the surface's triangles. Voxels that none of them meets keep empty lists.
 std::vector<MomentFlux> fluxOf(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
-                               const CutSurface& cut, const Columns& columns, const FluxSum& sum, int powers) {
+                               const CutSurface& cut, const Columns& columns, const FluxSum& sum,
+                               int powers) {
     const int per_cell = grid.cells_per_spacing;
     std::vector<MomentFlux> flux(cut.voxels.size());
     forEachVoxelPiece(surface, first, last, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
@@ -119,8 +122,8 @@ std::vector<MomentFlux> surfaceFlux(const TriangleMesh& surface, const SamplingG
     const FluxSum sum(order);
     std::array<std::vector<MomentFlux>, ranges> parts;
     forEachChunk(ranges, [&](int range) {
-        parts[range] = fluxOf(surface, chunkBegin(range, ranges, triangles), chunkBegin(range + 1, ranges, triangles),
-                              grid, cut, columns, sum, powers);
+        parts[range] = fluxOf(surface, chunkBegin(range, ranges, triangles),
+                              chunkBegin(range + 1, ranges, triangles), grid, cut, columns, sum, powers);
     });
     std::vector<MomentFlux> flux(cut.voxels.size(), {std::vector<double>(powers * powers * powers, 0.0),
                                                      std::vector<double>(powers * powers, 0.0)});
@@ -156,8 +159,10 @@ class VoxelMoments {
     bool isWhole(int voxel) const { return cut_of_[voxel] < 0; }
 
     void addTo(int voxel, const Eigen::Vector3i& position, std::vector<double>& sum) const {
-        const Eigen::Vector3i local = position - (position / grid_.cells_per_spacing) * grid_.cells_per_spacing;
-        const std::vector<double>&x = intervals_[local.x()], &y = intervals_[local.y()], &z = intervals_[local.z()];
+        const Eigen::Vector3i local =
+            position - (position / grid_.cells_per_spacing) * grid_.cells_per_spacing;
+        const std::vector<double>&x = intervals_[local.x()], &y = intervals_[local.y()],
+              &z = intervals_[local.z()];
         if (isWhole(voxel)) {
             size_t i = 0;
             for (int c = 0; c < n_; ++c)
@@ -208,7 +213,7 @@ class VoxelMoments {
     /// No triangle comes near: the exact values, so that rounding does not travel along the row.
     void fill(const Eigen::Vector3i& position, bool whole, std::vector<double>& upper) const {
         const std::vector<double>&y = intervals_[position.y() % grid_.cells_per_spacing],
-                                 &z = intervals_[position.z() % grid_.cells_per_spacing];
+              &z = intervals_[position.z() % grid_.cells_per_spacing];
         for (int c = 0; c < n_; ++c)
             for (int b = 0; b < n_; ++b) upper[c * n_ + b] = whole ? y[b] * z[c] : 0;
     }

@@ -9,8 +9,7 @@ namespace {
 
 /// Squared distance, in cells, from a point in grid coordinates (of cells) to the box of one cell or voxel.
 double squaredDistance(const Vec3& u, const Vec3& lower, double edge) {
-    const Vec3 outside =
-        (lower - u).cwiseMax(u - lower - Vec3::Constant(edge)).cwiseMax(0.0);
+    const Vec3 outside = (lower - u).cwiseMax(u - lower - Vec3::Constant(edge)).cwiseMax(0.0);
     return outside.squaredNorm();
 }
 

@@ -10,10 +10,11 @@ namespace sherd {
 struct CellPart {
     Eigen::Vector3i cell = Eigen::Vector3i::Zero();
     double fill = 0;  ///< part of the cell that is solid, 0 to 1
-    /// Integrals of xi^a eta^b zeta^c, a fastest, a, b, c = 0 .. order, with (xi, eta, zeta) from the middle of the
-    /// cell in edges, and the cell of volume 1. Empty: the whole cell is solid.
+    /// Integrals of xi^a eta^b zeta^c, a fastest, a, b, c = 0 .. order, with (xi, eta, zeta) from the middle
+    /// of the cell in edges, and the cell of volume 1. Empty: the whole cell is solid.
     std::vector<double> moments;
-    std::vector<Eigen::Vector3i> voxels;  ///< of the integration grid; empty if the part has the cell to itself
+    std::vector<Eigen::Vector3i>
+        voxels;  ///< of the integration grid; empty if the part has the cell to itself
 };
 
 /// The solid as parts of grid cells with their exact moments, and which parts touch. Trial functions that are
@@ -22,8 +23,8 @@ struct CellParts {
     Vec3 origin = Vec3::Zero();  ///< lower corner of cell (0, 0, 0), m
     Vec3 edges = Vec3::Zero();   ///< of a cell, m
     Eigen::Vector3i count = Eigen::Vector3i::Zero();
-    int voxels_per_cell = 1;  ///< along one edge
-    int order = 0;            ///< of the moments, a direction
+    int voxels_per_cell = 1;                   ///< along one edge
+    int order = 0;                             ///< of the moments, a direction
     std::vector<CellPart> parts;               ///< ascending in (z, y, x) of the cell
     std::vector<std::vector<int>> neighbours;  ///< per part: those it shares a face with, ascending
     std::vector<int> first_part;               ///< per cell and one more: its first part

@@ -36,7 +36,8 @@ struct SurfacePoint {
     int cell = -1;
     Vec3 position = Vec3::Zero();  ///< m
     Vec3 area = Vec3::Zero();      ///< weight, m^2: sum f(position) area is the integral of f n for linear f
-    Vec3 normal = Vec3::Zero();    ///< outward, unit; zero where the cell's side is curved, or the point lies off it
+    Vec3 normal =
+        Vec3::Zero();  ///< outward, unit; zero where the cell's side is curved, or the point lies off it
 };
 
 struct Particle {

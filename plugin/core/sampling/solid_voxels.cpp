@@ -109,8 +109,8 @@ Result<std::vector<RawMoments>> measureVoxels(const SamplingGrid& grid, const Cu
     return moments;
 }
 
-/// The solid part of the face above the top of a row that ends inside the solid: what the first voxel without a surface
-/// asks for, or where there is none, about as much as the top voxel holds.
+/// The solid part of the face above the top of a row that ends inside the solid: what the first voxel without
+/// a surface asks for, or where there is none, about as much as the top voxel holds.
 FaceMoments faceAboveRow(const Row& row, const CutSurface& surface, const std::vector<int>& state,
                          const std::vector<RawMoments>& fills, int axis) {
     FaceMoments flux{};
@@ -202,7 +202,8 @@ Result<SolidVoxels> fillVoxels(const SamplingGrid& grid, const CutSurface& surfa
         if (state[v] >= 0) solid.of_cut_voxel[std::size_t(state[v])] = number[v];
     }
     for (int axis = 0; axis < 3; ++axis) {
-        const Status status = measureFaces(grid, surface, state, number, cut_moments.value(), axis, solid.faces);
+        const Status status =
+            measureFaces(grid, surface, state, number, cut_moments.value(), axis, solid.faces);
         if (!status) return Error{status.error()};
     }
     return solid;

@@ -83,7 +83,8 @@ void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const S
     Polygon triangle, rest;
     for (int t = first; t < last; ++t) {
         triangle.count = 0;
-        for (const int v : surface.triangles[std::size_t(t)]) triangle.add(grid.toGrid(surface.vertices[std::size_t(v)]));
+        for (const int v : surface.triangles[std::size_t(t)])
+            triangle.add(grid.toGrid(surface.vertices[std::size_t(v)]));
         triangle.close();
         if (grid.window && isBeside(triangle, grid)) continue;
         for (int axis = 1; grid.window && axis < 3; ++axis) {
@@ -107,17 +108,18 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
     CutSurface cut;
     cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
     cut.pieces.reserve(2 * surface.triangles.size());
-    forEachVoxelPiece(surface, 0, int(surface.triangles.size()), grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
-        int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
-        if (index < 0) {
-            index = int(cut.voxels.size());
-            cut.voxels.push_back(grid.indexOf(voxel));
-            cut.flux.emplace_back();
-        }
-        const Vec3 centre = voxel.cast<double>() + Vec3::Constant(0.5);
-        cut.pieces.push_back(measure(polygon, centre, cut.flux[std::size_t(index)]));
-        cut.pieces.back().cut_voxel = index;
-    });
+    forEachVoxelPiece(surface, 0, int(surface.triangles.size()), grid,
+                      [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
+                          int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
+                          if (index < 0) {
+                              index = int(cut.voxels.size());
+                              cut.voxels.push_back(grid.indexOf(voxel));
+                              cut.flux.emplace_back();
+                          }
+                          const Vec3 centre = voxel.cast<double>() + Vec3::Constant(0.5);
+                          cut.pieces.push_back(measure(polygon, centre, cut.flux[std::size_t(index)]));
+                          cut.pieces.back().cut_voxel = index;
+                      });
     return cut;
 }
 

@@ -39,8 +39,8 @@ struct CutSurface {
     std::vector<int> cut_voxel_at;     ///< #voxels of the grid: index of the cut voxel, or -1
 };
 
-/// Calls visit(voxel, polygon) for the part of every triangle inside every voxel of the grid, in the order of the
-/// triangles from `first` to below `last`; polygons in grid coordinates.
+/// Calls visit(voxel, polygon) for the part of every triangle inside every voxel of the grid, in the order of
+/// the triangles from `first` to below `last`; polygons in grid coordinates.
 void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
                        const std::function<void(const Eigen::Vector3i&, const Polygon&)>& visit);
 

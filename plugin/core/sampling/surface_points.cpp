@@ -53,8 +53,8 @@ void addDeviation(Mat3 deviation, const Mat3& spread, double tolerance, std::siz
         const double distance = std::sqrt(2 * direction.dot(spread * direction));
         const Vec3 weight = deviation.transpose() * direction;
         deviation -= direction * weight.transpose();
-        points.push_back(
-            {points[centre].cell, points[centre].position + distance * direction, weight / distance, Vec3::Zero()});
+        points.push_back({points[centre].cell, points[centre].position + distance * direction,
+                          weight / distance, Vec3::Zero()});
         points[centre].area -= weight / distance;
     }
 }
@@ -74,7 +74,8 @@ void addPoints(Facets::const_iterator first, Facets::const_iterator last, int si
         ++count;
     }
     centroid /= size;
-    points.push_back({cell, centroid, area, area.norm() > nearly_flat * size ? area.normalized() : Vec3::Zero()});
+    points.push_back(
+        {cell, centroid, area, area.norm() > nearly_flat * size ? area.normalized() : Vec3::Zero()});
     if (count == 1) return;
 
     Mat3 deviation = Mat3::Zero(), spread = Mat3::Zero();

@@ -24,7 +24,7 @@ using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr double largest_lattice = 2e5;  // nodes
 constexpr double nodes_across_wall = 3;
-constexpr double smallest_crumb = 0.05;       // of a particle: less, apart from all others, is no fragment
+constexpr double smallest_crumb = 0.05;         // of a particle: less, apart from all others, is no fragment
 constexpr double largest_volume_change = 1.25;  // more than that, and walls are missing
 
 CgalMesh toCgal(const TriangleMesh& mesh) {
@@ -39,7 +39,8 @@ void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattic
     const CgalMesh mesh = toCgal(surface);
     const CGAL::Side_of_triangle_mesh<CgalMesh, Kernel> side(mesh);
     for (std::size_t node = 0; node < lattice.nodes.size(); ++node)
-        if (lattice.labels[node] >= 0 && side(TriangleTree::toPoint(lattice.nodes[node])) != CGAL::ON_BOUNDED_SIDE)
+        if (lattice.labels[node] >= 0 &&
+            side(TriangleTree::toPoint(lattice.nodes[node])) != CGAL::ON_BOUNDED_SIDE)
             lattice.labels[node] = outside;
 }
 
@@ -51,7 +52,8 @@ class SurfaceFitting {
 
     std::vector<int> fit(CrackComplex& complex) const {
         std::vector<int> triangle_at;  // #points; -1 elsewhere
-        for (CrackPoint& point : complex.origins) triangle_at.push_back(isOnSurface(point) ? fitToEdge(point) : -1);
+        for (CrackPoint& point : complex.origins)
+            triangle_at.push_back(isOnSurface(point) ? fitToEdge(point) : -1);
         for (CrackPoint& point : complex.origins)
             if (point.nodes[0] < 0 && point.between[3] < 0) leanOnSurface(complex, point);
         placePoints(complex, lattice_);
@@ -74,7 +76,8 @@ class SurfaceFitting {
         const auto hit = surface_.tree.first_intersection(ray);
         const auto* place = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
         if (!place)  // along a triangle: the middle will do
-            return surface_.indexOf(surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
+            return surface_.indexOf(
+                surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
         const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
         point.t = clampToEdge(starts_inside ? t : 1 - t);
         return surface_.indexOf(hit->second);
@@ -103,7 +106,8 @@ std::vector<int> connectLabels(const CutFaces& faces) {
     for (std::size_t e = 0; e < edges.edges.size(); ++e) {
         const int first = edges.uses[edges.first_use[e]] / 3;
         for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
-            if (faces.body_label[edges.uses[u] / 3] == faces.body_label[first]) sets.unite(first, edges.uses[u] / 3);
+            if (faces.body_label[edges.uses[u] / 3] == faces.body_label[first])
+                sets.unite(first, edges.uses[u] / 3);
     }
     std::vector<int> roots;
     for (int t = 0; t < static_cast<int>(faces.body.size()); ++t) roots.push_back(sets.root(t));
@@ -133,7 +137,8 @@ CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_a
 
 void dropCrumbs(const Discretisation& solid, std::vector<FragmentSurface>& pieces) {
     double mean_volume = 0;
-    for (const Particle& p : solid.particles) mean_volume += p.volume / static_cast<double>(solid.particles.size());
+    for (const Particle& p : solid.particles)
+        mean_volume += p.volume / static_cast<double>(solid.particles.size());
     const auto is_crumb = [&](const FragmentSurface& piece) {
         return std::all_of(piece.across.begin(), piece.across.end(), [](int other) { return other < 0; }) &&
                enclosedVolume(piece.mesh, piece.mesh.vertices.front()) < smallest_crumb * mean_volume;
@@ -156,10 +161,11 @@ void scaleToVolume(const TriangleMesh& surface, double ratio, std::vector<Fragme
 
 std::string describe(const std::string& why, double spacing, double ratio) {
     char text[300];
-    std::snprintf(text, sizeof text,
-                  "The surface could not be cut cleanly (%s): the fragments follow it to within %.3g mm only, and "
-                  "were scaled to make up for %.2g %% of the volume.",
-                  why.c_str(), 1000 * spacing, 100 * std::abs(ratio - 1));
+    std::snprintf(
+        text, sizeof text,
+        "The surface could not be cut cleanly (%s): the fragments follow it to within %.3g mm only, and "
+        "were scaled to make up for %.2g %% of the volume.",
+        why.c_str(), 1000 * spacing, 100 * std::abs(ratio - 1));
     return text;
 }
 
@@ -177,18 +183,22 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     const TriangleTree tree(surface);
     const std::vector<int> triangle_at = SurfaceFitting(tree, lattice, outside).fit(complex);
     smoothCracks(complex, lattice, smoothing_steps);
-    if (settings.roughness > 0) roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
+    if (settings.roughness > 0)
+        roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
     auto assembled = assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels);
     if (!assembled)
-        return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " + assembled.error() +
-                     "); the body stays whole. Try another seed or another particle spacing, and check the surface for "
+        return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " +
+                     assembled.error() +
+                     "); the body stays whole. Try another seed or another particle spacing, and check the "
+                     "surface for "
                      "very thin or very small triangles."};
     FragmentSurfaces result = {std::move(assembled).value(), {}};
     dropCrumbs(solid, result.pieces);
     const double ratio = volumeRatio(surface, result.pieces);
     if (!(ratio > 1 / largest_volume_change && ratio < largest_volume_change))
         return Error{"The fragments' surfaces could not be cut (" + why +
-                     "), and the body's walls are too thin for the lattice that replaces cutting; the body stays whole. "
+                     "), and the body's walls are too thin for the lattice that replaces cutting; the body "
+                     "stays whole. "
                      "Try another seed, or give the walls more thickness."};
     scaleToVolume(surface, ratio, result.pieces);
     result.notes.push_back(describe(why, spacing, ratio));

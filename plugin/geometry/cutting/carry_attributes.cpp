@@ -66,7 +66,8 @@ class AttributeCarrier {
         }
     }
 
-    std::vector<Vec3> colours(const std::vector<FragmentSurface>& pieces, const SharedVertices& shared) const {
+    std::vector<Vec3> colours(const std::vector<FragmentSurface>& pieces,
+                              const SharedVertices& shared) const {
         std::vector<Vec3> colours(shared.count, unknown_colour);
         for (std::size_t p = 0; p < pieces.size(); ++p)
             for (std::size_t t = 0; t < pieces[p].parents.size(); ++t) {
@@ -88,7 +89,8 @@ class AttributeCarrier {
     Vec3 barycentric(const Triangle& t, const Vec3& x) const {
         const Vec3 &a = body_.vertices[t[0]], &b = body_.vertices[t[1]], &c = body_.vertices[t[2]];
         const Vec3 normal = (b - a).cross(c - a);
-        Vec3 w(normal.dot((b - x).cross(c - x)), normal.dot((c - x).cross(a - x)), normal.dot((a - x).cross(b - x)));
+        Vec3 w(normal.dot((b - x).cross(c - x)), normal.dot((c - x).cross(a - x)),
+               normal.dot((a - x).cross(b - x)));
         w = w.cwiseMax(0);
         return w / w.sum();
     }
@@ -107,7 +109,8 @@ class AttributeCarrier {
         const int parent = piece.parents[t];
         std::array<Vector, 3> result;
         for (int i = 0; i < 3; ++i)
-            result[i] = at(piece.mesh.vertices[piece.mesh.triangles[t][i]], body_.triangles[parent], attribute[parent]);
+            result[i] = at(piece.mesh.vertices[piece.mesh.triangles[t][i]], body_.triangles[parent],
+                           attribute[parent]);
         return result;
     }
 

@@ -213,7 +213,8 @@ void smoothOnce(CrackComplex& complex, const LabelLattice& lattice, bool with_sh
     for (std::size_t p = 0; p < complex.points.size(); ++p) {
         CrackPoint& origin = complex.origins[p];
         if (means.count[p] == 0 || origin.between[3] >= 0 || origin.fixed) continue;
-        if (!with_sharp && origin.nodes[0] >= 0 && lattice.isSharp(origin.nodes[0]) && lattice.isSharp(origin.nodes[1]))
+        if (!with_sharp && origin.nodes[0] >= 0 && lattice.isSharp(origin.nodes[0]) &&
+            lattice.isSharp(origin.nodes[1]))
             continue;
         const Vec3 wanted = 0.5 * (complex.points[p] + means.sum[p] / means.count[p]);
         if (origin.nodes[0] >= 0)

@@ -37,11 +37,12 @@ constexpr int smoothing_steps = 6;
 /// run through itself.
 CrackComplex buildCrackComplex(const LabelLattice& lattice);
 
-/// Moves every point half the way toward the mean of its neighbours, `steps` times, within its edge or face; between two
-/// sharp labels once only.
+/// Moves every point half the way toward the mean of its neighbours, `steps` times, within its edge or face;
+/// between two sharp labels once only.
 void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps);
 
-/// Moves the points along their lattice edges by up to `amplitude` m, at random, and no further than they may go.
+/// Moves the points along their lattice edges by up to `amplitude` m, at random, and no further than they may
+/// go.
 void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed);
 
 /// Moves the points that the triangle depends on a little along their lattice edges; `attempt` gives another

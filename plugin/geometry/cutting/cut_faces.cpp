@@ -70,13 +70,15 @@ SplitSurface splitSurface(const Side& side, const SurfaceCrossing& crossing, std
         for (auto s = begin; s != end; ++s)
             pairs.emplace_back(crossing.segments[*s].source, crossing.segments[*s].target);
         const auto& [a, b, c] = side.triangles[t];
-        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs, result.triangles))
+        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(side, t), pairs,
+                               result.triangles))
             for (auto s = begin; s != end; ++s) troubled.push_back(crossing.segments[*s].crack_triangle);
     }
     result.first_part.push_back(static_cast<int>(result.triangles.size()));
     result.parents.resize(result.triangles.size());
     for (int t = 0; t < static_cast<int>(side.triangles.size()); ++t)
-        std::fill(result.parents.begin() + result.first_part[t], result.parents.begin() + result.first_part[t + 1], t);
+        std::fill(result.parents.begin() + result.first_part[t],
+                  result.parents.begin() + result.first_part[t + 1], t);
     return result;
 }
 
@@ -213,7 +215,8 @@ void keepInsideCracks(const SplitSurface& split, const std::vector<int>& inside,
     }
 }
 
-SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegment::*triangle, std::size_t count) {
+SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegment::*triangle,
+                            std::size_t count) {
     SegmentGroups groups;
     groups.first.assign(count + 1, 0);
     for (const CutSegment& s : segments) ++groups.first[s.*triangle + 1];
@@ -261,7 +264,8 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
     std::vector<int> inside, crack_set;
     if (!spreadFromSegments(body_side, split_body, point_count, crossing.segments, labels, faces.body_label,
                             faces.body_set) ||
-        !spreadFromSegments(crack_side, split_crack, point_count, crossing.segments, insides, inside, crack_set)) {
+        !spreadFromSegments(crack_side, split_crack, point_count, crossing.segments, insides, inside,
+                            crack_set)) {
         attempt.failure = "the lines of the crack on the surface do not close";
         return attempt;
     }

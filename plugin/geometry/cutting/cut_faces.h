@@ -8,12 +8,12 @@ namespace sherd {
 
 /// Body surface and crack faces, split where they cross, and told apart.
 struct CutFaces {
-    std::vector<Vec3> points;                      ///< m
-    std::vector<Triangle> body;                    ///< in the order of their parents
-    std::vector<int> body_parent;                  ///< #body
-    std::vector<int> body_label;                   ///< #body
-    std::vector<int> body_set;                     ///< #body; equal for those that hang together and share a label
-    std::vector<Triangle> crack;                   ///< those inside the solid only
+    std::vector<Vec3> points;      ///< m
+    std::vector<Triangle> body;    ///< in the order of their parents
+    std::vector<int> body_parent;  ///< #body
+    std::vector<int> body_label;   ///< #body
+    std::vector<int> body_set;     ///< #body; equal for those that hang together and share a label
+    std::vector<Triangle> crack;   ///< those inside the solid only
     std::vector<CrackComplex::Sides> crack_sides;  ///< #crack
 };
 

@@ -99,8 +99,9 @@ void spreadParticles(LabelLattice& lattice, const Discretisation& solid, const F
     }
 }
 
-// What clusters there are at a node, as their kernels say, is shared out anew by the distances from their seeds: the
-// nearest gets all of it, the others less by as much as they are farther. Then it belongs to their fragments.
+// What clusters there are at a node, as their kernels say, is shared out anew by the distances from their
+// seeds: the nearest gets all of it, the others less by as much as they are farther. Then it belongs to their
+// fragments.
 void shareByDistance(LabelLattice& lattice, const FragmentLabels& labels) {
     std::vector<int> fragment_of(labels.seeds.size());
     for (std::size_t i = 0; i < labels.cluster.size(); ++i)
@@ -192,7 +193,8 @@ LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation
     spreadParticles(lattice, solid, labels);
     lattice.sharp.assign(labels.count, 0);
     for (std::size_t i = 0; i < labels.shared.size(); ++i)
-        if (labels.shared[i].second >= 0) lattice.sharp[labels.of_particle[i]] = lattice.sharp[labels.shared[i].second] = 1;
+        if (labels.shared[i].second >= 0)
+            lattice.sharp[labels.of_particle[i]] = lattice.sharp[labels.shared[i].second] = 1;
     for (std::size_t i = 0; i < labels.cluster.size(); ++i)
         if (labels.cluster[i] >= 0) lattice.sharp[labels.of_particle[i]] = 1;
     if (labels.distance) shareByDistance(lattice, labels);

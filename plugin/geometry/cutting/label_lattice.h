@@ -26,7 +26,8 @@ struct LabelLattice {
     std::vector<int> labels;         ///< #nodes; -1 on nodes of no active cell
     std::vector<char> active_cells;  ///< #nodes; cells that the solid can touch
 
-    /// #labels, 1: the particles' shares say where the fragment's cracks are, so that smoothing would only move them.
+    /// #labels, 1: the particles' shares say where the fragment's cracks are, so that smoothing would only
+    /// move them.
     std::vector<char> sharp;
     bool isSharp(int node) const {
         return labels[node] >= 0 && labels[node] < static_cast<int>(sharp.size()) && sharp[labels[node]];
@@ -52,8 +53,8 @@ struct LabelLattice {
 LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
                                const FragmentLabels& labels, const LatticeSettings& settings);
 
-/// Somewhat less than the spacing of the particles where fragments meet, and no more than `largest` (m; 0: any), but no
-/// finer than about `largest_node_count` nodes allow, m.
+/// Somewhat less than the spacing of the particles where fragments meet, and no more than `largest` (m; 0:
+/// any), but no finer than about `largest_node_count` nodes allow, m.
 double latticeSpacing(const TriangleMesh& surface, const Discretisation& solid, const FragmentLabels& labels,
                       double largest_node_count, double largest = 0);
 

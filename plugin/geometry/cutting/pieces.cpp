@@ -66,8 +66,8 @@ std::vector<int> trianglesAt(const Boundary& boundary, const std::vector<char>& 
     return selected;
 }
 
-// At every edge that ends in a crack the triangles of each label come in one pair of opposite directions. False if not:
-// the surface is open. All other edges are those of the body, which is closed.
+// At every edge that ends in a crack the triangles of each label come in one pair of opposite directions.
+// False if not: the surface is open. All other edges are those of the body, which is closed.
 bool connectShells(const Boundary& boundary, const CutFaces& faces, UnionFind& sets) {
     for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
     const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
@@ -297,8 +297,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
                                                     const FragmentLabels& labels) {
     const Boundary boundary = makeBoundary(faces);
     UnionFind sets(static_cast<int>(boundary.triangles.size()));
-    if (!connectShells(boundary, faces, sets))
-        return Error{"a fragment would be open"};
+    if (!connectShells(boundary, faces, sets)) return Error{"a fragment would be open"};
     const Vec3 origin = body.vertices.front();
     std::vector<Shell> shells = collectShells(boundary, faces.points, origin, sets);
     if (!attachCavities(boundary, faces.points, shells)) return Error{"a cavity has no fragment around it"};

@@ -8,7 +8,8 @@ namespace sherd {
 namespace {
 
 // Both directions of every crack edge that ends in a vertex without a colour: that vertex first.
-std::vector<std::array<int, 2>> edgesToUnknown(const std::vector<FragmentSurface>& pieces, const SharedVertices& shared,
+std::vector<std::array<int, 2>> edgesToUnknown(const std::vector<FragmentSurface>& pieces,
+                                               const SharedVertices& shared,
                                                const std::vector<Vec3>& colours) {
     std::vector<std::array<int, 2>> edges;
     for (std::size_t p = 0; p < pieces.size(); ++p)
@@ -35,14 +36,15 @@ SharedVertices shareVertices(const std::vector<FragmentSurface>& pieces) {
         shared.of_piece.emplace_back();
         for (const Vec3& v : piece.mesh.vertices)
             shared.of_piece.back().push_back(
-                number_of.try_emplace({v.x(), v.y(), v.z()}, static_cast<int>(number_of.size())).first->second);
+                number_of.try_emplace({v.x(), v.y(), v.z()}, static_cast<int>(number_of.size()))
+                    .first->second);
     }
     shared.count = static_cast<int>(number_of.size());
     return shared;
 }
 
-void spreadColours(const std::vector<FragmentSurface>& pieces, const SharedVertices& shared, const Vec3& otherwise,
-                   std::vector<Vec3>& colours) {
+void spreadColours(const std::vector<FragmentSurface>& pieces, const SharedVertices& shared,
+                   const Vec3& otherwise, std::vector<Vec3>& colours) {
     std::vector<std::array<int, 2>> edges = edgesToUnknown(pieces, shared, colours);
     for (bool reached = true; reached;) {
         std::map<int, std::pair<Vec3, int>> ring;  // sum and count of the known neighbours
@@ -53,7 +55,9 @@ void spreadColours(const std::vector<FragmentSurface>& pieces, const SharedVerti
             ++count;
         }
         for (const auto& [vertex, share] : ring) colours[vertex] = share.first / share.second;
-        const auto is_done = [&](const std::array<int, 2>& edge) { return colours[edge[0]] != unknown_colour; };
+        const auto is_done = [&](const std::array<int, 2>& edge) {
+            return colours[edge[0]] != unknown_colour;
+        };
         edges.erase(std::remove_if(edges.begin(), edges.end(), is_done), edges.end());
         reached = !ring.empty();
     }

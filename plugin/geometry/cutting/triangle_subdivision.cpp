@@ -28,8 +28,9 @@ Kernel::Point_2 project(const Vec3& x, const Vec3& normal) {
     return normal[axis] > 0 ? Kernel::Point_2(u, v) : Kernel::Point_2(v, u);
 }
 
-// The most common case by far, one segment that cuts off one corner, needs no triangulation to be built. Gives three
-// triangles, Delaunay like the others; false if it is another case, or rounding has turned one over.
+// The most common case by far, one segment that cuts off one corner, needs no triangulation to be built.
+// Gives three triangles, Delaunay like the others; false if it is another case, or rounding has turned one
+// over.
 bool cutOffCorner(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
                   const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out) {
     if (loop.size() != 5 || segments.size() != 1) return false;
@@ -44,7 +45,8 @@ bool cutOffCorner(const std::vector<Vec3>& points, const Vec3& normal, const std
         id[i] = loop[(first + i) % 5];
         x[i] = project(points[id[i]], normal);
     }
-    const bool other_diagonal = CGAL::side_of_oriented_circle(x[2], x[3], x[4], x[0]) == CGAL::ON_POSITIVE_SIDE;
+    const bool other_diagonal =
+        CGAL::side_of_oriented_circle(x[2], x[3], x[4], x[0]) == CGAL::ON_POSITIVE_SIDE;
     const Triangle split[3] = {{0, 1, 2}, {2, 3, other_diagonal ? 0 : 4}, {other_diagonal ? 3 : 2, 4, 0}};
     for (const auto& [a, b, c] : split)
         if (CGAL::orientation(x[a], x[b], x[c]) != CGAL::LEFT_TURN) return false;
