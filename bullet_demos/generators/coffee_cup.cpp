@@ -1,6 +1,6 @@
-#include "coffee_cup.h"
+#include "generators/coffee_cup.h"
 
-#include "implicit_shapes.h"
+#include "generators/implicit_shapes.h"
 
 namespace sherd::generators {
 namespace {

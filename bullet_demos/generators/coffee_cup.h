@@ -1,6 +1,6 @@
 #pragma once
 
-#include "implicit_mesher.h"
+#include "generators/implicit_mesher.h"
 
 namespace sherd::generators {
 

@@ -1,6 +1,6 @@
-#include "coffee_plate.h"
+#include "generators/coffee_plate.h"
 
-#include "implicit_shapes.h"
+#include "generators/implicit_shapes.h"
 
 namespace sherd::generators {
 namespace {

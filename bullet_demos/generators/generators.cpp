@@ -1,10 +1,10 @@
-#include "generators.h"
+#include "generators/generators.h"
 
 #include <utility>
 
-#include "coffee_cup.h"
-#include "coffee_plate.h"
-#include "plane.h"
+#include "generators/coffee_cup.h"
+#include "generators/coffee_plate.h"
+#include "generators/plane.h"
 
 namespace sherd::generators {
 namespace {

@@ -1,4 +1,4 @@
-#include "implicit_mesher.h"
+#include "generators/implicit_mesher.h"
 
 #include <CGAL/Complex_2_in_triangulation_3.h>
 #include <CGAL/IO/facets_in_complex_2_to_triangle_mesh.h>

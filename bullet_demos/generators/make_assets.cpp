@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "coffee_cup.h"
-#include "implicit_mesher.h"
+#include "generators/coffee_cup.h"
+#include "generators/implicit_mesher.h"
 
 namespace {
 

@@ -1,8 +1,8 @@
-#include "mesh_store.h"
+#include "generators/mesh_store.h"
 
 #include <filesystem>
 
-#include "generators.h"
+#include "generators/generators.h"
 
 namespace demo {
 namespace {

@@ -1,6 +1,6 @@
-#include "plane.h"
+#include "generators/plane.h"
 
-#include "implicit_shapes.h"
+#include "generators/implicit_shapes.h"
 
 namespace sherd::generators {
 namespace {

@@ -1,10 +1,10 @@
-#include "arguments.h"
+#include "headless/arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <vector>
 
-#include "scene_keys.h"
+#include "headless/scene_keys.h"
 #include "scenes/scene_file.h"
 #include "scenes/scenes.h"
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "progress.h"
+#include "headless/progress.h"
 #include "scenes/scene.h"
 
 namespace demo {

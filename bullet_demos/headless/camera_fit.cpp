@@ -1,4 +1,4 @@
-#include "camera_fit.h"
+#include "headless/camera_fit.h"
 
 #include <algorithm>
 #include <cmath>

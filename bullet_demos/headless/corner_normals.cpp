@@ -1,4 +1,4 @@
-#include "corner_normals.h"
+#include "headless/corner_normals.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,13 +1,13 @@
 #include <exception>
 #include <iostream>
 
-#include "arguments.h"
-#include "output_files.h"
-#include "report.h"
-#include "scene_run.h"
+#include "headless/arguments.h"
+#include "headless/output_files.h"
+#include "headless/report.h"
+#include "headless/scene_run.h"
+#include "headless/summary.h"
 #include "scenes/scene_file.h"
 #include "scenes/scenes.h"
-#include "summary.h"
 
 namespace {
 

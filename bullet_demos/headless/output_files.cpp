@@ -1,10 +1,10 @@
-#include "output_files.h"
+#include "headless/output_files.h"
 
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 
-#include "pov_file.h"
+#include "headless/pov_file.h"
 
 namespace demo {
 namespace {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scene_run.h"
+#include "headless/scene_run.h"
 #include "scenes/scene.h"
 
 namespace demo {

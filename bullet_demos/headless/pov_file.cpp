@@ -1,11 +1,11 @@
-#include "pov_file.h"
+#include "headless/pov_file.h"
 
 #include <algorithm>
 #include <fstream>
 #include <ostream>
 
-#include "camera_fit.h"
-#include "corner_normals.h"
+#include "headless/camera_fit.h"
+#include "headless/corner_normals.h"
 
 namespace demo {
 namespace {

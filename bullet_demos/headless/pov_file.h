@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "scene_world.h"
+#include "headless/scene_world.h"
 #include "scenes/scene.h"
 
 namespace demo {

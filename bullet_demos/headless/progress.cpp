@@ -1,4 +1,4 @@
-#include "progress.h"
+#include "headless/progress.h"
 
 #include <algorithm>
 #include <iostream>

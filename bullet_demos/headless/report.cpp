@@ -1,9 +1,9 @@
-#include "report.h"
+#include "headless/report.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "stage_times.h"
+#include "headless/stage_times.h"
 
 namespace demo {
 namespace {

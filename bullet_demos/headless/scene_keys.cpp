@@ -1,4 +1,4 @@
-#include "scene_keys.h"
+#include "headless/scene_keys.h"
 
 #include <charconv>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "scene_run.h"
+#include "headless/scene_run.h"
 
 #include <chrono>
 #include <cmath>

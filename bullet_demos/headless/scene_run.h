@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "progress.h"
-#include "scene_world.h"
+#include "headless/progress.h"
+#include "headless/scene_world.h"
 #include "scenes/scene.h"
 
 namespace demo {

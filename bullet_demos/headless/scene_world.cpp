@@ -1,4 +1,4 @@
-#include "scene_world.h"
+#include "headless/scene_world.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,4 +1,4 @@
-#include "stage_times.h"
+#include "headless/stage_times.h"
 
 #include <algorithm>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "scene_run.h"
+#include "headless/scene_run.h"
 
 namespace demo {
 

@@ -1,9 +1,9 @@
-#include "summary.h"
+#include "headless/summary.h"
 
 #include <cstdio>
 #include <set>
 
-#include "stage_times.h"
+#include "headless/stage_times.h"
 
 namespace demo {
 namespace {

@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scene_run.h"
+#include "headless/scene_run.h"
 
 namespace demo {
 

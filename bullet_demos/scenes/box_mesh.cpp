@@ -1,4 +1,4 @@
-#include "box_mesh.h"
+#include "scenes/box_mesh.h"
 
 #include <algorithm>
 #include <array>

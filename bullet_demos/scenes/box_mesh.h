@@ -2,7 +2,7 @@
 
 #include <sherd/triangle_mesh.h>
 
-#include "scene.h"
+#include "scenes/scene.h"
 
 namespace demo {
 

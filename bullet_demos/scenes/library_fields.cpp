@@ -1,4 +1,4 @@
-#include "library_fields.h"
+#include "scenes/library_fields.h"
 
 namespace demo {
 namespace {

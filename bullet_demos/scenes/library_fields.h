@@ -3,7 +3,7 @@
 #include <sherd/material.h>
 #include <sherd/settings.h>
 
-#include "json_fields.h"
+#include "scenes/json_fields.h"
 
 namespace demo {
 

@@ -1,13 +1,13 @@
-#include "scene_file.h"
+#include "scenes/scene_file.h"
 
 #include <algorithm>
 #include <filesystem>
 
-#include "box_mesh.h"
 #include "generators/generators.h"
-#include "json_fields.h"
-#include "library_fields.h"
-#include "scene_json.h"
+#include "scenes/box_mesh.h"
+#include "scenes/json_fields.h"
+#include "scenes/library_fields.h"
+#include "scenes/scene_json.h"
 
 namespace demo {
 namespace {

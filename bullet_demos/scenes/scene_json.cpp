@@ -1,4 +1,4 @@
-#include "scene_json.h"
+#include "scenes/scene_json.h"
 
 #include <filesystem>
 #include <fstream>
@@ -6,7 +6,7 @@
 #include <sstream>
 #include <vector>
 
-#include "json_fields.h"
+#include "scenes/json_fields.h"
 
 namespace demo {
 namespace {

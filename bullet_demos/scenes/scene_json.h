@@ -3,7 +3,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scene.h"
+#include "scenes/scene.h"
 
 namespace demo {
 

@@ -1,4 +1,4 @@
-#include "scenes.h"
+#include "scenes/scenes.h"
 
 #include <algorithm>
 #include <filesystem>

@@ -6,9 +6,9 @@
 #include <iostream>
 #include <string>
 
-#include "measured.h"
-#include "paper_table.h"
-#include "sheet.h"
+#include "table1/measured.h"
+#include "table1/paper_table.h"
+#include "table1/sheet.h"
 
 namespace {
 

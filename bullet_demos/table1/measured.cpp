@@ -1,4 +1,4 @@
-#include "measured.h"
+#include "table1/measured.h"
 
 #include <fstream>
 #include <nlohmann/json.hpp>

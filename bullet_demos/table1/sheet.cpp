@@ -1,9 +1,9 @@
-#include "sheet.h"
+#include "table1/sheet.h"
 
 #include <fstream>
 #include <ostream>
 
-#include "paper_table.h"
+#include "table1/paper_table.h"
 
 namespace {
 

@@ -10,7 +10,7 @@
 
 namespace sherd {
 
-class Body;  // internal: the sampled solid behind an asset
+class BreakableSolid;  // internal: the sampled solid behind an asset
 
 /// A solid that can break: a closed surface, what it is made of, and (once it was struck) its factored stress
 /// problem. Cheap to copy; copies share everything, and any number of bodies may be made from one asset.
@@ -34,11 +34,11 @@ class BreakableAsset {
     double mass() const;    ///< kg
     double volume() const;  ///< m^3
 
-    explicit BreakableAsset(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
-    const std::shared_ptr<const Body>& body() const { return body_; }
+    explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid) : solid_(std::move(solid)) {}
+    const std::shared_ptr<const BreakableSolid>& solid() const { return solid_; }
 
   private:
-    std::shared_ptr<const Body> body_;
+    std::shared_ptr<const BreakableSolid> solid_;
 };
 
 }  // namespace sherd

@@ -13,7 +13,7 @@
 
 namespace sherd {
 
-class Body;  // internal: the sampled solid
+class BreakableSolid;  // internal: the sampled solid
 
 /// What preparing a body took and gave.
 struct StressModelReport {
@@ -59,9 +59,9 @@ class StressModel {
         const;  ///< #surface points, unit, outward; zero where curved within a cell
 
   private:
-    explicit StressModel(std::shared_ptr<const Body> body) : body_(std::move(body)) {}
+    explicit StressModel(std::shared_ptr<const BreakableSolid> body) : solid_(std::move(body)) {}
 
-    std::shared_ptr<const Body> body_;
+    std::shared_ptr<const BreakableSolid> solid_;
 };
 
 }  // namespace sherd

@@ -1,4 +1,4 @@
-#include "birth_overlaps.h"
+#include "bullet/birth_overlaps.h"
 
 #include <BulletCollision/CollisionShapes/btCollisionShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>

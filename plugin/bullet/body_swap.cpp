@@ -1,4 +1,4 @@
-#include "body_swap.h"
+#include "bullet/body_swap.h"
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <unordered_set>
 
-#include "fragment_motion.h"
-#include "world_internals.h"
+#include "bullet/fragment_motion.h"
+#include "bullet/world_internals.h"
 
 namespace sherd {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
-#include "breakable.h"
-#include "island_state.h"
-#include "pipeline.h"
+#include "bullet/breakable.h"
+#include "bullet/island_state.h"
+#include "fracture/pipeline.h"
 
 class btDiscreteDynamicsWorld;
 

@@ -1,4 +1,4 @@
-#include "breakable.h"
+#include "bullet/breakable.h"
 
 #include <algorithm>
 

@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "rigid_body_factory.h"
+#include "bullet/rigid_body_factory.h"
 
 namespace sherd {
 

@@ -6,8 +6,8 @@
 
 #include <numeric>
 
-#include "island_state.h"
-#include "multi_body_state.h"
+#include "bullet/island_state.h"
+#include "bullet/multi_body_state.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "contact_collector.h"
+#include "bullet/contact_collector.h"
 
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -6,16 +6,16 @@
 
 #include <algorithm>
 
-#include "conversions.h"
-#include "multi_body_state.h"
-#include "shapes.h"
-#include "world_internals.h"
+#include "bullet/conversions.h"
+#include "bullet/multi_body_state.h"
+#include "bullet/shapes.h"
+#include "bullet/world_internals.h"
 
 namespace sherd {
 
 namespace {
 
-constexpr double kRestingSteps = 2;  // of free fall: slower contacts are those of a body at rest
+constexpr double resting_steps = 2;  // of free fall: slower contacts are those of a body at rest
 
 /// Before and after the solve, at one point.
 struct PointMotion {
@@ -111,7 +111,7 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
 }
 
 bool ContactCollector::listens(const Breakable& breakable) const {
-    const Body& solid = *breakable.asset.body();
+    const BreakableSolid& solid = *breakable.asset.solid();
     // An app may have nailed the body down since it was made breakable.
     const bool moves = !breakable.body->isStaticOrKinematicObject() && breakable.body->getInvMass() > 0;
     return moves && breakable.body->isActive() && time_s_ >= breakable.unbreakable_until_s &&
@@ -132,7 +132,7 @@ ContactImpulse ContactCollector::contactOn(const Breakable& breakable, const Sid
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
     const double approach = (partner.before - self.before).dot(own.push);
     const double fall = time_step_s_ * (self.free_acceleration + partner.free_acceleration);
-    contact.approach_m_s = approach > kRestingSteps * fall ? approach : std::min(approach, 0.0);
+    contact.approach_m_s = approach > resting_steps * fall ? approach : std::min(approach, 0.0);
     contact.closing_after_m_s = (partner.after - self.after).dot(own.push);
     contact.effective_mass_kg = 1 / (self.inverse_mass + partner.inverse_mass);
     contact.partner_radius_m = strikingRadius(*other.object->getCollisionShape(), other.child);

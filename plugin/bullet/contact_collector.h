@@ -5,9 +5,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "breakable.h"
+#include "bullet/breakable.h"
+#include "bullet/island_state.h"
 #include "core/loads/blow.h"
-#include "island_state.h"
 
 class btDiscreteDynamicsWorld;
 struct btContactSolverInfo;

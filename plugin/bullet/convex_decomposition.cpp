@@ -1,4 +1,4 @@
-#include "convex_decomposition.h"
+#include "bullet/convex_decomposition.h"
 
 #include <algorithm>
 #include <array>
@@ -11,8 +11,8 @@ namespace sherd {
 
 namespace {
 
-constexpr int kDirections = 42;       // of the hulls that are only measured
-constexpr std::size_t kSample = 500;  // points that cuts are compared by, about
+constexpr int directions = 42;                // of the hulls that are only measured
+constexpr std::size_t compared_points = 500;  // points that cuts are compared by, about
 
 /// A part of the solid that cuts left.
 struct Part {
@@ -145,7 +145,7 @@ std::vector<Plane> possibleCuts(const Part& part) {
 
 /// About what the two hulls would hold after a cut. To compare cuts by, a sample of the points is enough.
 double hullVolumesAfter(const Part& part, const Plane& plane) {
-    const std::size_t stride = 1 + part.points.size() / kSample;
+    const std::size_t stride = 1 + part.points.size() / compared_points;
     std::array<std::vector<Vec3>, 2> points;
     for (std::size_t p = 0; p < part.points.size(); p += stride)
         points[plane.height(part.points[p]) >= 0].push_back(part.points[p]);
@@ -161,7 +161,7 @@ double hullVolumesAfter(const Part& part, const Plane& plane) {
             points[1].push_back(crossing);
         }
     }
-    return roughHull(points[0], kDirections).volume + roughHull(points[1], kDirections).volume;
+    return roughHull(points[0], directions).volume + roughHull(points[1], directions).volume;
 }
 
 Plane bestCut(const Part& part) {
@@ -182,7 +182,7 @@ std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double 
                                             const DecompositionLimits& limits) {
     std::vector<Part> parts = {merged(surface, smallest_detail_m)};
     const auto measure = [](Part& part) {
-        part.air = roughHull(part.points, kDirections).volume - solidVolume(part);
+        part.air = roughHull(part.points, directions).volume - solidVolume(part);
     };
     measure(parts.front());
     const double enough = limits.air_share * solidVolume(parts.front());

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "convex_hull.h"
+#include "bullet/convex_hull.h"
 
 namespace sherd {
 

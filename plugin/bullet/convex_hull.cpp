@@ -1,11 +1,11 @@
-#include "convex_hull.h"
+#include "bullet/convex_hull.h"
 
 #include <LinearMath/btConvexHullComputer.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "conversions.h"
+#include "bullet/conversions.h"
 
 namespace sherd {
 

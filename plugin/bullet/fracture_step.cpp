@@ -1,20 +1,20 @@
 #include <algorithm>
 #include <exception>
 
-#include "body_swap.h"
-#include "conversions.h"
-#include "fracture_world_impl.h"
-#include "stopwatch.h"
+#include "bullet/body_swap.h"
+#include "bullet/conversions.h"
+#include "bullet/fracture_world_impl.h"
+#include "core/numerics/stopwatch.h"
 
 namespace sherd {
 
 namespace {
 
-constexpr std::uint64_t kGoldenRatio = 0x9E3779B97F4A7C15ull;
+constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15ull;
 
 /// SplitMix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
 std::uint64_t mixed(std::uint64_t x) {
-    x += kGoldenRatio;
+    x += golden_ratio;
     x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
     x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
     return x ^ (x >> 31);
@@ -22,7 +22,7 @@ std::uint64_t mixed(std::uint64_t x) {
 
 /// `strike` reports its failures in the outcome; this is for what no one foresees, such as memory running
 /// out.
-BlowOutcome strikeWithoutThrowing(const Body& solid, const Blow& blow, std::uint64_t seed) {
+BlowOutcome strikeWithoutThrowing(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed) {
     BlowOutcome outcome;
     try {
         outcome = strike(solid, blow, seed);
@@ -93,7 +93,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::judge(
     const std::vector<StruckBreakable>& struck) {
     std::vector<Break> breaks;
     for (const StruckBreakable& body : struck) {
-        const Body& solid = *body.breakable->asset.body();
+        const BreakableSolid& solid = *body.breakable->asset.solid();
         ++counts_.seen;
         if (!canBreak(solid, body.blow)) {
             ++counts_.skipped;
@@ -165,7 +165,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
     event.removed_constraints = takeOutOfWorld(world_, *broken.body);
     addToWorld(world_, pieces, group, mask, time_step_s);
 
-    const double unbreakable_until_s = time_s_ + parent.asset.body()->settings().fracture.rest_after_break_s;
+    const double unbreakable_until_s = time_s_ + parent.asset.solid()->settings().fracture.rest_after_break_s;
     std::vector<btCollisionObject*> objects;
     for (auto& piece : pieces) {
         piece->unbreakable_until_s = unbreakable_until_s;
@@ -178,7 +178,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
 }
 
 std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {
-    return mixed(breakable.asset.body()->settings().fracture.seed + kGoldenRatio * breakable.serial);
+    return mixed(breakable.asset.solid()->settings().fracture.seed + golden_ratio * breakable.serial);
 }
 
 }  // namespace sherd

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 
-#include "body_swap.h"
-#include "fracture_world_impl.h"
+#include "bullet/body_swap.h"
+#include "bullet/fracture_world_impl.h"
+#include "bullet/shapes.h"
 #include "geometry/mass_properties.h"
 #include "geometry/solid_union.h"
-#include "shapes.h"
 
 namespace sherd {
 
@@ -14,7 +14,7 @@ namespace {
 
 // Bullet sets the step count to 0 when a step begins and never reads it. Anything else says that the solve is
 // over.
-constexpr int kSolved = 1;
+constexpr int solved = 1;
 
 bool isIn(const btDiscreteDynamicsWorld& world, const btRigidBody* body) {
     const auto& objects = world.getCollisionObjectArray();
@@ -35,11 +35,11 @@ FractureWorld::Impl::~Impl() {
 }
 
 bool FractureWorld::Impl::insideStep() const {
-    return world_.getDispatchInfo().m_stepCount != kSolved;
+    return world_.getDispatchInfo().m_stepCount != solved;
 }
 
 void FractureWorld::Impl::markStepDone() {
-    world_.getDispatchInfo().m_stepCount = kSolved;
+    world_.getDispatchInfo().m_stepCount = solved;
 }
 
 Breakable& FractureWorld::Impl::enlist(std::unique_ptr<Breakable> breakable) {
@@ -52,16 +52,16 @@ btRigidBody* FractureWorld::Impl::add(const BreakableAsset& asset, const btTrans
         last_error_ = "a body cannot be added while the world is inside a step; add it after stepSimulation";
         return nullptr;
     }
-    const Result<std::vector<Box>> boxes = collisionBoxes(*asset.body());
+    const Result<std::vector<Box>> boxes = collisionBoxes(*asset.solid());
     if (!boxes) {
         last_error_ = boxes.error();
         return nullptr;
     }
     last_error_.clear();
     auto breakable = std::make_unique<Breakable>(asset);
-    breakable->owned = makeRigidBody(*asset.body(), boxes.value());
+    breakable->owned = makeRigidBody(*asset.solid(), boxes.value());
     breakable->body = breakable->owned.body.get();
-    breakable->body_from_asset = principalFrame(asset.body()->moments()).body_from_asset;
+    breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;
     breakable->body->setCenterOfMassTransform(start * breakable->body_from_asset.inverse());
     world_.addRigidBody(breakable->body);
     return enlist(std::move(breakable)).body;

@@ -6,13 +6,13 @@
 #include <string>
 #include <vector>
 
-#include "birth_overlaps.h"
-#include "breakable.h"
-#include "contact_collector.h"
-#include "impulse_write_back.h"
-#include "island_state.h"
-#include "pipeline.h"
-#include "solver_decorator.h"
+#include "bullet/birth_overlaps.h"
+#include "bullet/breakable.h"
+#include "bullet/contact_collector.h"
+#include "bullet/impulse_write_back.h"
+#include "bullet/island_state.h"
+#include "bullet/solver_decorator.h"
+#include "fracture/pipeline.h"
 
 namespace sherd {
 

@@ -1,8 +1,8 @@
-#include "fragment_motion.h"
+#include "bullet/fragment_motion.h"
 
 #include <algorithm>
 
-#include "conversions.h"
+#include "bullet/conversions.h"
 
 namespace sherd {
 

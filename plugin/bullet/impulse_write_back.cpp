@@ -1,4 +1,4 @@
-#include "impulse_write_back.h"
+#include "bullet/impulse_write_back.h"
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>

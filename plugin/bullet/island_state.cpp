@@ -1,4 +1,4 @@
-#include "island_state.h"
+#include "bullet/island_state.h"
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
@@ -7,7 +7,7 @@
 
 #include <algorithm>
 
-#include "multi_body_state.h"
+#include "bullet/multi_body_state.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "multi_body_state.h"
+#include "bullet/multi_body_state.h"
 
 #include <BulletDynamics/Featherstone/btMultiBody.h>
 #include <BulletDynamics/Featherstone/btMultiBodyConstraint.h>

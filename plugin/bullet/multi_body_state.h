@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "island_state.h"
+#include "bullet/island_state.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "rigid_body_factory.h"
+#include "bullet/rigid_body_factory.h"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
@@ -7,20 +7,21 @@
 #include <Eigen/Eigenvalues>
 #include <cmath>
 
-#include "conversions.h"
-#include "convex_decomposition.h"
-#include "convex_hull.h"
+#include "bullet/conversions.h"
+#include "bullet/convex_decomposition.h"
+#include "bullet/convex_hull.h"
 
 namespace sherd {
 
 namespace {
 
-constexpr double kDiagonalEnough =
+constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
-constexpr double kMarginShare = 0.02;  // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
-constexpr int kMostHullVertices = 96;  // Bullet wants fewer than 100
-constexpr double kFlat = 1e-7;         // volume over the cube of the length, below which a hull is none
-constexpr double kDetailShare = 0.25;  // of the wall, below which convex parts need not follow the surface
+constexpr double margin_share = 0.02;   // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
+constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
+constexpr double smallest_relative_volume =
+    1e-7;                              // volume over the cube of the length, below which a hull is none
+constexpr double detail_share = 0.25;  // of the wall, below which convex parts need not follow the surface
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
 Mat3 nearestToIdentity(const Mat3& axes) {
@@ -41,7 +42,7 @@ Mat3 nearestToIdentity(const Mat3& axes) {
 Mat3 principalAxes(const Mat3& inertia) {
     Mat3 off_diagonal = inertia;
     off_diagonal.diagonal().setZero();
-    if (off_diagonal.norm() <= kDiagonalEnough * inertia.norm()) return Mat3::Identity();
+    if (off_diagonal.norm() <= diagonal_enough * inertia.norm()) return Mat3::Identity();
     return nearestToIdentity(Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors());
 }
 
@@ -62,7 +63,7 @@ std::unique_ptr<btCollisionShape> hullShape(const std::vector<Vec3>& vertices) {
         box.extend(vertex);
         hull->addPoint(toBullet(vertex), false);
     }
-    hull->setMargin(static_cast<btScalar>(kMarginShare * box.sizes().minCoeff() / 2));
+    hull->setMargin(static_cast<btScalar>(margin_share * box.sizes().minCoeff() / 2));
     hull->recalcLocalAabb();
     return hull;
 }
@@ -70,12 +71,13 @@ std::unique_ptr<btCollisionShape> hullShape(const std::vector<Vec3>& vertices) {
 bool isSolid(const ConvexHull& hull) {
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : hull.vertices) box.extend(vertex);
-    return hull.vertices.size() >= 4 && hull.volume > kFlat * std::pow(box.diagonal().norm(), 3);
+    return hull.vertices.size() >= 4 &&
+           hull.volume > smallest_relative_volume * std::pow(box.diagonal().norm(), 3);
 }
 
 /// One hull; nothing if it is flat.
 OwnedShape oneHull(const TriangleMesh& surface) {
-    const ConvexHull hull = roughHull(surface.vertices, kMostHullVertices);
+    const ConvexHull hull = roughHull(surface.vertices, most_hull_vertices);
     OwnedShape owned;
     if (isSolid(hull)) owned.shape = hullShape(hull.vertices);
     return owned;
@@ -119,20 +121,21 @@ PrincipalFrame principalFrame(const Moments& moments) {
     return frame;
 }
 
-OwnedShape makeShape(const Body& solid, const std::vector<Box>& boxes, const btTransform& body_from_asset) {
+OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
+                     const btTransform& body_from_asset) {
     const CollisionShape wanted = solid.settings().fracture.collision_shape;
     if (wanted == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
     const TriangleMesh surface = placed(solid.surface(), body_from_asset);
     OwnedShape owned = wanted == CollisionShape::convex_parts
-                           ? hullsOfParts(surface, kDetailShare * solid.wallThickness())
+                           ? hullsOfParts(surface, detail_share * solid.wallThickness())
                            : oneHull(surface);
     if (owned.shape) return owned;
     if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
-    owned.shape = hullShape(roughHull(surface.vertices, kMostHullVertices).vertices);
+    owned.shape = hullShape(roughHull(surface.vertices, most_hull_vertices).vertices);
     return owned;
 }
 
-OwnedBody makeRigidBody(const Body& solid, const std::vector<Box>& boxes, double mass_scale) {
+OwnedBody makeRigidBody(const BreakableSolid& solid, const std::vector<Box>& boxes, double mass_scale) {
     const PrincipalFrame frame = principalFrame(solid.moments());
     const double density = mass_scale * solid.material().density_kg_m3;
     OwnedBody owned;

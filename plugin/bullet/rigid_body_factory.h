@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
-#include "body.h"
 #include "core/sampling/voxel_boxes.h"
+#include "fracture/breakable_solid.h"
 
 namespace sherd {
 
@@ -34,9 +34,10 @@ PrincipalFrame principalFrame(const Moments& moments);
 
 /// The shape that the solid's settings ask for, in the body's frame; `boxes` are in the asset's. Without
 /// boxes the hull of the surface stands in for them, and they for a hull that is flat.
-OwnedShape makeShape(const Body& solid, const std::vector<Box>& boxes, const btTransform& body_from_asset);
+OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
+                     const btTransform& body_from_asset);
 
 /// A rigid body of the solid's mass times `mass_scale`, at the world's origin, in no world yet.
-OwnedBody makeRigidBody(const Body& solid, const std::vector<Box>& boxes, double mass_scale = 1);
+OwnedBody makeRigidBody(const BreakableSolid& solid, const std::vector<Box>& boxes, double mass_scale = 1);
 
 }  // namespace sherd

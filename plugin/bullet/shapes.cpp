@@ -1,4 +1,4 @@
-#include "shapes.h"
+#include "bullet/shapes.h"
 
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
@@ -12,7 +12,7 @@
 
 #include <algorithm>
 
-#include "conversions.h"
+#include "bullet/conversions.h"
 
 namespace sherd {
 

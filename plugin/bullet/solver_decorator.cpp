@@ -1,8 +1,8 @@
-#include "solver_decorator.h"
+#include "bullet/solver_decorator.h"
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
-#include "world_internals.h"
+#include "bullet/world_internals.h"
 
 namespace sherd {
 

@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "../json_entry.h"
+#include "io/json_entry.h"
 
 namespace sherd::cli {
 

@@ -10,7 +10,7 @@ namespace sherd::cli {
 
 namespace {
 
-constexpr int kVertexCell = 1, kTriangleCell = 5;  // VTK's numbers
+constexpr int vertex_cell = 1, triangle_cell = 5;  // VTK's numbers
 
 /// Values at the points of the grid; 1 component each, or 9.
 struct PointData {
@@ -77,7 +77,7 @@ void writeLegacy(std::ostream& out, const Grid& grid) {
         out << '\n';
     }
     out << "CELL_TYPES " << grid.cells.size() << '\n';
-    for (const auto& cell : grid.cells) out << (cell.size() == 1 ? kVertexCell : kTriangleCell) << '\n';
+    for (const auto& cell : grid.cells) out << (cell.size() == 1 ? vertex_cell : triangle_cell) << '\n';
     out << "POINT_DATA " << grid.points.size() << '\n';
     for (const PointData& data : grid.data) {
         if (data.components == 9)
@@ -110,7 +110,7 @@ void writeXml(std::ostream& out, const Grid& grid) {
     for (const auto& cell : grid.cells) out << (end += cell.size()) << '\n';
     out << close;
     open("UInt8", "types", 1);
-    for (const auto& cell : grid.cells) out << (cell.size() == 1 ? kVertexCell : kTriangleCell) << '\n';
+    for (const auto& cell : grid.cells) out << (cell.size() == 1 ? vertex_cell : triangle_cell) << '\n';
     out << close << "</Cells>\n<PointData Tensors=\"stress\" Scalars=\"max_principal\">\n";
     for (const PointData& data : grid.data) {
         open("Float64", data.name, data.components);

@@ -14,7 +14,7 @@
 #include <ctime>
 #include <string>
 
-#include "geometry/fragment_support.h"
+#include "geometry/cutting/fragment_support.h"
 #include "geometry/fragment_surfaces.h"
 #include "geometry/mass_properties.h"
 #include "support/shapes.h"

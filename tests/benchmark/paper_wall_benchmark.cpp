@@ -19,10 +19,10 @@
 
 #include "case_file.h"
 #include "core/loads/surface_region.h"
+#include "core/mlpg/particle_forms/weak_form.h"
 #include "core/mlpg/stress_solver.h"
-#include "core/mlpg/weak_form.h"
+#include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
-#include "stopwatch.h"
 
 namespace {
 

@@ -1,13 +1,13 @@
 // The break as part of the collision: momentum, the step taken again, and what fragments take over.
 
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-constexpr auto kBroke = BreakEvent::Outcome::broke;
+constexpr auto broke = BreakEvent::Outcome::broke;
 
 struct Momentum {
     Vec3 linear = Vec3::Zero(), angular = Vec3::Zero();  // about the world's origin
@@ -39,7 +39,7 @@ TEST(Break, PlateIsSwappedForItsFragmentsInsideTheStep) {
     ASSERT_NE(body, nullptr) << fracture.lastError();
     scene.addBall(2, 0.1, btVector3(0.05, 0.02, 0.2), btVector3(0, 0, -8));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_EQ(event.broken, body);
     EXPECT_GE(event.fragments.size(), 2u);
     EXPECT_FALSE(inWorld(scene, body));
@@ -61,7 +61,7 @@ TEST(Break, FragmentsCarryTheMomentumOfTheWhole) {
     body->setAngularVelocity(btVector3(3, 1, -2));
     scene.addBall(2, 0.1, btVector3(1, 2, 3.2f), btVector3(1, -2, -8));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_LT(event.momentum_error_rel, 1e-5);
 }
 
@@ -74,7 +74,7 @@ TEST(Break, BallAndPlateTogetherKeepTheirMomentum) {
     btRigidBody* ball = scene.addBall(2, 0.1, btVector3(0.1, 0, 0.3), btVector3(0, 0, -8));
     const Momentum before = momentumOf({body, ball});
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     std::vector<btRigidBody*> after = event.fragments;
     after.push_back(ball);
     const Momentum now = momentumOf(after);
@@ -90,7 +90,7 @@ TEST(Break, BallGoesOnThroughTheBrokenPane) {
     ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
     btRigidBody* ball = scene.addBall(20, 0.1, btVector3(0, 0, 0.3), btVector3(0, 0, -20));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_LT(ball->getLinearVelocity().z(), -12) << "the solve with the whole plate was kept";
     scene.step(48);
     EXPECT_LT(ball->getLinearVelocity().z(), -12);
@@ -107,7 +107,7 @@ TEST(Break, PiecesStandWhereTheMaterialWas) {
     scene.addBall(2, 0.1, above,
                   btVector3(btScalar(-8 * up.x()), btScalar(-8 * up.y()), btScalar(-8 * up.z())));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     // One step's motion apart: the plate's corners are corners of pieces.
     const btVector3 corner = start * btVector3(0.3f, 0.3f, 0.03f);
     btScalar nearest = 1;
@@ -141,7 +141,7 @@ TEST(Break, FragmentsInheritWhatTheAppSet) {
     body->setGravity(btVector3(0, 0, -3));
     scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     for (const btRigidBody* piece : event.fragments) {
         EXPECT_EQ(piece->getFriction(), 0.91f);
         EXPECT_EQ(piece->getRollingFriction(), 0.12f);
@@ -170,7 +170,7 @@ TEST(Break, FragmentsFallLikeTheRestFromTheSubstepOfTheBreakOn) {
                                 dt);  // one call: gravity is applied once, before the first of ten substeps
     const auto events = fracture.events();
     ASSERT_FALSE(events.empty());
-    ASSERT_EQ(events[0].outcome, kBroke) << events[0].message;
+    ASSERT_EQ(events[0].outcome, broke) << events[0].message;
     std::vector<btRigidBody*> all = fracture.bodies();  // some may have broken again
     all.push_back(ball);
     double mass = 0;
@@ -190,7 +190,7 @@ TEST(Break, TwoBodiesMayBreakInOneStep) {
     int broken = 0;
     for (int i = 0; i < 60 && broken == 0; ++i) {
         scene.step();
-        for (const BreakEvent& event : fracture.events()) broken += event.outcome == kBroke;
+        for (const BreakEvent& event : fracture.events()) broken += event.outcome == broke;
     }
     EXPECT_EQ(broken, 2);
     EXPECT_FALSE(inWorld(scene, a));
@@ -208,7 +208,7 @@ TEST(Break, EqualBodiesUnderEqualBlowsDoNotBreakIntoCopies) {
     }
     scene.step(30);
     for (const BreakEvent& event : fracture.events()) {
-        if (event.outcome != kBroke) continue;
+        if (event.outcome != broke) continue;
         masses.emplace_back();
         for (const btRigidBody* piece : event.fragments) masses.back().push_back(1.0 / piece->getInvMass());
     }
@@ -229,7 +229,7 @@ TEST(Break, FragmentsBreakAgainAfterTheirRestAndNotBefore) {
     ASSERT_NE(fracture.add(asset.value(), at(0, 0, 0)), nullptr);
     scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
     const BreakEvent first = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(first.outcome, kBroke) << first.message;
+    ASSERT_EQ(first.outcome, broke) << first.message;
     btRigidBody* piece = first.fragments.front();
     const auto shoot = [&] {
         const btVector3 centre = piece->getCenterOfMassPosition();
@@ -246,7 +246,7 @@ TEST(Break, FragmentsBreakAgainAfterTheirRestAndNotBefore) {
         for (int i = 0; i < 12; ++i) {
             scene.step();
             for (const BreakEvent& event : fracture.events())
-                again = again || (event.broken == piece && event.outcome == kBroke);
+                again = again || (event.broken == piece && event.outcome == broke);
             if (again) break;
         }
     }
@@ -264,7 +264,7 @@ TEST(Break, PiecesBelowTheSmallestSizeAreNeverSolved) {
     ASSERT_TRUE(asset.ok());
     ASSERT_NE(fracture.add(asset.value(), at(0, 0, 0)), nullptr);
     scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
-    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, broke);
     const long long solved = fracture.counts().solved;
     for (btRigidBody* piece : fracture.bodies()) {
         EXPECT_NE(fracture.asset(piece), nullptr);
@@ -290,7 +290,7 @@ TEST(Break, DroppedDebrisTakesItsMomentumAlong) {
         fracture.add(asset.value(), at(0, 0, 0));
         scene.addBall(2, 0.1, btVector3(0.05, 0.02, 0.2), btVector3(0, 0, -8));
         const BreakEvent event = stepUntilBreak(scene, fracture);
-        ASSERT_EQ(event.outcome, kBroke) << event.message;
+        ASSERT_EQ(event.outcome, broke) << event.message;
         EXPECT_LT(event.momentum_error_rel, 1e-5);
         EXPECT_LT(event.mass_error_rel, 1e-6);
         for (const btRigidBody* body : event.fragments) mass[dropping] += 1 / body->getInvMass();

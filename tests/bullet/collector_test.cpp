@@ -4,7 +4,7 @@
 #include "bullet/contact_collector.h"
 #include "bullet/conversions.h"
 #include "bullet/fragment_motion.h"
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 

@@ -3,17 +3,17 @@
 #include "bullet/convex_decomposition.h"
 #include "bullet/convex_hull.h"
 #include "bullet/rigid_body_factory.h"
+#include "bullet/support.h"
 #include "geometry/mass_properties.h"
-#include "support.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-constexpr auto kBroke = BreakEvent::Outcome::broke;
-constexpr CollisionShape kShapes[] = {CollisionShape::boxes, CollisionShape::hull,
-                                      CollisionShape::convex_parts};
+constexpr auto broke = BreakEvent::Outcome::broke;
+constexpr CollisionShape all_collision_shapes[] = {CollisionShape::boxes, CollisionShape::hull,
+                                                   CollisionShape::convex_parts};
 
 /// Breaks at the touch of something light.
 Material brittle() {
@@ -89,7 +89,7 @@ struct BrokenCup {
         ball = scene.addBall(0.02, 0.03, btVector3(0.24f, 0, 0.15f), btVector3(-3, 0, 0) + velocity);
         energy_before = kineticEnergy({body, ball});
         event = stepUntilBreak(scene, fracture);
-        EXPECT_EQ(event.outcome, kBroke) << event.message;
+        EXPECT_EQ(event.outcome, broke) << event.message;
     }
     std::vector<btRigidBody*> all() const {
         std::vector<btRigidBody*> bodies = event.fragments;
@@ -104,7 +104,7 @@ struct BrokenCup {
 };
 
 TEST(CollisionShapes, FragmentsAreNotPushedApartAtBirth) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         SCOPED_TRACE(static_cast<int>(shape));
         BrokenCup cup(shape);
         ASSERT_GE(cup.event.fragments.size(), 4u);
@@ -124,7 +124,7 @@ TEST(CollisionShapes, FragmentsAreNotPushedApartAtBirth) {
 }
 
 TEST(CollisionShapes, FragmentsOfAFlyingCupFlyOnTogether) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         SCOPED_TRACE(static_cast<int>(shape));
         const btVector3 velocity(1, 2, 3);
         BrokenCup cup(shape, velocity);
@@ -147,7 +147,7 @@ TEST(CollisionShapes, FragmentsFlyOnTogetherInEveryKindOfWorld) {
 }
 
 TEST(CollisionShapes, FragmentsDoNotSinkIntoEachOther) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         SCOPED_TRACE(static_cast<int>(shape));
         TestWorld scene;
         scene.world->setGravity(btVector3(0, 0, -10));
@@ -155,7 +155,7 @@ TEST(CollisionShapes, FragmentsDoNotSinkIntoEachOther) {
         FractureWorld fracture(scene.world.get());
         fracture.add(shaped(cup(), shape), at(0, 0, 0.01f));
         const BreakEvent event = stepUntilBreak(scene, fracture);
-        ASSERT_EQ(event.outcome, kBroke) << event.message;
+        ASSERT_EQ(event.outcome, broke) << event.message;
         const double at_birth = deepestOverlap(scene, event.fragments).depth;
         for (int i = 0; i < 5; ++i) {
             scene.step(48);
@@ -166,7 +166,7 @@ TEST(CollisionShapes, FragmentsDoNotSinkIntoEachOther) {
 }
 
 TEST(CollisionShapes, FragmentsComeToRestOnTheFloor) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         SCOPED_TRACE(static_cast<int>(shape));
         TestWorld scene;
         scene.world->setGravity(btVector3(0, 0, -10));
@@ -175,7 +175,7 @@ TEST(CollisionShapes, FragmentsComeToRestOnTheFloor) {
         fracture.add(shaped(cup(), shape),
                      btTransform(btQuaternion(btVector3(0, 1, 0), 1), btVector3(0, 0, 0.6f)));
         scene.addBall(2, 0.05, btVector3(0.05f, 0, 2), btVector3(0, 0, 0));
-        ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+        ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, broke);
         scene.step(960);
         double lowest = 1;
         for (const btRigidBody* piece : fracture.bodies()) {
@@ -191,7 +191,7 @@ TEST(CollisionShapes, FragmentsComeToRestOnTheFloor) {
 }
 
 TEST(CollisionShapes, HollowsStayOpenUnlessOneHullIsAskedFor) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         TestWorld scene;
         FractureWorld fracture(scene.world.get());
         ASSERT_NE(
@@ -247,7 +247,7 @@ TEST(CollisionShapes, FragmentsOfAFragmentAreNotPushedOutOfItsNeighbours) {
         int breaks = 0;
         for (int i = 0; i < 80; ++i) {
             scene.step();
-            for (const BreakEvent& event : fracture.events()) breaks += event.outcome == kBroke;
+            for (const BreakEvent& event : fracture.events()) breaks += event.outcome == broke;
             std::vector<btRigidBody*> all = fracture.bodies();
             for (const auto& ball : scene.bodies) all.push_back(ball.get());
             const double now = kineticEnergy(all);
@@ -273,7 +273,7 @@ TEST(CollisionShapes, BodiesMayGoWhileTheyOverlap) {
 }
 
 TEST(CollisionShapes, SameBlowGivesTheSameBits) {
-    for (const CollisionShape shape : kShapes) {
+    for (const CollisionShape shape : all_collision_shapes) {
         BrokenCup first(shape), second(shape);
         first.scene.step(100);
         second.scene.step(100);

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "bullet/island_state.h"
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 

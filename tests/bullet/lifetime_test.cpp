@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-constexpr auto kBroke = BreakEvent::Outcome::broke;
+constexpr auto broke = BreakEvent::Outcome::broke;
 
 /// A compound of two boxes, 0.6 x 0.3 x 0.06 m in all, with the mass and frame that the app chose.
 btRigidBody* addAppsBody(TestWorld& scene, double mass = 7) {
@@ -35,7 +35,7 @@ TEST(MakeBreakable, AppsCompoundBreaksAndKeepsItsMass) {
     body->setAngularVelocity(btVector3(1, 2, 3));
     scene.addBall(2, 0.1, btVector3(0.05f, 0, 0.2f), btVector3(0, 0, -8));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_EQ(event.broken, body);
     EXPECT_FALSE(inWorld(scene, body));
     EXPECT_LT(event.momentum_error_rel, 1e-5);
@@ -171,7 +171,7 @@ TEST(Lifetime, OwnBodyThatTheAppTookOutMayComeBack) {
     EXPECT_NE(fracture.asset(body), nullptr);
     scene.world->addRigidBody(body);
     scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
-    EXPECT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+    EXPECT_EQ(stepUntilBreak(scene, fracture).outcome, broke);
 }
 
 TEST(Lifetime, RemoveTakesJointsAlong) {
@@ -259,7 +259,7 @@ RunResult runOnce(std::uint64_t seed) {
     scene.addBall(2, 0.1, btVector3(0.05f, 0, 2), btVector3(0, 0, -8));
     scene.step(240);
     RunResult result;
-    for (const BreakEvent& event : fracture.events()) result.breaks += event.outcome == kBroke;
+    for (const BreakEvent& event : fracture.events()) result.breaks += event.outcome == broke;
     for (const btRigidBody* body : fracture.bodies()) {
         btScalar matrix[16];
         body->getWorldTransform().getOpenGLMatrix(matrix);

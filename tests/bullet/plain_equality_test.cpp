@@ -1,8 +1,8 @@
 // Where nothing breaks, the hook must not be felt: the same bits as plain Bullet.
 
 #include "bullet/rigid_body_factory.h"
-#include "pipeline.h"
-#include "support.h"
+#include "bullet/support.h"
+#include "fracture/pipeline.h"
 
 namespace {
 
@@ -38,11 +38,11 @@ class PlainEquality : public testing::TestWithParam<Case> {
         btRigidBody* body = fracture.add(asset, standing);
         ASSERT_NE(body, nullptr) << fracture.lastError();
 
-        const auto boxes = collisionBoxes(*asset.body());
+        const auto boxes = collisionBoxes(*asset.solid());
         ASSERT_TRUE(boxes.ok());
-        OwnedBody twin = makeRigidBody(*asset.body(), boxes.value());
+        OwnedBody twin = makeRigidBody(*asset.solid(), boxes.value());
         twin.body->setCenterOfMassTransform(
-            standing * principalFrame(asset.body()->moments()).body_from_asset.inverse());
+            standing * principalFrame(asset.solid()->moments()).body_from_asset.inverse());
         plain.world->addRigidBody(twin.body.get());
 
         btRigidBody* ball = hooked.addBall(3, 0.1, btVector3(0, 0.3f, 0.4f), btVector3(0, -6, 0));
@@ -79,10 +79,10 @@ TEST_P(PlainEquality, WhereBlowsAreSolvedAndHeld) {
     EXPECT_GT(counts.solved, 0) << "the strength of this test is to let the bound pass";
 }
 
-constexpr int kWarm = SOLVER_USE_WARMSTARTING;
+constexpr int warm = SOLVER_USE_WARMSTARTING;
 INSTANTIATE_TEST_SUITE_P(Worlds, PlainEquality,
                          testing::Values(Case{"plain", WorldKind::plain, 0, true},
-                                         Case{"no_warm_starting", WorldKind::plain, kWarm, true},
+                                         Case{"no_warm_starting", WorldKind::plain, warm, true},
                                          Case{"no_split_impulse", WorldKind::plain, 0, false},
                                          Case{"owns_its_solver", WorldKind::owns_its_solver, 0, true},
                                          Case{"threaded", WorldKind::threaded, 0, true},

@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "bullet/rigid_body_factory.h"
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 
@@ -78,7 +78,7 @@ TEST(StrikingRadius, IsThatOfRoundShapesAndNothingElse) {
 
 TEST(MakeShape, WithoutBoxesTheHullOfTheSurfaceStandsIn) {
     const auto ball = BreakableAsset::fromMesh(shapes::icosphere(0.05, 3), unbreakable());
-    const OwnedShape owned = makeShape(*ball.value().body(), {}, btTransform::getIdentity());
+    const OwnedShape owned = makeShape(*ball.value().solid(), {}, btTransform::getIdentity());
     btVector3 low, high;
     owned.shape->getAabb(btTransform::getIdentity(), low, high);
     EXPECT_NEAR(high.x(), 0.05, 0.003) << "Bullet's own margin of 4 cm would nearly double it";

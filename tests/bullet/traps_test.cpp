@@ -3,14 +3,14 @@
 #include <memory>
 #include <optional>
 
-#include "support.h"
+#include "bullet/support.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-constexpr auto kBroke = BreakEvent::Outcome::broke;
+constexpr auto broke = BreakEvent::Outcome::broke;
 
 /// A ball that comes down on a plate about the origin.
 btRigidBody* dropBall(TestWorld& scene, btScalar speed = 8, btScalar height = 0.2f) {
@@ -43,7 +43,7 @@ TEST(Traps, JointsOfTheBrokenBodyAreTakenOutAndNamed) {
     scene.world->addConstraint(&elsewhere, true);
     dropBall(scene);
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_EQ(event.removed_constraints, std::vector<btTypedConstraint*>{&joint});
     EXPECT_EQ(scene.world->getNumConstraints(), 1);
     EXPECT_EQ(weight->getNumConstraintRefs(), 1);
@@ -65,7 +65,7 @@ TEST(Traps, JointThatOnlyTheFirstSolveBrokeStays) {
     joint.setBreakingImpulseThreshold(10);
     scene.world->addConstraint(&joint, true);
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_TRUE(joint.isEnabled()) << "the blow on the whole plate tore it; in the step taken again it holds";
     scene.world->removeConstraint(&joint);
 }
@@ -101,7 +101,7 @@ TEST(Traps, NeighbourAsleepOnThePlateFallsWithThePieces) {
     ASSERT_FALSE(neighbour->isActive());
     ASSERT_TRUE(inWorld(scene, body));
     scene.addBall(20, 0.1, btVector3(-0.05f, -0.1f, 0.3f), btVector3(0, 0, -20));
-    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, kBroke);
+    ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, broke);
     EXPECT_TRUE(neighbour->isActive());
     scene.step(240);
     EXPECT_LT(neighbour->getCenterOfMassPosition().z(), 0.03f);
@@ -115,7 +115,7 @@ TEST(Traps, PredictedContactBreaksAndDoesNotOutliveTheBody) {
     ball->setCcdMotionThreshold(0.02f);
     ball->setCcdSweptSphereRadius(0.05f);
     BreakEvent event = stepUntilBreak(scene, fracture, 20, 1.0 / 60);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_NEAR(event.position.z(), 0.03, 0.02)
         << "the point of a predicted contact is a centre, not a surface";
     EXPECT_FALSE(inWorld(scene, body));
@@ -140,7 +140,7 @@ TEST(Traps, SplitImpulseOfTheFirstSolveIsUndone) {
         scene.addBall(0.01, 0.02, btVector3(0.25f, 0.25f, -0.045f));  // touches the plate from below
     scene.addBall(50, 0.1, btVector3(-0.1f, -0.1f, 0.09f), btVector3(0, 0, -8));
     const BreakEvent event = stepUntilBreak(scene, fracture, 5);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     for (const btRigidBody* piece : event.fragments) {
         const BreakableAsset& asset = *fracture.asset(piece);
         double low = 1, high = -1;
@@ -168,7 +168,7 @@ TEST(Traps, BreaksWithWarmStartingOffAndLeavesTheSettingsAlone) {
     ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
     dropBall(scene);
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    EXPECT_EQ(event.outcome, kBroke) << "no impulses are written back";
+    EXPECT_EQ(event.outcome, broke) << "no impulses are written back";
     EXPECT_FALSE(info.m_solverMode & SOLVER_USE_WARMSTARTING);
     EXPECT_EQ(info.m_warmstartingFactor, 0.77f);
 }
@@ -189,7 +189,7 @@ int placeOfPlate(bool plate_first, BreakEvent& event) {
     if (!plate_first) body = fracture.add(plate(crumbly()), at(0, 0, 0));
     const auto& pairs = scene.world->getPairCache()->getOverlappingPairArray();
     int place = -1;
-    for (int i = 0; i < 60 && event.outcome != kBroke; ++i) {
+    for (int i = 0; i < 60 && event.outcome != broke; ++i) {
         if (pairs.size() > 0) place = pairs[0].m_pProxy0->m_clientObject == body ? 0 : 1;
         event = stepUntilBreak(scene, fracture, 1);
     }
@@ -200,7 +200,7 @@ TEST(Traps, CompoundIsStruckAsFirstAndAsSecondBodyOfAContact) {
     for (const bool plate_first : {true, false}) {
         BreakEvent event;
         EXPECT_EQ(placeOfPlate(plate_first, event), plate_first ? 0 : 1);
-        ASSERT_EQ(event.outcome, kBroke);
+        ASSERT_EQ(event.outcome, broke);
         EXPECT_LT(event.normal.z(), -0.99) << "pushed the wrong way";
         EXPECT_NEAR(event.position.z(), 0.03, 0.01);
     }
@@ -254,7 +254,7 @@ TEST(Traps, OtherBroadphasesFindTheFragmentsContacts) {
         ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr);
         btRigidBody* ball = dropBall(scene);
         const BreakEvent event = stepUntilBreak(scene, fracture);
-        ASSERT_EQ(event.outcome, kBroke);
+        ASSERT_EQ(event.outcome, broke);
         EXPECT_GT(ball->getLinearVelocity().z(), -8) << "the ball went through without touching a piece";
     }
 }
@@ -267,7 +267,7 @@ TEST(Traps, TwoHooksGoInAnyOrder) {
     scene.step(1);
     first.reset();
     scene.addBall(5, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
-    ASSERT_EQ(stepUntilBreak(scene, *second).outcome, kBroke);
+    ASSERT_EQ(stepUntilBreak(scene, *second).outcome, broke);
     EXPECT_FALSE(inWorld(scene, body));
     second.reset();
     scene.step(10);

@@ -5,15 +5,15 @@
 #include <BulletDynamics/Featherstone/btMultiBodyPoint2Point.h>
 #include <BulletSoftBody/btSoftBodyHelpers.h>
 
+#include "bullet/support.h"
 #include "bullet/world_internals.h"
-#include "support.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-constexpr auto kBroke = BreakEvent::Outcome::broke;
+constexpr auto broke = BreakEvent::Outcome::broke;
 
 class EveryWorld : public testing::TestWithParam<WorldKind> {};
 
@@ -23,7 +23,7 @@ TEST_P(EveryWorld, PlateBreaksAndTheBallGoesOn) {
     ASSERT_NE(fracture.add(plate(crumbly()), at(0, 0, 0)), nullptr) << fracture.lastError();
     btRigidBody* ball = scene.addBall(20, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_LT(event.momentum_error_rel, 1e-5);
     scene.step(60);
     EXPECT_LT(ball->getLinearVelocity().z(), -12);
@@ -48,8 +48,8 @@ TEST_P(EveryWorld, HasItsOwnSolverBackAfterwards) {
 }
 
 std::string nameOf(const testing::TestParamInfo<WorldKind>& info) {
-    static constexpr const char* kNames[] = {"plain", "owns_its_solver", "threaded", "soft", "multi_body"};
-    return kNames[static_cast<int>(info.param)];
+    static constexpr const char* names[] = {"plain", "owns_its_solver", "threaded", "soft", "multi_body"};
+    return names[static_cast<int>(info.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, EveryWorld,
@@ -96,7 +96,7 @@ TEST(SoftWorld, ClothOnThePlateSurvivesTheBreak) {
     int breaks = 0;
     for (int i = 0; i < 240; ++i) {
         scene.step();
-        for (const BreakEvent& event : fracture.events()) breaks += event.outcome == kBroke;
+        for (const BreakEvent& event : fracture.events()) breaks += event.outcome == broke;
     }
     EXPECT_GT(breaks, 0);
     for (int n = 0; n < cloth->m_nodes.size(); ++n) {
@@ -146,7 +146,7 @@ TEST(MultiBodyWorld, MultiBodyThatBreaksThePlateGoesOnToo) {
     const double plate_mass = fracture.asset(body)->mass();
     MultiBodyBall ball(world, 20, 0.1f, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    ASSERT_EQ(event.outcome, kBroke) << event.message;
+    ASSERT_EQ(event.outcome, broke) << event.message;
     EXPECT_LT(ball.multi_body->getBaseVel().z(), -12) << "it bounced off the plate as if that had held";
     double momentum = 20.0 * ball.multi_body->getBaseVel().z();
     for (const btRigidBody* piece : event.fragments)
@@ -169,7 +169,7 @@ double ballSpeedAfterBreak(bool pinned) {
     pin.finalizeMultiDof();
     if (pinned) world.addMultiBodyConstraint(&pin);
     const BreakEvent event = stepUntilBreak(scene, fracture);
-    EXPECT_EQ(event.outcome, kBroke) << event.message;
+    EXPECT_EQ(event.outcome, broke) << event.message;
     if (pinned) world.removeMultiBodyConstraint(&pin);
     return ball.multi_body->getBaseVel().length();
 }

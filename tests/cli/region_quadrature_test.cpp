@@ -8,7 +8,7 @@
 namespace sherd {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+constexpr double pi = 3.14159265358979323846;
 
 TriangleMesh caseSurface(const std::string& name) {
     const auto mesh = readObj(std::string(SHERD_TEST_DATA) + "/cases/" + name + "/surface.obj");
@@ -30,7 +30,7 @@ double areaOf(const std::vector<AreaPoint>& points) {
 
 // A = pi r^2 on a face, whether it is two triangles or thousands.
 TEST(RegionQuadrature, DiscOnAFlatSlab) {
-    const double r = 0.08, area = kPi * r * r;
+    const double r = 0.08, area = pi * r * r;
     const SphereRegion middle{{0, 0, 0.045}, r};
     const TriangleMesh coarse =
         shapes::rectilinear({-0.5, 0.5}, {-0.5, 0.5}, {-0.045, 0.045}, [](int, int, int) { return true; });
@@ -46,13 +46,13 @@ TEST(RegionQuadrature, DiscOnAFlatSlab) {
 
 // The sphere of radius r about a point of a sphere of radius R cuts off a cap of area pi r^2, whatever R.
 TEST(RegionQuadrature, CapOfASphere) {
-    const double area = kPi * 0.08 * 0.08;
+    const double area = pi * 0.08 * 0.08;
     const auto points = quadrature(caseSurface("sphere_squeezed"), SphereRegion{{0, 0, 0.5}, 0.08}, 0.02);
     EXPECT_NEAR(areaOf(points), area, 1e-3 * area);
 }
 
 TEST(RegionQuadrature, BoreOfACylinder) {
-    const double area = 2 * kPi * 0.1 * 0.2;
+    const double area = 2 * pi * 0.1 * 0.2;
     const auto points =
         quadrature(caseSurface("thick_cylinder"), CylinderRegion{{0, 0, 0}, {0, 0, 3}, 0.1}, 0.01);
     EXPECT_NEAR(areaOf(points), area, 1e-3 * area);

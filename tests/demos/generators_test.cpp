@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "generators/mesh_store.h"
-#include "geometry/piece_checks.h"
+#include "geometry/cutting/piece_checks.h"
 #include "scenes/box_mesh.h"
 #include "support/temporary_path.h"
 

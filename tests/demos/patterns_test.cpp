@@ -3,8 +3,8 @@
 #include <iostream>
 #include <numeric>
 
-#include "geometry/piece_checks.h"
-#include "stage.h"
+#include "demos/stage.h"
+#include "geometry/cutting/piece_checks.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <iostream>
 #include <tuple>
 
-#include "geometry/piece_checks.h"
-#include "stage.h"
+#include "demos/stage.h"
+#include "geometry/cutting/piece_checks.h"
 
 namespace {
 

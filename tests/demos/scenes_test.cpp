@@ -4,7 +4,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "stage.h"
+#include "demos/stage.h"
 
 namespace {
 

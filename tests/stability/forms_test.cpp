@@ -1,6 +1,6 @@
 #include <Eigen/Dense>
 
-#include "core/mls/support_graph.h"
+#include "core/mlpg/particle_forms/support_graph.h"
 #include "stability/sweep.h"
 
 namespace sherd::stability {

@@ -42,7 +42,7 @@ double error(const StressSolver& solver, const std::vector<PointForce>& loads, c
     return std::sqrt(difference / norm);
 }
 
-/// 10 kN spread over the disc of radius 0.08 m in the middle of the upper face.
+/// 10 n spread over the disc of radius 0.08 m in the middle of the upper face.
 std::vector<PointForce> blow() {
     std::vector<PointForce> loads;
     for (int i = 0; i < 16; ++i)

@@ -15,11 +15,11 @@ namespace sherd {
 
 namespace {
 
-constexpr double kFar = std::numeric_limits<double>::infinity();
+constexpr double unreached = std::numeric_limits<double>::infinity();
 
 /// The two seeds that are nearest to a particle.
 struct TwoNearest {
-    double distance = kFar, second_distance = kFar;
+    double distance = unreached, second_distance = unreached;
     int label = -1, second = -1;
 };
 
@@ -119,7 +119,7 @@ std::vector<int> clusterDamaged(const StressMetric& metric, const std::vector<ch
                                  [&](int a, int b) { return nearest[a].distance < nearest[b].distance; });
         // Beyond the wanted number only parts that no seed reaches yet get one.
         const double farthest = nearest[next].distance;
-        if (farthest == 0 || (static_cast<int>(seeds.size()) >= clusters && farthest != kFar)) break;
+        if (farthest == 0 || (static_cast<int>(seeds.size()) >= clusters && farthest != unreached)) break;
     }
     for (const int i : candidates) {
         const TwoNearest& here = nearest[i];

@@ -8,10 +8,10 @@ namespace sherd {
 
 namespace {
 
-constexpr double kAcrossWall =
+constexpr double across_wall =
     0.75;  // of the wall, about the way between the outermost particles of two sides
-constexpr double kCompactReach = 2.01;  // in spacings of the particles
-constexpr int kSpeck = 6;               // parts of fewer particles are no fragments
+constexpr double compact_reach = 2.01;  // in spacings of the particles
+constexpr int speck = 6;                // parts of fewer particles are no fragments
 
 /// Flips specks of either state to that of what surrounds them; a body of its own stays as it is.
 std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
@@ -23,7 +23,7 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
                 touches[parts.of_particle[i]] |= parts.of_particle[j] != parts.of_particle[i];
         for (std::size_t i = 0; i < state.size(); ++i) {
             const int part = parts.of_particle[i];
-            if (state[i] == speck_state && parts.sizes[part] < kSpeck && touches[part]) state[i] = !state[i];
+            if (state[i] == speck_state && parts.sizes[part] < speck && touches[part]) state[i] = !state[i];
         }
     }
     return state;
@@ -39,7 +39,7 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
     constexpr double straight = 0.8;  // cosine between a step and the wall's axis
     const Vec3& axis = axes[first];
     const bool known = !axis.isZero(0);
-    const double reach = known ? wall : std::min(kAcrossWall * wall, kCompactReach * solid.spacing);
+    const double reach = known ? wall : std::min(across_wall * wall, compact_reach * solid.spacing);
     std::vector<std::pair<int, double>> reached = {{first, 0.0}};  // particle, and how far from the first
     seen_from[first] = first;
     for (std::size_t head = 0; head < reached.size(); ++head) {

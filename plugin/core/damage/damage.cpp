@@ -11,13 +11,13 @@ namespace sherd {
 
 namespace {
 
-constexpr double kWidest = 3;  // standard deviations; a normal tail would give strengths below zero
+constexpr double widest = 3;  // standard deviations; a normal tail would give strengths below zero
 
 /// Sum of 12 uniform numbers, less 6: close to normal, and the same bits with every standard library.
 double nearlyNormal(std::mt19937_64& random) {
     double sum = -6;
     for (int i = 0; i < 12; ++i) sum += static_cast<double>(random() >> 11) * 0x1p-53;
-    return std::clamp(sum, -kWidest, kWidest);
+    return std::clamp(sum, -widest, widest);
 }
 
 constexpr double weakest =
@@ -65,7 +65,7 @@ std::vector<double> particleStrengths(const Material& material, const std::vecto
 }
 
 double weakestStrengthFraction(const Material& material, double largest_volume_m3) {
-    if (material.weibull_modulus == 0) return std::max(weakest, 1 - kWidest * material.strength_scatter);
+    if (material.weibull_modulus == 0) return std::max(weakest, 1 - widest * material.strength_scatter);
     return weakest * sizeEffect(material, largest_volume_m3);
 }
 

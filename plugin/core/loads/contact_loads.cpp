@@ -13,14 +13,14 @@ namespace {
 // Height of the cap from which the radius of curvature is read, and how far round the contact it is looked
 // for, in wall thicknesses. Low enough to tell an edge from a face, high enough to see past the facets of a
 // tessellated surface.
-constexpr double kCapHeight = 0.02;
-constexpr double kCapReach = 1.0;
+constexpr double cap_height = 0.02;
+constexpr double cap_reach = 1.0;
 
 HertzContact hertzContact(const StruckBody& body, const ContactImpulse& contact, const SurfaceSpot& spot,
                           const ContactSettings& settings) {
     const double wall = body.wall_thickness_m;
     const double own =
-        contactRadius(body.surface, spot.point, contact.normal, kCapReach * wall, kCapHeight * wall);
+        contactRadius(body.surface, spot.point, contact.normal, cap_reach * wall, cap_height * wall);
     const double curvature =
         (own > 0 ? 1 / own : 0) + (contact.partner_radius_m > 0 ? 1 / contact.partner_radius_m : 0);
     const bool known = contact.partner_youngs_modulus_pa > 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/pi.h"
+
 namespace sherd {
 
 double contactModulus(double youngs_1, double poisson_1, double youngs_2, double poisson_2) {
@@ -21,8 +23,6 @@ double hertzPatchRadius(const HertzContact& contact, double force_n) {
 }
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 /// F with a F^2 + e (F / F_hertz)^(5/3) = e: a spring and a Hertz contact in series share the energy e.
 double sharedForce(double hertz_force, double a, double e) {
@@ -44,7 +44,7 @@ ContactPulse contactPulse(double hertz_force_n, double body_energy_j_n2, double 
     if (!(energy > 0) || !(hertz_force_n > 0)) return pulse;
     const double force = sharedForce(hertz_force_n, body_energy_j_n2, energy);
     // Half a sine that stops the mass and throws it back: 2 m v = (2 / pi) F T.
-    const double momentum = kPi * mass_kg * speed_m_s;
+    const double momentum = pi * mass_kg * speed_m_s;
     pulse.duration_s = std::clamp(momentum / force, shortest_s, longest_s);
     pulse.peak_force_n = momentum / pulse.duration_s;
     return pulse;

@@ -4,11 +4,11 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/pi.h"
+
 namespace sherd {
 
 namespace {
-
-constexpr double kPi = 3.14159265358979323846;
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -107,7 +107,7 @@ double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& 
             if (x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach) area += a;
         });
     }
-    return area / (2 * kPi * depth);
+    return area / (2 * pi * depth);
 }
 
 std::vector<PointForce> spreadForce(const TriangleMesh& surface, const SurfaceSpot& spot, const Vec3& push,

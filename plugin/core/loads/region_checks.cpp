@@ -2,7 +2,7 @@
 
 #include <sstream>
 
-#include "core/range_checks.h"
+#include "core/numerics/range_checks.h"
 
 namespace sherd {
 

@@ -4,14 +4,15 @@
 #include <array>
 #include <cmath>
 
+#include "core/numerics/pi.h"
+
 namespace sherd {
 
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kTolerance = 1e-6;          // of the body's size: how far from a flat box a face may lie
-constexpr double kCylinderTolerance = 1e-3;  // of the radius
-constexpr int kDiscSides = 128;              // of the polygon that stands for a sphere cut by a plane
+constexpr double relative_tolerance = 1e-6;  // of the body's size: how far from a flat box a face may lie
+constexpr double cylinder_tolerance = 1e-3;  // of the radius
+constexpr int disc_sides = 128;              // of the polygon that stands for a sphere cut by a plane
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -61,14 +62,14 @@ ConvexPolygon partInside(const SphereRegion& sphere, const Triangle& t, double) 
     const double squared = sphere.radius_m * sphere.radius_m - height * height;
     if ((middle - sphere.centre).norm() > sphere.radius_m + reach || !(squared > 0)) return {};
 
-    const double apothem = std::sqrt(squared * kPi / (kDiscSides * std::tan(kPi / kDiscSides)));
+    const double apothem = std::sqrt(squared * pi / (disc_sides * std::tan(pi / disc_sides)));
     const Vec3 centre = sphere.centre + height * normal;
     if (std::all_of(t.begin(), t.end(), [&](const Vec3& c) { return (c - centre).norm() <= apothem; }))
         return {t.begin(), t.end()};
     const Vec3 u = normal.unitOrthogonal(), v = normal.cross(u);
     std::vector<HalfSpace> sides;
-    for (int i = 0; i < kDiscSides; ++i) {
-        const double angle = 2 * kPi * i / kDiscSides;
+    for (int i = 0; i < disc_sides; ++i) {
+        const double angle = 2 * pi * i / disc_sides;
         const Vec3 outward = std::cos(angle) * u + std::sin(angle) * v;
         sides.push_back({outward, outward.dot(centre) + apothem});
     }
@@ -91,7 +92,7 @@ ConvexPolygon partInside(const CylinderRegion& cylinder, const Triangle& t, doub
         const Vec3 arm = x - cylinder.point;
         return Vec3(arm - axis * axis.dot(arm));
     };
-    const double allowed = std::max(tolerance, kCylinderTolerance * cylinder.radius_m);
+    const double allowed = std::max(tolerance, cylinder_tolerance * cylinder.radius_m);
     for (const Vec3& corner : t)
         if (std::abs(radial(corner).norm() - cylinder.radius_m) > allowed) return {};
     if (std::abs(axis.dot(areaVector(t).normalized())) > 0.5) return {};
@@ -108,7 +109,7 @@ bool isSliver(const ConvexPolygon& polygon, double tolerance) {
 double toleranceOf(const TriangleMesh& surface) {
     Eigen::AlignedBox3d bounds;
     for (const Vec3& v : surface.vertices) bounds.extend(v);
-    return kTolerance * bounds.diagonal().norm();
+    return relative_tolerance * bounds.diagonal().norm();
 }
 
 /// Empty where a triangle only touches the region.

@@ -12,8 +12,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double kPointsAcross = 8;   // at least, over the root of a region's area
-constexpr double kMostPoints = 4000;  // about, of a flat region
+constexpr double points_across = 8;   // at least, over the root of a region's area
+constexpr double most_points = 4000;  // about, of a flat region
 
 using Triangle = std::array<Vec3, 3>;
 
@@ -83,8 +83,8 @@ Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, con
     if (!(area > 0))
         return Error{"No part of the surface lies in " + describe(region) + "; the body fills " +
                      describe(boundingBox(surface)) + "."};
-    MergingGrid grid(boundingBox(surface).lo, std::max(std::min(size, std::sqrt(area) / kPointsAcross),
-                                                       std::sqrt(area / kMostPoints)));
+    MergingGrid grid(boundingBox(surface).lo, std::max(std::min(size, std::sqrt(area) / points_across),
+                                                       std::sqrt(area / most_points)));
     for (const ConvexPolygon& part : parts)
         for (std::size_t i = 2; i < part.size(); ++i) addTriangle({part[0], part[i - 1], part[i]}, grid);
     return grid.points();

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/mlpg/cell_gradients.h"
+#include "core/mlpg/particle_forms/cell_gradients.h"
 #include "core/mlpg/rigid_motions.h"
 
 namespace sherd {

@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <vector>
 
-#include "core/mls/shape_functions.h"
-#include "core/mls/spline_space.h"
+#include "core/mlpg/particle_forms/shape_functions.h"
+#include "core/mlpg/splines/spline_space.h"
 
 namespace sherd {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/mlpg/cell_gradients.h"
+#include "core/mlpg/particle_forms/cell_gradients.h"
 #include "core/mlpg/rigid_motions.h"
 #include "core/stress/elasticity.h"
 

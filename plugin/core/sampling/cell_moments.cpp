@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numeric>
 
-#include "core/linear_algebra/gauss_legendre.h"
-#include "core/linear_algebra/parallel_chunks.h"
+#include "core/numerics/gauss_legendre.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/sampling/polygon_clipping.h"
 
 namespace sherd {

@@ -1,6 +1,6 @@
 #include "core/sampling/surface_quadrature.h"
 
-#include "core/linear_algebra/gauss_legendre.h"
+#include "core/numerics/gauss_legendre.h"
 #include "core/sampling/polygon_clipping.h"
 
 namespace sherd {

@@ -53,11 +53,11 @@ Box boxOf(const Discretisation& solid, const Index& low, const Index& high) {
 }  // namespace
 
 std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted) {
-    constexpr double kHalfSolid = 0.5;
+    constexpr double half_solid = 0.5;
     double fullest = 0;
     for (std::size_t v = 0; v < wanted.size(); ++v)
         if (wanted[v]) fullest = std::max(fullest, solid.voxels[v].fill);
-    const double least = std::min(kHalfSolid, fullest);
+    const double least = std::min(half_solid, fullest);
     Uncovered rest;
     for (std::size_t v = 0; v < wanted.size(); ++v)
         if (wanted[v] && solid.voxels[v].fill >= least) rest.add(solid.voxels[v].index);

@@ -8,9 +8,9 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/numerics/union_find.h"
 #include "geometry/cutting/crack_complex.h"
 #include "geometry/cutting/pieces.h"
-#include "geometry/cutting/union_find.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 #include "geometry/triangle_tree.h"

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <map>
 
-#include "geometry/cutting/hashed_random.h"
+#include "core/numerics/hashed_random.h"
 
 namespace sherd {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numerics/union_find.h"
 #include "geometry/cutting/point_location.h"
 #include "geometry/cutting/triangle_subdivision.h"
-#include "geometry/cutting/union_find.h"
 
 namespace sherd {
 

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Body surface and crack faces, split where they cross, and told apart.
+/// The surface of the body and crack faces, split where they cross, and told apart.
 struct CutFaces {
     std::vector<Vec3> points;      ///< m
     std::vector<Triangle> body;    ///< in the order of their parents

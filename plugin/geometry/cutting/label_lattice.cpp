@@ -4,8 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/hashed_random.h"
 #include "geometry/cutting/active_cells.h"
-#include "geometry/cutting/hashed_random.h"
 #include "geometry/cutting/particle_weights.h"
 
 namespace sherd {

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "core/numerics/union_find.h"
 #include "geometry/cutting/point_location.h"
-#include "geometry/cutting/union_find.h"
 #include "geometry/mass_properties.h"
 
 namespace sherd {

@@ -1,0 +1,7 @@
+#pragma once
+
+namespace sherd {
+
+constexpr double pi = 3.14159265358979323846;
+
+}  // namespace sherd

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <sherd/material.h>
+#include <sherd/result.h>
+#include <sherd/settings.h>
+#include <sherd/surface_region.h>
+#include <sherd/triangle_mesh.h>
+
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "core/mlpg/stress_solver.h"
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and
+/// factorisation are made when first asked for; all else never changes.
+class BreakableSolid {
+  public:
+    /// Makes a body of a surface that `checkSurface` accepts. The error says which constant or setting is out
+    /// of range. On `supports` the displacement is zero; a body without any is free.
+    static Result<std::shared_ptr<const BreakableSolid>> make(TriangleMesh surface, const Material& material,
+                                                              const Settings& settings,
+                                                              std::vector<SurfaceRegion> supports = {});
+
+    const TriangleMesh& surface() const { return surface_; }
+    const Material& material() const { return material_; }
+    const Settings& settings() const { return settings_; }
+    const Moments& moments() const { return moments_; }
+    const std::vector<SurfaceRegion>& supports() const { return supports_; }
+    double mass() const { return material_.density_kg_m3 * moments_.volume; }
+    double wallThickness() const { return wall_thickness_; }
+    double boundingRadius() const { return bounding_radius_; }
+    /// Particle spacing: the one given, or chosen from wall thickness and the limits of the settings.
+    double spacing() const { return spacing_; }
+    /// Between the points that stand for loads and supports on a part of the surface.
+    double quadratureSpacing() const;
+    /// Fragments of fragments stop here, m^3.
+    double smallestFragment() const { return smallest_fragment_m3_; }
+
+    /// Particles and cells; sampled at the first call.
+    Result<std::shared_ptr<const Discretisation>> discretisation() const;
+    /// The factored stress problem; assembled and factored at the first call.
+    Result<const StressSolver*> stressSolver() const;
+    /// The same anew, without the particles that are `damaged` (#particles). Not kept.
+    Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
+    /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
+    /// the first call. Throws std::invalid_argument where the field is not positive.
+    const std::vector<double>& strengths(const Discretisation& solid) const;
+    /// The smallest value of the strength field at any particle, 1 without a field; 0 if there is no telling.
+    double weakestPlace() const;
+    double sampleMilliseconds() const { return sample_ms_; }
+
+    /// Whether the factored stress problem is there already.
+    bool prepared() const;
+
+    /// A piece of this body: same material, settings and limits.
+    std::shared_ptr<const BreakableSolid> makeFragment(TriangleMesh surface) const;
+
+  private:
+    BreakableSolid() = default;
+
+    TriangleMesh surface_;
+    Material material_;
+    Settings settings_;
+    std::vector<SurfaceRegion> supports_;
+    Moments moments_;
+    double wall_thickness_ = 0, bounding_radius_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
+
+    mutable std::recursive_mutex once_;
+    mutable std::shared_ptr<const Discretisation> discretisation_;
+    mutable std::unique_ptr<StressSolver> solver_;
+    mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again
+    mutable std::vector<double> strengths_;
+    mutable double sample_ms_ = 0;
+    mutable double weakest_place_ = -1;  ///< below 0: not asked for yet
+};
+
+}  // namespace sherd

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <sherd/events.h>
+
+#include <vector>
+
+#include "core/damage/damage.h"
+#include "fracture/breakable_solid.h"
+
+namespace sherd {
+
+/// What the damage of a blow depends on, beside the stress.
+struct Strength {
+    const std::vector<double>& of_particle;  ///< Pa
+    double compressive_over_tensile = 1;
+};
+
+/// Goes on after the damage of the first solve: the stress without the damaged particles, under the same
+/// force, damages more of them, until no more are damaged or the settings' number of waves is reached (paper,
+/// section 6.1). Adds the time to `ms`.
+Result<Damage> furtherWaves(const BreakableSolid& body, const std::vector<PointForce>& unit_loads,
+                            double peak_force_n, const Strength& strength, Damage damage, StageTimes& ms);
+
+}  // namespace sherd

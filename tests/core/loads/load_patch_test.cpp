@@ -1,0 +1,54 @@
+#include "core/loads/load_patch.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+constexpr double pi = 3.14159265358979323846;
+
+TriangleMesh box(const Vec3& half, int n) {
+    return shapes::box(-half, half, n, n, n);
+}
+
+TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
+    const TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.02), 3);
+    const Vec3 push = -Vec3::UnitZ();
+    const SurfaceSpot spot = nearestSurfacePoint(mesh, Vec3(0.1, -0.2, 0.05), push);
+    EXPECT_TRUE(spot.point.isApprox(Vec3(0.1, -0.2, 0.02), 1e-12));
+    const auto points = spreadForce(mesh, spot, push, 0.08, Vec3(1, 2, -30));
+    Vec3 sum = Vec3::Zero(), centre = Vec3::Zero();
+    for (const PointForce& p : points) {
+        sum += p.force;
+        centre += p.position * (p.force.z() / -30);
+        EXPECT_NEAR(p.position.z(), 0.02, 1e-12);
+        EXPECT_LE((p.position - spot.point).norm(), 0.08 + 1e-12);
+    }
+    EXPECT_GT(points.size(), 20u);
+    EXPECT_TRUE(sum.isApprox(Vec3(1, 2, -30), 1e-12));
+    EXPECT_LT((centre - spot.point).norm(), 0.01);
+}
+
+TEST(LoadPatch, APatchWithoutSurfaceIsOnePoint) {
+    const TriangleMesh mesh = box(Vec3(1, 1, 1), 1);
+    const auto points = spreadForce(mesh, {Vec3(0, 0, 9), 0}, -Vec3::UnitZ(), 0.1, Vec3(0, 0, -1));
+    ASSERT_EQ(points.size(), 1u);
+    EXPECT_TRUE(points[0].force.isApprox(Vec3(0, 0, -1)));
+}
+
+TEST(LoadPatch, CurvatureIsLargeOnAFaceAndSmallAtAnEdge) {
+    const TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.5), 4);
+    const double face = contactRadius(mesh, Vec3(0, 0, 0.5), -Vec3::UnitZ(), 0.2, 0.002);
+    EXPECT_NEAR(face, pi * 0.04 / (2 * pi * 0.002), 0.3 * face);
+    const Vec3 edge_push = Vec3(-1, 0, -1).normalized();
+    EXPECT_LT(contactRadius(mesh, Vec3(0.5, 0, 0.5), edge_push, 0.2, 0.002), 0.2 * face);
+    const Vec3 corner_push = Vec3(-1, -1, -1).normalized();
+    EXPECT_LT(contactRadius(mesh, Vec3(0.5, 0.5, 0.5), corner_push, 0.2, 0.002), 0.01);
+}
+
+}  // namespace

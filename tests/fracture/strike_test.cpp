@@ -1,0 +1,284 @@
+#include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <stdexcept>
+
+#include "fracture/pipeline.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+/// A plate of 0.4 x 0.4 x 0.03 m that a ball hits in the middle of its upper face.
+std::shared_ptr<const BreakableSolid> plate(const Material& material, const Settings& settings = {}) {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
+                                                material, settings);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    return asset.value().solid();
+}
+
+Blow blowInTheMiddle(double mass, double speed) {
+    ContactImpulse contact;
+    contact.point = Vec3(0.003, 0.002, 0.015);
+    contact.normal = -Vec3::UnitZ();
+    contact.impulse = -Vec3::UnitZ() * mass * speed;
+    contact.approach_m_s = speed;
+    contact.effective_mass_kg = mass;
+    contact.partner_radius_m = 0.03;
+    return {{contact}};
+}
+
+TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {
+    const auto body = plate(Material::plaster());
+    const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    EXPECT_GE(out.fragments.size(), 4u);
+    EXPECT_LT(out.volume_error_rel, 1e-9);
+    EXPECT_LT(out.mass_error_rel, 1e-9);
+    EXPECT_LT(out.residual_rel, 1e-10);
+    EXPECT_GT(out.largest_stress_pa, body->material().tensile_strength_pa);
+    Vec3 moment = Vec3::Zero();
+    for (const Fragment& f : out.fragments) moment += f.body->mass() * f.body->moments().centroid;
+    EXPECT_LT((moment / body->mass() - body->moments().centroid).norm(), 1e-9);
+}
+
+TEST(Strike, StressGrowsWithTheSpeedOfTheBlow) {
+    const auto body = plate(Material::plaster());
+    double last = 0;
+    for (const double speed : {0.01, 0.1, 1.0}) {
+        const BlowOutcome out = strike(*body, blowInTheMiddle(0.1, speed), 1);
+        EXPECT_GT(out.largest_stress_pa, 3 * last);
+        last = out.largest_stress_pa;
+    }
+}
+
+TEST(Strike, ABodyThatNothingCanBreakHolds) {
+    Material hard = Material::plaster();
+    hard.tensile_strength_pa = 1e15;
+    const BlowOutcome out = strike(*plate(hard), blowInTheMiddle(10, 30), 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::held);
+    EXPECT_TRUE(out.fragments.empty());
+    EXPECT_EQ(out.damaged_particles, 0);
+}
+
+TEST(Strike, TheBoundNeverHidesABreak) {
+    // Wherever the stages end in a break, the bound must have let the blow through.
+    Settings settings;
+    for (const double spacing : {0.01, 0.02}) {
+        settings.sampling.spacing_m = spacing;
+        const auto body = plate(Material::plaster(), settings);
+        for (double speed = 0.001; speed < 10; speed *= 1.7) {
+            const Blow blow = blowInTheMiddle(0.05, speed);
+            const bool broke = strike(*body, blow, 1).outcome == BreakEvent::Outcome::broke;
+            EXPECT_TRUE(!broke || canBreak(*body, blow)) << speed;
+        }
+        EXPECT_FALSE(canBreak(*body, blowInTheMiddle(0.05, 0.001)));
+        EXPECT_TRUE(canBreak(*body, blowInTheMiddle(1, 10)));
+    }
+}
+
+TEST(Strike, PressingContactsCannotBreak) {
+    const auto body = plate(Material::plaster());
+    Blow blow = blowInTheMiddle(1, 10);
+    blow.contacts[0].approach_m_s = 0;
+    EXPECT_FALSE(canBreak(*body, blow));
+}
+
+TEST(Strike, AFurtherBlowAssemblesAndFactorsNothing) {
+    const auto body = plate(Material::glass());
+    const BlowOutcome first = strike(*body, blowInTheMiddle(0.01, 0.1), 1);
+    const BlowOutcome further = strike(*body, blowInTheMiddle(0.01, 0.1), 1);
+    EXPECT_GT(first.ms.assemble, 0);
+    EXPECT_GT(first.ms.factor, 0);
+    EXPECT_EQ(further.ms.assemble, 0);
+    EXPECT_EQ(further.ms.factor, 0);
+    EXPECT_EQ(further.largest_stress_pa, first.largest_stress_pa);
+}
+
+TEST(Strike, SameSeedSameFragmentsOtherSeedOthers) {
+    const auto volumes = [](std::uint64_t seed) {
+        Settings settings;
+        settings.fracture.seed = seed;
+        std::vector<double> v;
+        for (const Fragment& f :
+             strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), seed).fragments)
+            v.push_back(f.body->moments().volume);
+        return v;
+    };
+    EXPECT_EQ(volumes(1), volumes(1));
+    EXPECT_NE(volumes(1), volumes(2));
+}
+
+TEST(Strike, FragmentsBreakAgain) {
+    Settings settings;
+    settings.fracture.fragment_count = 4;
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    const Fragment* largest = &out.fragments.front();
+    for (const Fragment& f : out.fragments)
+        if (f.body->mass() > largest->body->mass()) largest = &f;
+    Blow blow = blowInTheMiddle(1, 20);
+    blow.contacts[0].point = largest->body->moments().centroid + Vec3(0, 0, 0.02);
+    const BlowOutcome again = strike(*largest->body, blow, 2);
+    EXPECT_EQ(again.outcome, BreakEvent::Outcome::broke) << again.message;
+    EXPECT_LT(again.volume_error_rel, 1e-9);
+}
+
+TEST(Strike, WithoutContactsNothingHappens) {
+    const BlowOutcome out = strike(*plate(Material::plaster()), {}, 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::held);
+    EXPECT_EQ(out.damaged_particles, 0);
+}
+
+TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
+    Settings settings;
+    const auto share_on_the_right = [&] {
+        const auto body = plate(Material::plaster(), settings);
+        const BlowOutcome out = strike(*body, blowInTheMiddle(0.5, 6), 1);
+        EXPECT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        int right = 0;
+        for (const Fragment& f : out.fragments) right += f.body->moments().centroid.x() > 0.003;
+        return static_cast<double>(right) / out.fragments.size();
+    };
+    EXPECT_NEAR(share_on_the_right(), 0.5, 0.2);
+    settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 1.0 : 1e4; };
+    EXPECT_GT(share_on_the_right(), 0.8);
+}
+
+TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
+    Settings settings;
+    settings.fracture.strength_field = [](const Vec3& x) { return x.x(); };
+    const auto body = plate(Material::plaster(), settings);
+    EXPECT_TRUE(canBreak(*body, blowInTheMiddle(1, 10)));
+    const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_NE(out.message.find("the strength field is -"), std::string::npos) << out.message;
+}
+
+TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
+    const Blow blow = blowInTheMiddle(1, 10);
+    const std::function<double(const Vec3&)> fields[] = {
+        [](const Vec3&) -> double { throw std::runtime_error("not painted here"); },
+        [](const Vec3&) -> double { throw 3; },
+        [](const Vec3&) { return std::numeric_limits<double>::infinity(); },
+    };
+    for (const auto& field : fields) {
+        Settings settings;
+        settings.fracture.strength_field = field;
+        const auto body = plate(Material::plaster(), settings);
+        for (int time = 0; time < 2; ++time) {  // what is wrong is said again at the next blow
+            EXPECT_TRUE(canBreak(*body, blow));
+            const BlowOutcome out = strike(*body, blow, 1);
+            EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+            EXPECT_FALSE(out.message.empty());
+        }
+    }
+    Settings settings;
+    settings.fracture.guide.kind = GuideField::Kind::custom;
+    settings.fracture.guide.custom = [](const Vec3&, const Vec3&) -> Vec3 { throw 3; };
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blow, 1);
+    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_NE(out.message.find("guide field"), std::string::npos);
+}
+
+TEST(Strike, FurtherWavesOnlyAddDamage) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.015;
+    settings.fracture.largest_fragment_count = 1000;
+    Material material = Material::plaster();
+    material.tensile_strength_pa = 3.5e6;
+    std::vector<int> damaged;
+    for (const int waves : {1, 2, 4, 20}) {
+        settings.fracture.damage_waves = waves;
+        damaged.push_back(strike(*plate(material, settings), blowInTheMiddle(0.2, 3), 1).damaged_particles);
+    }
+    RecordProperty("damaged particles after 1, 2, 4, 20 waves", testing::PrintToString(damaged));
+    EXPECT_GT(damaged[0], 0);
+    EXPECT_GT(damaged[1], damaged[0]);
+    EXPECT_GE(damaged[2], damaged[1]);
+    EXPECT_GE(damaged[3], damaged[2]);
+}
+
+TEST(Strike, DebrisIsKeptMergedOrDropped) {
+    Settings settings;
+    settings.fracture.fragment_count = 30;
+    settings.fracture.smallest_fragment_m3 = 1e-4;  // of 4.8e-3
+    const auto struck = [&](Debris debris) {
+        settings.fracture.debris = debris;
+        return strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    };
+    const auto small = [&](const BlowOutcome& out) {
+        int count = 0;
+        for (const Fragment& f : out.fragments) count += f.body->moments().volume < 0.9e-4;
+        return count;
+    };
+    const BlowOutcome kept = struck(Debris::unbreakable), merged = struck(Debris::merged),
+                      dropped = struck(Debris::dropped);
+    ASSERT_GT(small(kept), 3);
+    // Merging goes by particles, and the cut is smooth: a piece may end up a little smaller than its
+    // particles.
+    EXPECT_EQ(small(merged), 0);
+    EXPECT_LT(merged.fragments.size(), kept.fragments.size());
+    ASSERT_EQ(dropped.fragments.size(), kept.fragments.size());
+    for (const Fragment& f : dropped.fragments) EXPECT_EQ(f.dropped, f.body->moments().volume < 1e-4);
+    for (const BlowOutcome* out : {&kept, &merged, &dropped}) EXPECT_LT(out->mass_error_rel, 1e-9);
+}
+
+TEST(Strike, MergedDebrisStaysMergedAlongAGuideField) {
+    for (const auto kind : {GuideField::Kind::constant, GuideField::Kind::radial}) {
+        Settings settings;
+        settings.sampling.spacing_m = 0.015;
+        settings.fracture.guide.kind = kind;
+        settings.fracture.guide.direction = Vec3::UnitX();
+        settings.fracture.smallest_fragment_m3 = 1e-4;
+        settings.fracture.debris = Debris::merged;
+        const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+        ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        for (const Fragment& f : out.fragments) EXPECT_GT(f.body->moments().volume, 0.9e-4);
+    }
+}
+
+TEST(Strike, AtMostTheLargestNumberOfFragments) {
+    Settings settings;
+    settings.fracture.largest_fragment_count = 5;
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke);
+    EXPECT_LE(out.fragments.size(), 5u);
+    EXPECT_GE(out.fragments.size(), 2u);
+}
+
+TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
+    Settings settings;
+    settings.sampling.smallest_count = 300;
+    settings.fracture.guide.kind = GuideField::Kind::radial;
+    settings.fracture.guide.penalty = 0;  // sectors that are a point at the contact
+    const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    EXPECT_LE(static_cast<int>(out.fragments.size()), settings.fracture.largest_fragment_count);
+    EXPECT_LT(out.volume_error_rel, 1e-9);
+}
+
+TEST(Strike, TwiceTheImpulseNeverDamagesLess) {
+    for (const double spacing : {0.01, 0.02}) {
+        Settings settings;
+        settings.sampling.spacing_m = spacing;
+        const auto body = plate(Material::plaster(), settings);
+        for (const bool faster : {false, true}) {  // or heavier
+            int last = 0;
+            for (double factor = 0.01; factor < 50; factor *= 2) {
+                const Blow blow =
+                    faster ? blowInTheMiddle(0.3, 3 * factor) : blowInTheMiddle(0.3 * factor, 3);
+                const int damaged = strike(*body, blow, 1).damaged_particles;
+                EXPECT_GE(damaged, last) << factor;
+                last = damaged;
+            }
+            EXPECT_GT(last, 0);
+        }
+    }
+}
+
+}  // namespace

@@ -1,0 +1,131 @@
+#include "io/obj_file.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "geometry/merge_vertices.h"
+#include "support/shapes.h"
+#include "support/temporary_path.h"
+
+namespace {
+
+using namespace sherd;
+
+std::string dataFile(const std::string& name) {
+    return std::string(SHERD_TEST_DATA) + "/bad_obj/" + name;
+}
+
+TriangleMesh parsed(const std::string& text) {
+    Result<TriangleMesh> mesh = parseObj(text, "text");
+    EXPECT_TRUE(mesh.ok()) << mesh.error();
+    return mesh.ok() ? mesh.value() : TriangleMesh{};
+}
+
+std::string faultIn(const std::string& text) {
+    return parseObj(text, "cup.obj").error();
+}
+
+const std::string tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
+
+TEST(ObjFile, ReadsEveryFormOfAFace) {
+    const TriangleMesh plain = parsed(tetrahedron);
+    ASSERT_EQ(plain.vertices.size(), 4u);
+    const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nvt 0 0\nvn 0 0 1\n";
+    for (const std::string& faces :
+         {std::string("f 1/1 3/1 2/1\nf 1/1/1 2/1/1 4/1/1\nf 2//1 3//1 4//1\nf 3 1 4\n"),
+          std::string("f -4 -2 -3\r\nf -4 -3 -1\r\n# f 9 9 9\nf -3 -2 -1 # edge\n  f\t-2  -4 -1"),
+          std::string("o cup\ng side\nusemtl white\ns 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4")})
+        EXPECT_EQ(parsed(vertices + faces).triangles, plain.triangles) << faces;
+}
+
+TEST(ObjFile, ReadsNumbersInEveryNotation) {
+    const TriangleMesh mesh = parsed("v +1.5 -.25 1e-3\nv 1E2 2. 3 0.5 0.5 0.5\nv 0 0 0\nf 1 2 3\n");
+    EXPECT_EQ(mesh.vertices[0], Vec3(1.5, -0.25, 1e-3));
+    EXPECT_EQ(mesh.vertices[1], Vec3(100, 2, 3));
+}
+
+TEST(ObjFile, SplitsPolygonsIntoFans) {
+    const TriangleMesh mesh = parsed("v 0 0 0\nv 2 0 0\nv 3 1 0\nv 1 2 0\nv 0 1 0\nf 1 2 3 4 5\n");
+    const std::vector<std::array<int, 3>> fan = {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}};
+    EXPECT_EQ(mesh.triangles, fan);
+}
+
+TEST(ObjFile, NamesTheLineThatIsWrong) {
+    EXPECT_EQ(faultIn("v 0 0 0\nv 0 zero 0\n"),
+              "cup.obj:2: the y coordinate 'zero' is not a number; a vertex is 'v x y z'.");
+    EXPECT_EQ(faultIn("v 0 0\n"), "cup.obj:1: the z coordinate '' is not a number; a vertex is 'v x y z'.");
+    EXPECT_EQ(faultIn("v 0 0 0\n\nv 0 0 -inf\n"),
+              "cup.obj:3: the z coordinate '-inf' is not a finite number; correct this vertex.");
+    EXPECT_EQ(faultIn("v 1e999 0 0\n"),
+              "cup.obj:1: the x coordinate '1e999' is not a finite number; correct this vertex.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2 5\n"),
+              "cup.obj:9: the face names vertex 5, but 4 vertices precede it; correct the number.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2 0\n"),
+              "cup.obj:9: the face names vertex 0, but 4 vertices precede it; correct the number.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2 -5\n"),
+              "cup.obj:9: the face names vertex -5, but 4 vertices precede it; correct the number.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2 99999999999999999999\n"),
+              "cup.obj:9: the vertex number '99999999999999999999' is not a whole number.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2.5 3\n"),
+              "cup.obj:9: the vertex number '2.5' is not a whole number.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2\n"), "cup.obj:9: a face has 2 corners; it needs 3 or more.");
+}
+
+TEST(ObjFile, FilesThatCannotBeReadSaySo) {
+    EXPECT_EQ(readObj(dataFile("not_there.obj")).error(),
+              dataFile("not_there.obj") + " cannot be opened; check that the file is there and may be read.");
+    EXPECT_EQ(readObj(dataFile("empty.obj")).error(),
+              dataFile("empty.obj") +
+                  ": there are no faces in this file; export the surface of a solid as polygons ('v' and 'f' "
+                  "records).");
+    EXPECT_EQ(
+        readObj(dataFile("nan.obj")).error(),
+        dataFile("nan.obj") + ":4: the y coordinate 'nan' is not a finite number; correct this vertex.");
+    EXPECT_EQ(readObj(SHERD_TEST_DATA).error(), SHERD_TEST_DATA " is a folder; name an OBJ file in it.");
+    EXPECT_NE(writeObj(parsed(tetrahedron), dataFile("no/such/folder.obj"))
+                  .error()
+                  .find("cannot be opened for writing"),
+              std::string::npos);
+}
+
+TEST(ObjFile, WhatIsWrittenReadsBackBitByBit) {
+    TriangleMesh mesh = shapes::moved(shapes::icosphere(1.0 / 3, 2), shapes::tilt(), Vec3(1e5, -1e-7, 0.1));
+    mesh.vertices[0].x() = 0x1.fffffffffffffp-3;
+    mesh.kinds.assign(mesh.triangles.size(), SurfaceKind::original);
+    for (const std::size_t crack : {0, 1, 7, 100}) mesh.kinds[crack] = SurfaceKind::crack;
+    const std::string path = temporaryPath("round_trip.obj");
+    ASSERT_TRUE(writeObj(mesh, path).ok());
+    const Result<TriangleMesh> back = readObj(path);
+    std::remove(path.c_str());
+    ASSERT_TRUE(back.ok()) << back.error();
+    EXPECT_EQ(back.value().vertices, mesh.vertices);
+    EXPECT_EQ(back.value().triangles, mesh.triangles);
+    EXPECT_EQ(back.value().kinds, mesh.kinds);
+}
+
+TEST(ObjFile, EqualPositionsBecomeOneVertex) {
+    // A tetrahedron exported face by face, with a vertex that nobody uses and a triangle that shrinks to an
+    // edge.
+    const TriangleMesh solid = parsed(tetrahedron);
+    TriangleMesh soup;
+    soup.vertices.emplace_back(7, 7, 7);
+    for (const auto& triangle : solid.triangles) {
+        const int first = static_cast<int>(soup.vertices.size());
+        for (const int corner : triangle) soup.vertices.push_back(solid.vertices[corner]);
+        soup.triangles.push_back({first, first + 1, first + 2});
+        soup.kinds.push_back(SurfaceKind::original);
+    }
+    soup.vertices[1].x() = -0.0;  // equal to 0 all the same
+    soup.triangles.insert(soup.triangles.begin(), {1, 4, 2});
+    soup.kinds.insert(soup.kinds.begin(), SurfaceKind::crack);
+    const TriangleMesh merged = mergeEqualVertices(soup);
+    EXPECT_EQ(merged.vertices.size(), 4u);
+    EXPECT_EQ(merged.triangles.size(), 4u);
+    EXPECT_EQ(merged.kinds, std::vector<SurfaceKind>(4, SurfaceKind::original));
+    for (std::size_t t = 0; t < 4; ++t)
+        for (int k = 0; k < 3; ++k)
+            EXPECT_EQ(merged.vertices[merged.triangles[t][k]], solid.vertices[solid.triangles[t][k]]);
+}
+
+}  // namespace
