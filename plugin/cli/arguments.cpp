@@ -1,9 +1,9 @@
-#include "arguments.h"
+#include "cli/arguments.h"
 
 #include <CLI/CLI.hpp>
 #include <optional>
 
-#include "form_names.h"
+#include "cli/form_names.h"
 
 namespace sherd::cli {
 

@@ -1,4 +1,4 @@
-#include "case_file.h"
+#include "cli/case_file.h"
 
 #include <filesystem>
 

@@ -1,4 +1,4 @@
-#include "csv_file.h"
+#include "cli/csv_file.h"
 
 #include <sherd/stress_field.h>
 

@@ -1,8 +1,8 @@
 #include <exception>
 #include <iostream>
 
-#include "arguments.h"
-#include "stress_command.h"
+#include "cli/arguments.h"
+#include "cli/stress_command.h"
 
 int main(int argc, char** argv) {
     try {

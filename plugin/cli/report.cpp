@@ -1,9 +1,9 @@
-#include "report.h"
+#include "cli/report.h"
 
 #include <algorithm>
 #include <fstream>
 
-#include "form_names.h"
+#include "cli/form_names.h"
 
 namespace sherd::cli {
 

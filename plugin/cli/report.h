@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "arguments.h"
-#include "case_file.h"
+#include "cli/arguments.h"
+#include "cli/case_file.h"
 
 namespace sherd::cli {
 

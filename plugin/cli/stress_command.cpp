@@ -1,13 +1,13 @@
-#include "stress_command.h"
+#include "cli/stress_command.h"
 
 #include <sherd/stress_model.h>
 
 #include <iostream>
 
-#include "case_file.h"
-#include "csv_file.h"
-#include "report.h"
-#include "vtk_file.h"
+#include "cli/case_file.h"
+#include "cli/csv_file.h"
+#include "cli/report.h"
+#include "cli/vtk_file.h"
 
 namespace sherd::cli {
 

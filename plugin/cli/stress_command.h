@@ -2,7 +2,7 @@
 
 #include <sherd/result.h>
 
-#include "arguments.h"
+#include "cli/arguments.h"
 
 namespace sherd::cli {
 

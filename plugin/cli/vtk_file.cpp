@@ -1,4 +1,4 @@
-#include "vtk_file.h"
+#include "cli/vtk_file.h"
 
 #include <sherd/stress_field.h>
 

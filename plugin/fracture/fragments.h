@@ -2,7 +2,7 @@
 
 #include "core/clustering/clusters.h"
 #include "fracture/pipeline.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
 

@@ -13,7 +13,7 @@
 #include "core/stress/surface_traction.h"
 #include "fracture/damage_waves.h"
 #include "fracture/fragments.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
 

@@ -15,7 +15,7 @@
 #include <string>
 
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/mass_properties.h"
 #include "support/shapes.h"
 

@@ -17,7 +17,7 @@
 #include <string>
 #include <thread>
 
-#include "case_file.h"
+#include "cli/case_file.h"
 #include "core/loads/surface_region.h"
 #include "core/mlpg/particle_forms/weak_form.h"
 #include "core/mlpg/stress_solver.h"

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "case_file.h"
-#include "csv_file.h"
+#include "cli/case_file.h"
+#include "cli/csv_file.h"
 #include "support/temporary_path.h"
 
 namespace sherd::cli {

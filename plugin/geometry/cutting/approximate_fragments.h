@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
 

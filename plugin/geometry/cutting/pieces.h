@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "geometry/cutting/cut_faces.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
 

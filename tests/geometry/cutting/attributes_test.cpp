@@ -7,7 +7,7 @@
 
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/merge_vertices.h"
 #include "io/obj_file.h"
 #include "support/shapes.h"

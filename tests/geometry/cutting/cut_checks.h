@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/cutting/piece_checks.h"
-#include "geometry/fragment_surfaces.h"
 
 namespace sherd::fragment_support {
 

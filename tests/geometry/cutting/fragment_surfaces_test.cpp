@@ -1,4 +1,4 @@
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 
 #include <gtest/gtest.h>
 

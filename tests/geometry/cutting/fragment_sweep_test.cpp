@@ -6,7 +6,7 @@
 #include "core/sampling/sample_solid.h"
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/fragment_surfaces.h"
+#include "geometry/cutting/fragment_surfaces.h"
 #include "support/shapes.h"
 
 namespace sherd {
