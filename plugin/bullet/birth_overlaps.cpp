@@ -14,13 +14,13 @@ namespace sherd {
 
 namespace {
 
-/// From the points themselves, which Bullet keeps up to date whatever was written into the contact's
+/// The distance by the two points, which Bullet keeps up to date whatever was written into the contact's
 /// distance.
 btScalar distanceOf(const btManifoldPoint& point) {
     return (point.getPositionWorldOnA() - point.getPositionWorldOnB()).dot(point.m_normalWorldOnB);
 }
 
-/// How far any point of a body moved at most, that reaches as far as `radius`.
+/// Upper bound of the displacement of any point within `radius` of the origin.
 btScalar travel(const btTransform& from, const btTransform& to, btScalar radius) {
     btScalar squared_turn = 0;
     for (int row = 0; row < 3; ++row) squared_turn += (to.getBasis()[row] - from.getBasis()[row]).length2();
@@ -45,7 +45,7 @@ btScalar radiusAboutOrigin(const btCollisionObject& object) {
     return centre.length() + radius;
 }
 
-/// Visits the contacts of listed pairs: visit(pair, manifold).
+/// Calls visit(pair, manifold) for each manifold of a registered pair.
 template <class Pairs, class Visit>
 void forEachManifold(btDispatcher& dispatcher, Pairs& pairs, const Visit& visit) {
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
@@ -57,8 +57,8 @@ void forEachManifold(btDispatcher& dispatcher, Pairs& pairs, const Visit& visit)
 
 }  // namespace
 
-void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& newcomers) {
-    const std::unordered_set<const void*> is_new(newcomers.begin(), newcomers.end());
+void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies) {
+    const std::unordered_set<const void*> is_new(new_bodies.begin(), new_bodies.end());
     const btBroadphasePairArray& bounds = world.getPairCache()->getOverlappingPairArray();
     for (int i = 0; i < bounds.size(); ++i) {
         const btBroadphaseProxy *first = bounds[i].m_pProxy0, *second = bounds[i].m_pProxy1;
@@ -66,7 +66,7 @@ void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btColl
         if (second->m_uniqueId < first->m_uniqueId) std::swap(first, second);
         const auto* a = static_cast<const btCollisionObject*>(first->m_clientObject);
         const auto* b = static_cast<const btCollisionObject*>(second->m_clientObject);
-        // A floor that a piece was born in must lift it out: it would go on lying in it.
+        // Penetration of a static body is not allowed: the fragment would stay inside the floor.
         if (a->isStaticOrKinematicObject() || b->isStaticOrKinematicObject()) continue;
         Pair pair;
         pair.bodies[0] = a;
@@ -79,9 +79,9 @@ void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btColl
     }
 }
 
-void BirthOverlaps::dropParted(const btDiscreteDynamicsWorld& world) {
-    // Any body may have been deleted since the last step: nothing is read through a pointer before the world
-    // has named it.
+void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
+    // A body may have been deleted since the last step, so pointers are compared with those in the world
+    // before any is dereferenced.
     std::unordered_map<const btCollisionObject*, int> proxy_of;
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
@@ -114,19 +114,19 @@ void BirthOverlaps::measure(Pair& pair, const btPersistentManifold& manifold) {
     }
 }
 
-/// A depth grows by what the bodies move into each other, and shrinks by no more than they move. What it
-/// seems to change beyond that says that Bullet's estimate is bad, now or before: a contact that is not found
-/// for a step, or found later than at birth.
+/// The depth grows by the distance that the bodies move into each other, and shrinks by no more than they
+/// move. A larger change of the measured depth is an error of Bullet's estimate, now or before: a contact
+/// that is missed for a step, or found later than at birth.
 void BirthOverlaps::update(Pair& pair) {
     const btScalar moved = travel(pair.before, pair.now, pair.radius);
-    pair.forgiven_m += std::max(btScalar(0), pair.measured_m - (pair.depth_m + pair.closed_m));
+    pair.allowance_m += std::max(btScalar(0), pair.measured_m - (pair.depth_m + pair.closed_m));
     pair.depth_m = std::max(pair.measured_m, pair.depth_m - moved);
-    pair.forgiven_m = std::min(pair.forgiven_m, pair.depth_m);
+    pair.allowance_m = std::min(pair.allowance_m, pair.depth_m);
 }
 
-void BirthOverlaps::forgive(btDiscreteDynamicsWorld& world) {
+void BirthOverlaps::applyAllowances(btDiscreteDynamicsWorld& world) {
     if (pairs_.empty()) return;
-    dropParted(world);
+    dropSeparated(world);
     for (auto& entry : pairs_) {
         Pair& pair = entry.second;
         pair.before = pair.now;
@@ -141,7 +141,7 @@ void BirthOverlaps::forgive(btDiscreteDynamicsWorld& world) {
         for (int i = 0; i < manifold.getNumContacts(); ++i) {
             btManifoldPoint& point = manifold.getContactPoint(i);
             const btScalar distance = distanceOf(point);
-            point.setDistance(distance < 0 ? std::min(distance + pair.forgiven_m, btScalar(0)) : distance);
+            point.setDistance(distance < 0 ? std::min(distance + pair.allowance_m, btScalar(0)) : distance);
         }
     });
 }

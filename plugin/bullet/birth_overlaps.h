@@ -12,39 +12,40 @@ class btPersistentManifold;
 
 namespace sherd {
 
-/// Pairs that may have overlapped when one of them was born: hulls of neighbouring fragments reach into each
-/// other. Bullet would push them apart. Instead each pair is forgiven the depth that it has, and forgiven
-/// less as it parts; it collides all the while, so that pieces lie and push on each other as they did when
+/// Pairs of bodies that overlap when one of them is created: hulls of neighbouring fragments penetrate each
+/// other, and Bullet would push them apart. The penetration at birth is allowed; the allowance shrinks as the
+/// bodies separate. Contacts are solved all the while, so that fragments support each other as they did when
 /// they were one body.
 class BirthOverlaps {
   public:
-    /// Takes in what newcomers to the world may overlap with, after broadphase and narrowphase saw them.
-    void add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& newcomers);
-    /// Takes the forgiven depth off the contacts that the step under way has found. For just before a solve;
-    /// done twice it does no more than once.
-    void forgive(btDiscreteDynamicsWorld& world);
+    /// Registers every pair of a new body and a body that it may overlap, after broadphase and narrowphase
+    /// ran for it.
+    void add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies);
+    /// Subtracts the allowed penetration from the contacts of the current step. To be called just before a
+    /// solve; calling it twice has no further effect.
+    void applyAllowances(btDiscreteDynamicsWorld& world);
 
   private:
     struct Pair {
         const btCollisionObject* bodies[2] = {nullptr,
-                                              nullptr};  // in the order in which they came into the world
-        int proxies[2] = {-1, -1};  // Bullet gives a new number whenever a body comes into a world
-        btScalar radius = 0;        // of all of the second body about its origin
+                                              nullptr};  // in the order in which they were added to the world
+        int proxies[2] = {-1,
+                          -1};  // unique ids; Bullet gives a body a new one each time it is added to a world
+        btScalar radius = 0;    // of the second body about its origin
         btTransform before,
-            now;  // of the second body in the frame of the first, at the last look and at this one
-        btScalar measured_m = 0;  // depth of the deepest contact there is now
-        btScalar closed_m = 0;    // what of it the bodies moved into each other since the last look
-        btScalar depth_m = 0;     // without what cannot be
-        btScalar forgiven_m = 0;  // of the depth
+            now;  // of the second body in the frame of the first, at the last update and at this one
+        btScalar measured_m = 0;  // depth of the deepest contact now
+        btScalar closed_m = 0;  // the part of it that the bodies moved into each other since the last update
+        btScalar depth_m = 0;   // measured depth, without changes that the motion cannot explain
+        btScalar allowance_m = 0;  // the part of the depth that is allowed
     };
     using Key = std::pair<const btCollisionObject*, const btCollisionObject*>;  // the lower address first
 
     static void measure(Pair& pair, const btPersistentManifold& manifold);
     static void update(Pair& pair);
-    void dropParted(const btDiscreteDynamicsWorld& world);
+    void dropSeparated(const btDiscreteDynamicsWorld& world);
 
-    std::map<Key, Pair>
-        pairs_;  // what is done to a pair does not depend on the others, so neither on their order
+    std::map<Key, Pair> pairs_;  // pairs are independent of each other, so their order has no effect
 };
 
 }  // namespace sherd

@@ -54,7 +54,8 @@ void inheritAppData(btRigidBody& parent, btRigidBody& piece) {
     if (parent.getCustomDebugColor(colour)) piece.setCustomDebugColor(colour);
 }
 
-/// Bullet's own contact prediction hands out manifolds that no collision pair owns; they survive the body.
+/// The manifolds of Bullet's contact prediction belong to no collision pair, so removing the body leaves
+/// them.
 void releasePredictiveContacts(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
     auto& manifolds = WorldInternals::predictiveManifolds(world);
     for (int i = manifolds.size() - 1; i >= 0; --i) {
@@ -65,7 +66,7 @@ void releasePredictiveContacts(btDiscreteDynamicsWorld& world, const btRigidBody
     }
 }
 
-void wakeNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
+void activateNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
@@ -132,8 +133,8 @@ double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::uniqu
     return mass;
 }
 
-std::vector<btTypedConstraint*> takeOutOfWorld(btDiscreteDynamicsWorld& world, btRigidBody& body) {
-    wakeNeighbours(world, body);
+std::vector<btTypedConstraint*> removeFromWorld(btDiscreteDynamicsWorld& world, btRigidBody& body) {
+    activateNeighbours(world, body);
     std::vector<btTypedConstraint*> joints = removeJoints(world, body);
     releasePredictiveContacts(world, body);
     world.removeRigidBody(&body);
@@ -146,14 +147,14 @@ void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_pt
         btRigidBody& body = *fragment->body;
         const btVector3 own_gravity = body.getGravity();
         world.addRigidBody(&body, group, mask);
-        body.setGravity(own_gravity);  // adding a body gives it the world's
-        // Adding leaves out the margin for contacts and the way ahead.
+        body.setGravity(own_gravity);  // adding a body sets it to the world's
+        // Adding a body sets its bounds without the margin for contacts and without its motion in this step.
         body.predictIntegratedTransform(time_step_s, body.getInterpolationWorldTransform());
         world.updateSingleAabb(&body);
     }
 }
 
-void findContactsOf(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& newcomers) {
+void findContactsOf(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies) {
     const auto* tree = dynamic_cast<const btDbvtBroadphase*>(world.getBroadphase());
     if (!tree || tree->m_deferedcollide)
         world.getBroadphase()->calculateOverlappingPairs(world.getDispatcher());
@@ -163,7 +164,7 @@ void findContactsOf(btDiscreteDynamicsWorld& world, const std::vector<btCollisio
                                                          world.getDispatcher());
         return;
     }
-    const std::unordered_set<const void*> is_new(newcomers.begin(), newcomers.end());
+    const std::unordered_set<const void*> is_new(new_bodies.begin(), new_bodies.end());
     btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
     for (int i = 0; i < pairs.size(); ++i) {
         const bool concerned = is_new.count(pairs[i].m_pProxy0->m_clientObject) ||

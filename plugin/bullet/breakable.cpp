@@ -11,8 +11,8 @@ Identity Identity::of(const btRigidBody& body) {
 
 namespace {
 
-/// Whether the object at an app's body's address is another one. A body that was taken out and put back, or
-/// that was given another shape or mass where it is, is still itself.
+/// Whether the object at the address of an app's body is a new one. A body that was removed and added again,
+/// or that was given another shape or mass while in the world, is still the same.
 bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
     if (breakable.ownedHere()) return false;
     const btRigidBody* body = btRigidBody::upcast(&object);
@@ -45,7 +45,7 @@ std::unique_ptr<Breakable> BreakableRegistry::take(const btCollisionObject* obje
     return taken;
 }
 
-void BreakableRegistry::follow(const btAlignedObjectArray<btCollisionObject*>& in_world) {
+void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world) {
     for (const auto& breakable : all_) breakable->in_world = false;
     for (int i = 0; i < in_world.size(); ++i)
         if (Breakable* breakable = find(in_world[i])) breakable->in_world = true;

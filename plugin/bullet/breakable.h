@@ -12,27 +12,28 @@
 
 namespace sherd {
 
-/// What tells a body of the app's from another one that was made at its address later.
+/// Tells a body of the app's from another one that was created at its address later.
 struct Identity {
-    int proxy = -1;  ///< Bullet gives a new number whenever a body comes into a world
+    int proxy = -1;  ///< unique id; Bullet gives a body a new one each time it is added to a world
     const btCollisionShape* shape = nullptr;
     btScalar inverse_mass = 0;
 
     static Identity of(const btRigidBody& body);
 };
 
-/// A body that can break, and how its frame lies in the asset's.
+/// A body that can break, with its asset.
 struct Breakable {
     explicit Breakable(const BreakableAsset& its_asset) : asset(its_asset) {}
 
-    btRigidBody* body =
-        nullptr;  ///< may be dead if the app owns it and `in_world` is false: compare, never follow
+    btRigidBody* body = nullptr;  ///< may be dangling if the app owns it and `in_world` is false: compare
+                                  ///< only, never dereference
     BreakableAsset asset;
     btTransform body_from_asset = btTransform::getIdentity();
-    OwnedBody owned;                 ///< empty when the app owns the body
-    std::uint64_t serial = 0;        ///< place in the order in which bodies of this world became breakable
+    OwnedBody owned;  ///< empty when the app owns the body
+    std::uint64_t serial =
+        0;  ///< counts the bodies of this world in the order in which they became breakable
     double unbreakable_until_s = 0;  ///< simulated time
-    bool in_world = true;            ///< as of the last look
+    bool in_world = true;            ///< at the last syncWithWorld
     Identity identity;               ///< of an app's body, when it was made breakable
 
     bool ownedHere() const { return owned.body != nullptr; }
@@ -40,23 +41,24 @@ struct Breakable {
     btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
 };
 
-/// The breakable bodies of one world, in the order in which they became so.
+/// The breakable bodies of one world, in the order in which they became breakable.
 class BreakableRegistry {
   public:
     Breakable& add(std::unique_ptr<Breakable> breakable);
     /// `object` is alive.
     Breakable* find(const btCollisionObject* object) const;
-    /// Takes an entry out; nullptr for other bodies.
+    /// Removes and returns an entry; nullptr for other bodies.
     std::unique_ptr<Breakable> take(const btCollisionObject* object);
-    /// Compares with what is in the world. Bodies that the app took out are forgotten if they are the app's
-    /// (they may be dead), and kept aside if they are ours.
-    void follow(const btAlignedObjectArray<btCollisionObject*>& in_world);
+    /// Updates `in_world` of every entry. Bodies that the app removed from the world are dropped if the app
+    /// owns them (they may be dead), and kept if they are ours.
+    void syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world);
 
     const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
 
   private:
     std::vector<std::unique_ptr<Breakable>> all_;
-    std::unordered_map<const btCollisionObject*, Breakable*> by_object_;  // for look-up only; never walked
+    std::unordered_map<const btCollisionObject*, Breakable*>
+        by_object_;  // for look-up only; never iterated over
 };
 
 }  // namespace sherd

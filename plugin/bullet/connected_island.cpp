@@ -13,7 +13,7 @@ namespace sherd {
 
 namespace {
 
-/// Which objects of the world belong together; entries are places in the world's array of objects.
+/// Union-find over the indices of the world's array of objects.
 class Groups {
   public:
     explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -27,8 +27,8 @@ class Groups {
     std::vector<int> parent_;
 };
 
-/// Fixed things carry no push from one body to another.
-bool conducts(const btCollisionObject& object) {
+/// Static and kinematic objects do not connect islands.
+bool connects(const btCollisionObject& object) {
     return object.getWorldArrayIndex() >= 0 && !object.isStaticOrKinematicObject();
 }
 
@@ -38,7 +38,7 @@ bool joins(const btPersistentManifold& manifold, btDispatcher& dispatcher) {
     return in_world && manifold.getNumContacts() > 0 && dispatcher.needsResponse(a, b);
 }
 
-/// Calls visit(object, object) for whatever pushes or holds two objects.
+/// Calls visit(object, object) for every contact and every joint between two objects.
 template <class Visit>
 void forEachJoint(btDiscreteDynamicsWorld& world, const Visit& visit) {
     btDispatcher& dispatcher = *world.getDispatcher();
@@ -59,12 +59,12 @@ Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btColli
     const auto& objects = world.getCollisionObjectArray();
     Groups groups(objects.size());
     forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {
-        if (conducts(a) && conducts(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
+        if (connects(a) && connects(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
     });
     std::vector<char> wanted(objects.size(), 0);
     for (const btCollisionObject* seed : seeds) wanted[groups.find(seed->getWorldArrayIndex())] = 1;
     const auto inside = [&](const btCollisionObject& object) {
-        return conducts(object) && wanted[groups.find(object.getWorldArrayIndex())];
+        return connects(object) && wanted[groups.find(object.getWorldArrayIndex())];
     };
 
     Island island;

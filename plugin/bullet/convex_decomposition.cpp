@@ -11,17 +11,18 @@ namespace sherd {
 
 namespace {
 
-constexpr int directions = 42;                // of the hulls that are only measured
-constexpr std::size_t compared_points = 500;  // points that cuts are compared by, about
+constexpr int directions = 42;  // of the hulls that are only used to compare volumes
+constexpr std::size_t compared_points =
+    500;  // size of the sample of points by which cuts are compared, about
 
-/// A part of the solid that cuts left.
+/// A part of the solid between cuts.
 struct Part {
-    std::vector<Vec3> points;  // of the surface, and where cuts cross it: their hull is that of the part
+    std::vector<Vec3> points;  // of the surface, and where cuts cross it; the hull of the part is theirs
     std::vector<std::array<int, 3>> triangles;
-    /// Close the surface where it was cut, for the volume only: fans about a point of the plane, whose signed
-    /// areas add up to the section.
+    /// These close the surface at the cuts, for the volume only: fans about a point of the plane, whose
+    /// signed areas add up to the area of the section.
     std::vector<std::array<Vec3, 3>> caps;
-    double air = 0;  // volume of the hull that is not solid, m^3
+    double air = 0;  // empty volume of the hull, m^3
 };
 
 struct Plane {
@@ -30,7 +31,7 @@ struct Plane {
     double height(const Vec3& x) const { return x[axis] - offset; }
 };
 
-/// Vertices in the same cell of a grid become one. The surface stays closed, so volumes can still be summed.
+/// Merges the vertices in each cell of a grid. The surface stays closed, so its volume is still defined.
 Part merged(const TriangleMesh& surface, double cell) {
     Part part;
     std::map<std::tuple<long, long, long>, int> point_of_cell;
@@ -63,12 +64,12 @@ double solidVolume(const Part& part) {
     return sum / 6;
 }
 
-/// A triangle (corners, and heights over the plane), as far as it lies above (or below), as a polygon.
+/// The part of a triangle (corners, and heights over the plane) above (or below) the plane, as a polygon.
 struct Clipped {
     std::array<Vec3, 4> corners;
     std::array<int, 4> old_corner;  // -1: on the plane
     int count = 0;
-    std::optional<std::array<Vec3, 2>> section;  // the side that lies in the plane
+    std::optional<std::array<Vec3, 2>> section;  // the edge in the plane
 };
 
 Clipped clip(const std::array<Vec3, 3>& x, const Plane& plane, bool above) {
@@ -143,7 +144,7 @@ std::vector<Plane> possibleCuts(const Part& part) {
     return cuts;
 }
 
-/// About what the two hulls would hold after a cut. To compare cuts by, a sample of the points is enough.
+/// Approximate volume of the two hulls after a cut, from a sample of the points: enough to compare cuts.
 double hullVolumesAfter(const Part& part, const Plane& plane) {
     const std::size_t stride = 1 + part.points.size() / compared_points;
     std::array<std::vector<Vec3>, 2> points;
@@ -154,7 +155,7 @@ double hullVolumesAfter(const Part& part, const Plane& plane) {
             const Vec3& a = part.points[part.triangles[t][i]];
             const Vec3& b = part.points[part.triangles[t][(i + 1) % 3]];
             const double h_a = plane.height(a), h_b = plane.height(b);
-            // Each edge belongs to two triangles, which run along it both ways.
+            // Each edge belongs to two triangles, once in either direction.
             if (h_a < 0 || h_b >= 0) continue;
             const Vec3 crossing = a + h_a / (h_a - h_b) * (b - a);
             points[0].push_back(crossing);

@@ -49,7 +49,7 @@ ConvexHull convexHull(const std::vector<Vec3>& points) {
 ConvexHull roughHull(const std::vector<Vec3>& points, int directions) {
     if (static_cast<int>(points.size()) <= directions) return convexHull(points);
     const auto count = static_cast<Eigen::Index>(points.size());
-    // A column a coordinate, so that the products below run over the points.
+    // One column per coordinate, so that the products below run over the points.
     Eigen::MatrixX3f coordinates =
         Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, count).transpose().cast<float>();
     Eigen::VectorXf heights(count);

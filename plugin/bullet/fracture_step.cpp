@@ -20,8 +20,8 @@ std::uint64_t mixed(std::uint64_t x) {
     return x ^ (x >> 31);
 }
 
-/// `strike` reports its failures in the outcome; this is for what no one foresees, such as memory running
-/// out.
+/// `strike` reports its failures in the outcome. This catches what it cannot report, such as running out of
+/// memory: nothing may throw through Bullet's step.
 BlowOutcome strikeWithoutThrowing(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed) {
     BlowOutcome outcome;
     try {
@@ -65,31 +65,31 @@ std::vector<btCollisionObject*> without(std::vector<btCollisionObject*> objects,
 
 void FractureWorld::Impl::beforeSolve() {
     to_delete_.clear();
-    breakables_.follow(world_.getCollisionObjectArray());
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
     const auto& all = breakables_.all();
-    watching_ =
+    any_breakable_ =
         std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
-    if (!watching_) return;
-    birth_overlaps_.forgive(world_);
+    if (!any_breakable_) return;
+    birth_overlaps_.applyAllowances(world_);
     before_.take(world_);
     write_back_.begin(world_);
 }
 
 void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) {
     time_s_ += info.m_timeStep;
-    if (watching_) {
+    if (any_breakable_) {
         ContactCollector collector(breakables_, before_, time_s_, info);
         feedSolvedContacts(world_, collector);
-        std::vector<Break> breaks = judge(collector.takeStruck());
-        if (!breaks.empty()) takeStepAgain(breaks, info, drawer);
+        std::vector<Break> breaks = evaluateBlows(collector.takeStruck());
+        if (!breaks.empty()) resolveIslands(breaks, info, drawer);
         write_back_.end(world_);
-        watching_ = false;
+        any_breakable_ = false;
     }
     markStepDone();
-    for (btRigidBody* body : std::exchange(to_remove_, {})) takeAway(body);
+    for (btRigidBody* body : std::exchange(to_remove_, {})) removeNow(body);
 }
 
-std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::judge(
+std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck) {
     std::vector<Break> breaks;
     for (const StruckBreakable& body : struck) {
@@ -108,8 +108,8 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::judge(
     return breaks;
 }
 
-void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btContactSolverInfo& info,
-                                        btIDebugDraw* drawer) {
+void FractureWorld::Impl::resolveIslands(std::vector<Break>& breaks, const btContactSolverInfo& info,
+                                         btIDebugDraw* drawer) {
     const Stopwatch watch;
     std::vector<btCollisionObject*> members;
     for (const Break& broken : breaks) members.push_back(broken.body);
@@ -117,17 +117,18 @@ void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btCont
     before_.restore(whole);
     members = whole.bodies;
 
-    std::vector<btCollisionObject*> newcomers;
+    std::vector<btCollisionObject*> new_bodies;
     for (Break& broken : breaks) {
         const std::vector<btCollisionObject*> fragments = swap(broken, info.m_timeStep);
         if (!fragments.empty()) members = without(std::move(members), broken.body);
-        newcomers.insert(newcomers.end(), fragments.begin(), fragments.end());
+        new_bodies.insert(new_bodies.end(), fragments.begin(), fragments.end());
     }
-    findContactsOf(world_, newcomers);
-    forgiveOverlapsOf(newcomers);
-    members.insert(members.end(), newcomers.begin(), newcomers.end());
+    findContactsOf(world_, new_bodies);
+    allowOverlapsAtBirth(new_bodies);
+    members.insert(members.end(), new_bodies.begin(), new_bodies.end());
 
-    // Fragments may touch what the whole body did not, and so draw other islands in.
+    // Fragments may touch bodies that the whole body did not, and their islands then have to be solved again
+    // too.
     Island pieces = connectedIsland(world_, members);
     before_.restore(pieces);
     for (btCollisionObject* body : pieces.bodies) body->activate();
@@ -136,12 +137,12 @@ void FractureWorld::Impl::takeStepAgain(std::vector<Break>& breaks, const btCont
         events_[broken.event].ms.resolve_step = watch.milliseconds() / breaks.size();
 }
 
-void FractureWorld::Impl::forgiveOverlapsOf(const std::vector<btCollisionObject*>& newcomers) {
+void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies) {
     std::vector<btCollisionObject*> may_overlap;
-    for (btCollisionObject* body : newcomers)
+    for (btCollisionObject* body : new_bodies)
         if (!breakables_.find(body)->owned.shape.disjoint) may_overlap.push_back(body);
     if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
-    birth_overlaps_.forgive(world_);
+    birth_overlaps_.applyAllowances(world_);
 }
 
 std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
@@ -162,7 +163,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
     event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);
     const btBroadphaseProxy& proxy = *broken.body->getBroadphaseHandle();
     const int group = proxy.m_collisionFilterGroup, mask = proxy.m_collisionFilterMask;
-    event.removed_constraints = takeOutOfWorld(world_, *broken.body);
+    event.removed_constraints = removeFromWorld(world_, *broken.body);
     addToWorld(world_, pieces, group, mask, time_step_s);
 
     const double unbreakable_until_s = time_s_ + parent.asset.solid()->settings().fracture.rest_after_break_s;
@@ -171,7 +172,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
         piece->unbreakable_until_s = unbreakable_until_s;
         event.fragments.push_back(piece->body);
         objects.push_back(piece->body);
-        enlist(std::move(piece));
+        registerBreakable(std::move(piece));
     }
     broken_.push_back(breakables_.take(broken.body));
     return objects;

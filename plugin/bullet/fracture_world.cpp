@@ -12,8 +12,8 @@ namespace sherd {
 
 namespace {
 
-// Bullet sets the step count to 0 when a step begins and never reads it. Anything else says that the solve is
-// over.
+// Bullet sets the step count to 0 when a step begins and never reads it, so another value marks the solve as
+// done.
 constexpr int solved = 1;
 
 bool isIn(const btDiscreteDynamicsWorld& world, const btRigidBody* body) {
@@ -28,9 +28,9 @@ FractureWorld::Impl::Impl(btDiscreteDynamicsWorld& world) : world_(world), decor
 }
 
 FractureWorld::Impl::~Impl() {
-    breakables_.follow(world_.getCollisionObjectArray());
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
     for (const auto& breakable : breakables_.all())
-        if (breakable->ownedHere() && breakable->in_world) takeOutOfWorld(world_, *breakable->body);
+        if (breakable->ownedHere() && breakable->in_world) removeFromWorld(world_, *breakable->body);
     world_.getDispatchInfo().m_stepCount = 0;
 }
 
@@ -42,7 +42,7 @@ void FractureWorld::Impl::markStepDone() {
     world_.getDispatchInfo().m_stepCount = solved;
 }
 
-Breakable& FractureWorld::Impl::enlist(std::unique_ptr<Breakable> breakable) {
+Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> breakable) {
     breakable->serial = next_serial_++;
     return breakables_.add(std::move(breakable));
 }
@@ -64,7 +64,7 @@ btRigidBody* FractureWorld::Impl::add(const BreakableAsset& asset, const btTrans
     breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;
     breakable->body->setCenterOfMassTransform(start * breakable->body_from_asset.inverse());
     world_.addRigidBody(breakable->body);
-    return enlist(std::move(breakable)).body;
+    return registerBreakable(std::move(breakable)).body;
 }
 
 Status FractureWorld::Impl::refusal(const btRigidBody* body) const {
@@ -81,7 +81,7 @@ Status FractureWorld::Impl::refusal(const btRigidBody* body) const {
 
 Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& material,
                                           const Settings& settings) {
-    breakables_.follow(world_.getCollisionObjectArray());
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
     if (const Status refused = refusal(body); !refused) return refused;
     const auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
@@ -93,7 +93,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     if (!asset) return Error{asset.error()};
     auto breakable = std::make_unique<Breakable>(asset.value());
     breakable->body = body;
-    enlist(std::move(breakable));
+    registerBreakable(std::move(breakable));
     return success();
 }
 
@@ -103,13 +103,13 @@ void FractureWorld::Impl::remove(btRigidBody* body) {
     if (insideStep())
         to_remove_.push_back(body);
     else
-        takeAway(body);
+        removeNow(body);
 }
 
-void FractureWorld::Impl::takeAway(btRigidBody* body) {
+void FractureWorld::Impl::removeNow(btRigidBody* body) {
     std::unique_ptr<Breakable> breakable = breakables_.take(body);
-    if (!breakable) return;  // asked for twice, or broken meanwhile
-    if (isIn(world_, body)) takeOutOfWorld(world_, *body);
+    if (!breakable) return;  // removal was requested twice, or the body broke in between
+    if (isIn(world_, body)) removeFromWorld(world_, *body);
     to_delete_.push_back(std::move(breakable));
 }
 
@@ -120,7 +120,7 @@ std::vector<BreakEvent> FractureWorld::Impl::takeEvents() {
 }
 
 std::vector<btRigidBody*> FractureWorld::Impl::bodies() {
-    breakables_.follow(world_.getCollisionObjectArray());
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
     std::vector<btRigidBody*> result;
     for (const auto& breakable : breakables_.all())
         if (breakable->in_world) result.push_back(breakable->body);

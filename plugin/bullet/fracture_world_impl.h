@@ -16,7 +16,8 @@
 
 namespace sherd {
 
-/// What a FractureWorld keeps, and what it does in a step: collect, judge, swap, solve again.
+/// The state of a FractureWorld and its part of a step: collect the contacts, evaluate the blows, swap broken
+/// bodies for their fragments, solve the islands concerned once more.
 class FractureWorld::Impl final : public StepListener {
   public:
     explicit Impl(btDiscreteDynamicsWorld& world);
@@ -37,38 +38,38 @@ class FractureWorld::Impl final : public StepListener {
     void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
 
   private:
-    /// A body that is to be swapped for its fragments.
+    /// A body that broke, to be swapped for its fragments.
     struct Break {
         btRigidBody* body = nullptr;
         BlowOutcome outcome;
         std::size_t event = 0;  // in events_
     };
 
-    std::vector<Break> judge(const std::vector<StruckBreakable>& struck);
-    void forgiveOverlapsOf(const std::vector<btCollisionObject*>& newcomers);
-    void takeStepAgain(std::vector<Break>& breaks, const btContactSolverInfo& info, btIDebugDraw* drawer);
+    std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck);
+    void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
+    void resolveIslands(std::vector<Break>& breaks, const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
     std::uint64_t seedOf(const Breakable& breakable) const;
-    Breakable& enlist(std::unique_ptr<Breakable> breakable);
+    Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status refusal(const btRigidBody* body) const;
     bool insideStep() const;
     void markStepDone();
-    void takeAway(btRigidBody* body);
+    void removeNow(btRigidBody* body);
 
     btDiscreteDynamicsWorld& world_;
     BreakableRegistry breakables_;
     BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
-    bool watching_ = false;  // this step: something breakable is awake
-    double time_s_ = 0;      // simulated since the hook was set
+    bool any_breakable_ = false;  // a breakable body is in the world; set before each solve
+    double time_s_ = 0;           // simulated since the hook was set
     std::uint64_t next_serial_ = 0;
     std::vector<BreakEvent> events_;
     BlowCounts counts_;
     std::string last_error_;
-    std::vector<btRigidBody*> to_remove_;  // asked for inside a step
-    // Bodies out of the world stay alive while an event that names them waits, and then until the next solve:
-    // contacts of the step under way may still point to them.
+    std::vector<btRigidBody*> to_remove_;  // requested inside a step, removed at its end
+    // Broken bodies are removed from the world and kept alive until their event is taken; after that, and
+    // after a removal, until the next solve, since contacts of the current step may still point to them.
     std::vector<std::unique_ptr<Breakable>> broken_;
     std::vector<std::unique_ptr<Breakable>> to_delete_;
     SolverDecorator decorator_;

@@ -16,8 +16,7 @@ Vec3 centreOf(const btRigidBody& body) {
     return fromBullet(body.getWorldTransform().getOrigin());
 }
 
-/// Inertia about the centre of mass, world axes; axes that the app locked with an infinite inertia count as
-/// nothing.
+/// Inertia about the centre of mass, world axes; 0 about axes that the app locked with an infinite inertia.
 Mat3 inertiaOf(const btRigidBody& body) {
     const Vec3 inverse = fromBullet(body.getInvInertiaDiagLocal());
     const Vec3 diagonal = (inverse.array() > 0).select(inverse.cwiseInverse(), 0);
@@ -25,7 +24,7 @@ Mat3 inertiaOf(const btRigidBody& body) {
     return axes * diagonal.asDiagonal() * axes.transpose();
 }
 
-/// All pieces held together.
+/// The pieces as one rigid body.
 struct Assembly {
     double mass = 0;
     Vec3 centre = Vec3::Zero();
@@ -47,7 +46,8 @@ Assembly assemble(const std::vector<btRigidBody*>& pieces) {
     return all;
 }
 
-/// Bullet scales applied forces by the factors of a body; what it scaled once must not be scaled again.
+/// Bullet multiplies applied forces by the factors of a body. Divides by them, so that they are not applied
+/// twice.
 Vec3 unscaled(const Vec3& v, const Vec3& factor) {
     return (factor.array() != 0).select(v.cwiseQuotient(factor), 0);
 }
@@ -72,7 +72,8 @@ void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
 
 void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
     const Vec3 force = fromBullet(whole.getTotalForce()), torque = fromBullet(whole.getTotalTorque());
-    // A body that slept when the step began was given no gravity. Its fragments are awake and get theirs.
+    // Bullet applies no gravity to a body that sleeps when the step begins. Its fragments are active and get
+    // theirs.
     const bool given_gravity = force.norm() > 0 || torque.norm() > 0;
     const Vec3 acceleration = given_gravity
                                   ? unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()))

@@ -6,13 +6,14 @@
 
 namespace sherd {
 
-/// Gives pieces, placed already, the rigid motion that has the linear and angular momentum of the whole. For
-/// a body made from an asset that is the whole's own velocity at each centre; a body of the app's may have
-/// been given an inertia or a centre that its shape has not, and then momentum is kept rather than spin.
+/// Gives the pieces, which are placed already, the common rigid motion that has the linear and angular
+/// momentum of the whole. For a body made from an asset this is the whole's own velocity at each centre. An
+/// app's body may have an inertia or a centre of mass that differs from its shape's; then momentum is
+/// conserved rather than spin.
 void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
-/// Splits the forces and the torque that wait for the solver (gravity, and what the app applied) as the
-/// acceleration of the rigid whole.
+/// Distributes the forces and torques that the solve will apply (gravity and the app's own), such that all
+/// pieces accelerate as parts of the rigid whole.
 void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
 /// Difference of linear and angular momentum (about the centre of the whole) between the whole and the

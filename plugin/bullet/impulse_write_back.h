@@ -4,8 +4,8 @@ class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
-/// Bullet's solvers write contact impulses back only when warm starting is on. Where the app has it off, this
-/// turns it on for one solve with a factor of 0, which changes no result, and takes the impulses away again
+/// Bullet's solvers write contact impulses back only when warm starting is on. Where the app has turned it
+/// off, this turns it on for one solve with a factor of 0, which changes no result, and clears the impulses
 /// afterwards.
 class ImpulseWriteBack {
   public:

@@ -13,8 +13,9 @@ namespace sherd {
 
 namespace {
 
-/// Entries are kept in the order of an array of Bullet's, whose entries know their index. Taking things out
-/// moves single entries, so the index is right for nearly all of them.
+/// Finds an entry of a copy of one of Bullet's arrays by the index that the original knows. Removals from
+/// Bullet's array move single entries, so the index is still right for nearly all; the others are searched
+/// for.
 template <class Entry, class Same>
 const Entry* lookUp(const std::vector<Entry>& entries, int likely_index, const Same& same) {
     const bool in_range = likely_index >= 0 && likely_index < static_cast<int>(entries.size());

@@ -16,7 +16,7 @@ struct btContactSolverInfo;
 
 namespace sherd {
 
-/// How an object moved when the solver was about to run.
+/// Transform and velocities of an object just before the solve.
 struct BodyState {
     const btCollisionObject* object = nullptr;
     btTransform transform;
@@ -27,8 +27,8 @@ struct BodyState {
     }
 };
 
-/// A group of bodies that push each other directly or through others, with what joins them. The order is the
-/// world's.
+/// A simulation island: bodies connected by contacts or joints, directly or through other bodies, and these
+/// contacts and joints. Each list is in the order of the world's own array.
 struct Island {
     std::vector<btCollisionObject*> bodies;  ///< dynamic rigid bodies and links of multi-bodies
     std::vector<btPersistentManifold*> manifolds;
@@ -37,14 +37,15 @@ struct Island {
     std::vector<btMultiBodyConstraint*> multi_body_constraints;
 };
 
-/// What a solve changes, kept from before it.
+/// A copy, made before the solve, of all that the solve changes.
 class StepSnapshot {
   public:
     void take(btDiscreteDynamicsWorld& world);
     /// nullptr for objects that were not in the world, or cannot move.
     const BodyState* find(const btCollisionObject* object) const;
-    /// Puts an island back to before the solve: velocities, transforms (split impulses move them), impulses
-    /// that warm the solver up, joints that the solve broke, and what multi-bodies were about to get.
+    /// Resets an island to its state before the solve: velocities, transforms (split impulses change them),
+    /// the impulses for warm starting, joints that the solve broke, and the pending velocities of
+    /// multi-bodies.
     void restore(const Island& island) const;
 
   private:
@@ -64,16 +65,16 @@ class StepSnapshot {
     void restorePoints(btPersistentManifold& manifold) const;
     void restoreConstraint(btTypedConstraint& constraint) const;
 
-    std::vector<BodyState> bodies_;         // as in the world's array of objects
-    std::vector<ManifoldState> manifolds_;  // as in the dispatcher's array
+    std::vector<BodyState> bodies_;         // in the order of the world's array of objects
+    std::vector<ManifoldState> manifolds_;  // in the order of the dispatcher's array
     std::vector<PointImpulses> points_;
     std::vector<ConstraintState> constraints_;
 };
 
-/// The islands that `seeds` belong to, as one, by the contacts and joints that there are now.
+/// The union of the islands of `seeds`, by the present contacts and joints.
 Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& seeds);
 
-/// Solves one island with the solver that the world itself would use.
+/// Solves one island with the solver, and the method of it, that the world itself would use.
 void solveIsland(btDiscreteDynamicsWorld& world, btConstraintSolver& solver, Island& island,
                  const btContactSolverInfo& info, btIDebugDraw* drawer);
 

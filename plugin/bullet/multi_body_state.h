@@ -8,8 +8,8 @@
 
 namespace sherd {
 
-/// What Featherstone multi-bodies need in a step that is taken again. A link is a collision object of its
-/// own, but it moves with its multi-body. In worlds of other kinds none of this does anything.
+/// What Featherstone multi-bodies need where an island is solved again. A link is a collision object of its
+/// own, but its motion is that of its multi-body. In worlds of other kinds these functions do nothing.
 
 /// Calls visit(object, object) for links of one multi-body and for multi-bodies that a constraint joins.
 void forEachMultiBodyJoint(
@@ -20,7 +20,7 @@ void forEachMultiBodyJoint(
 void addMultiBodies(btDiscreteDynamicsWorld& world,
                     const std::function<bool(const btCollisionObject&)>& inside, Island& island);
 
-/// Forgets the change of velocity that the solve has worked out but Bullet has not yet applied.
+/// Discards the change of velocity that the solve computed and Bullet has not applied yet.
 void dropPendingVelocity(btMultiBody& multi_body);
 
 /// Solves an island of a multi-body world; false in worlds of other kinds.

@@ -17,11 +17,12 @@ namespace {
 
 constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
-constexpr double margin_share = 0.02;   // of the smallest half extent: Bullet's 4 cm swallow a cup's wall
+constexpr double margin_share =
+    0.02;  // of the smallest half extent: Bullet's default of 4 cm exceeds a cup's wall
 constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
 constexpr double smallest_relative_volume =
-    1e-7;                              // volume over the cube of the length, below which a hull is none
-constexpr double detail_share = 0.25;  // of the wall, below which convex parts need not follow the surface
+    1e-7;                              // volume over the cube of the length; a smaller hull counts as flat
+constexpr double detail_share = 0.25;  // of the wall thickness; convex parts ignore smaller details
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
 Mat3 nearestToIdentity(const Mat3& axes) {
@@ -46,7 +47,7 @@ Mat3 principalAxes(const Mat3& inertia) {
     return nearestToIdentity(Eigen::SelfAdjointEigenSolver<Mat3>(inertia).eigenvectors());
 }
 
-/// The surface in the body's frame. Attributes are of no use to shapes.
+/// The surface in the body's frame, without attributes, which shapes do not use.
 TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_asset) {
     const Mat3 turn = fromBullet(body_from_asset.getBasis());
     const Vec3 offset = fromBullet(body_from_asset.getOrigin());

@@ -11,10 +11,11 @@
 
 namespace sherd {
 
-/// A collision shape with its children. Members die in reverse order: the compound before what it refers to.
+/// A collision shape with its children. Members are destroyed in reverse order: the compound before its
+/// children.
 struct OwnedShape {
-    bool disjoint =
-        false;  ///< from the shapes of other fragments of the same break: boxes of the body's own cells
+    bool disjoint = false;  ///< boxes of the body's own cells: does not overlap the shapes of other fragments
+                            ///< of the same break
     std::vector<std::unique_ptr<btCollisionShape>> children;
     std::unique_ptr<btCollisionShape> shape;
 };
@@ -33,11 +34,11 @@ struct PrincipalFrame {
 PrincipalFrame principalFrame(const Moments& moments);
 
 /// The shape that the solid's settings ask for, in the body's frame; `boxes` are in the asset's. Without
-/// boxes the hull of the surface stands in for them, and they for a hull that is flat.
+/// boxes it falls back to the hull of the surface, and with a hull that is flat to the boxes.
 OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
                      const btTransform& body_from_asset);
 
-/// A rigid body of the solid's mass times `mass_scale`, at the world's origin, in no world yet.
+/// A rigid body of the solid's mass times `mass_scale`, at the world's origin, not in a world yet.
 OwnedBody makeRigidBody(const BreakableSolid& solid, const std::vector<Box>& boxes, double mass_scale = 1);
 
 }  // namespace sherd

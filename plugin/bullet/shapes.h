@@ -11,17 +11,16 @@ class btConvexShape;
 
 namespace sherd {
 
-/// Points whose convex hull is the shape (exactly for polyhedra) or stands for it (round shapes). Shape's
-/// frame, m.
+/// Points whose convex hull is the shape (exactly for polyhedra, approximately for round shapes), in the
+/// shape's frame, m.
 std::vector<Vec3> supportPoints(const btConvexShape& shape);
 
 /// The convex parts of a convex shape or of a compound of such, to any depth, each as the points of its hull
 /// in the frame of `shape`. The error names the child that is not convex.
 Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape);
 
-/// Radius of curvature of a striking shape: of spheres, capsules, cylinders and their like, m; 0 for all
-/// others, whose surface is flat or not known. `child` is the index that Bullet's contact point carries, -1
-/// when it has none.
+/// Radius of curvature, m, of spheres, capsules, cylinders and the like; 0 for other shapes, whose surface is
+/// flat or unknown. `child` is the index of the child shape in Bullet's contact point, -1 if it has none.
 double strikingRadius(const btCollisionShape& shape, int child);
 
 }  // namespace sherd

@@ -11,13 +11,14 @@ SolverDecorator::SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& l
       listener_(listener),
       inner_(world.getConstraintSolver()),
       world_owned_inner_(WorldInternals::ownsSolver(world)) {
-    // Otherwise setConstraintSolver would free the solver that is to be forwarded to.
+    // Otherwise setConstraintSolver would free the solver that this one forwards to.
     WorldInternals::ownsSolver(world_) = false;
     world_.setConstraintSolver(this);
 }
 
 SolverDecorator::~SolverDecorator() {
-    // Another hook may stand around this one: it goes on with what was inside.
+    // Another decorator may be around this one: from now on it forwards to the solver that this one forwarded
+    // to.
     for (auto* outer = dynamic_cast<SolverDecorator*>(world_.getConstraintSolver()); outer;
          outer = dynamic_cast<SolverDecorator*>(outer->inner_)) {
         if (outer->inner_ != this) continue;
@@ -29,8 +30,8 @@ SolverDecorator::~SolverDecorator() {
         world_.setConstraintSolver(inner_);
         WorldInternals::ownsSolver(world_) = world_owned_inner_;
     } else if (world_owned_inner_) {
-        // The app has put in another solver since; the one that the world had made is ours to free, the
-        // world's way.
+        // The app has set another solver since. The world's own solver then belongs to nobody else and is
+        // freed as the world would free it.
         inner_->~btConstraintSolver();
         btAlignedFree(inner_);
     }
@@ -60,8 +61,8 @@ void SolverDecorator::reset() {
 }
 
 btConstraintSolverType SolverDecorator::getSolverType() const {
-    // A world that reads "multi-body" here casts the pointer to btMultiBodyConstraintSolver, which this is
-    // not. Such a world keeps a pointer of its own to its solver and goes on using that one.
+    // A world that reads BT_MULTIBODY_SOLVER here casts this object to btMultiBodyConstraintSolver, which it
+    // is not. Multi-body worlds keep a second pointer to their solver and go on using that one.
     const btConstraintSolverType type = inner_->getSolverType();
     return type == BT_MULTIBODY_SOLVER ? BT_SEQUENTIAL_IMPULSE_SOLVER : type;
 }

@@ -7,8 +7,8 @@ struct btContactSolverInfo;
 
 namespace sherd {
 
-/// Told before the contacts of a step are solved and after, when impulses are valid and positions not yet
-/// integrated.
+/// Called before the constraints of a step are solved, and after, when impulses are valid and positions are
+/// not integrated yet.
 class StepListener {
   public:
     virtual ~StepListener() = default;
@@ -16,9 +16,9 @@ class StepListener {
     virtual void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) = 0;
 };
 
-/// Stands around a world's constraint solver and forwards to it; keeps no state of a solve, so islands may be
-/// solved in parallel. Puts itself into the world when made and gives the world its own solver back when
-/// destroyed.
+/// Decorates a world's constraint solver: forwards every call and tells the listener. Has no state of its own
+/// during a solve, so islands may be solved in parallel. The constructor installs it in the world, the
+/// destructor puts the world's own solver back.
 class SolverDecorator final : public btConstraintSolver {
   public:
     SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& listener);
