@@ -224,7 +224,8 @@ TEST(CollisionShapes, PartedFragmentsArePushedApartAsAllOthers) {
             cup.scene.step();
             return (deepest.a->getWorldTransform().getOrigin() - place).length();
         };
-        EXPECT_LT(wayInAStepFrom(home.getOrigin()), 1e-6) << "where they were born the penetration is allowed";
+        EXPECT_LT(wayInAStepFrom(home.getOrigin()), 1e-6)
+            << "where they were born the penetration is allowed";
         wayInAStepFrom(home.getOrigin() + btVector3(2, 0, 0));
         EXPECT_GT(wayInAStepFrom(home.getOrigin()), 1e-4) << "back from elsewhere they are not";
     }
