@@ -39,6 +39,7 @@ void readConstants(Fields& fields, Material& material) {
     fields.read("compressive_strength_pa", material.compressive_strength_pa);
     fields.read("weibull_modulus", material.weibull_modulus);
     fields.read("weibull_volume_m3", material.weibull_volume_m3);
+    fields.read("failure_criterion", material.failure_criterion);
     requireValid(material.validate(), fields.path());
 }
 

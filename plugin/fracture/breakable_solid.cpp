@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/damage/damage.h"
+#include "core/damage/particle_strengths.h"
 #include "core/loads/surface_region.h"
 #include "core/mlpg/splines/spacing_choice.h"
 #include "core/numerics/stopwatch.h"
@@ -105,6 +105,10 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     piece->spacing_ = wishedSpacing(sampling, volume, piece->wall_thickness_);
     piece->smallest_fragment_m3_ = smallest_fragment_m3_;
     return piece;
+}
+
+const FailureCriterion& BreakableSolid::failureCriterion() const {
+    return *sherd::failureCriterion(material_.failure_criterion);
 }
 
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() const {

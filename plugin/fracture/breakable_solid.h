@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "core/damage/failure_criterion.h"
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
 
@@ -29,6 +30,8 @@ class BreakableSolid {
     const TriangleMesh& surface() const { return surface_; }
     const Material& material() const { return material_; }
     const Settings& settings() const { return settings_; }
+    /// The criterion that the material names.
+    const FailureCriterion& failureCriterion() const;
     const Moments& moments() const { return moments_; }
     const std::vector<SurfaceRegion>& supports() const { return supports_; }
     double mass() const { return material_.density_kg_m3 * moments_.volume; }

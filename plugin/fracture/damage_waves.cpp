@@ -24,8 +24,8 @@ Result<Damage> furtherWaves(const BreakableSolid& body, const std::vector<PointF
         ms.stress += stress.value().recovery_ms;
 
         const Stopwatch watch;
-        Damage further = damagedParticles(stress.value(), peak_force_n, *solid.value(), strength.of_particle,
-                                          strength.compressive_over_tensile, damage.damaged);
+        Damage further =
+            damagedParticles(stress.value(), peak_force_n, *solid.value(), strength, damage.damaged);
         // Damaged particles are free of stress by now; how far they were over their strength still counts.
         for (std::size_t i = 0; i < further.overstress.size(); ++i)
             further.overstress[i] = std::max(further.overstress[i], damage.overstress[i]);

@@ -9,12 +9,6 @@
 
 namespace sherd {
 
-/// What the damage of a blow depends on, beside the stress.
-struct Strength {
-    const std::vector<double>& of_particle;  ///< Pa
-    double compressive_over_tensile = 1;
-};
-
 /// Goes on after the damage of the first solve: the stress without the damaged particles, under the same
 /// force, damages more of them, until no more are damaged or the settings' number of waves is reached (paper,
 /// section 6.1). Adds the time to `ms`.

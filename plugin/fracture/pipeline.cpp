@@ -7,6 +7,7 @@
 #include "core/clustering/clusters.h"
 #include "core/clustering/merge_labels.h"
 #include "core/damage/damage.h"
+#include "core/damage/particle_strengths.h"
 #include "core/loads/contact_loads.h"
 #include "core/loads/contact_pulse.h"
 #include "core/numerics/stopwatch.h"
@@ -40,11 +41,6 @@ auto timed(double& milliseconds, const Stage& stage) {
 
 void addSentence(std::string& message, const std::string& sentence) {
     if (!sentence.empty()) message += (message.empty() ? "" : " ") + sentence;
-}
-
-Strength strengthOf(const BreakableSolid& body, const Discretisation& solid) {
-    const Material& material = body.material();
-    return {body.strengths(solid), material.compressive_strength_pa / material.tensile_strength_pa};
 }
 
 const StressSolver& preparedSolver(const BreakableSolid& body, StageTimes& ms) {
@@ -96,11 +92,9 @@ void runStages(const BreakableSolid& body, const Blow& blow, std::uint64_t seed,
     out.ms.solve = unit_stress.solve_ms;
     out.ms.stress = unit_stress.recovery_ms;
 
-    const Strength strength = strengthOf(body, solid);
-    Damage damage = timed(out.ms.damage, [&] {
-        return damagedParticles(unit_stress, pulse.peak_force_n, solid, strength.of_particle,
-                                strength.compressive_over_tensile);
-    });
+    const Strength strength{body.failureCriterion(), material, body.strengths(solid)};
+    Damage damage = timed(out.ms.damage,
+                          [&] { return damagedParticles(unit_stress, pulse.peak_force_n, solid, strength); });
     out.largest_stress_pa = damage.largest_stress_pa;
     out.damaged_particles = damage.count;
     if (damage.count == 0 || energy < smallestCrackEnergy(body)) return;
@@ -131,16 +125,14 @@ void runStages(const BreakableSolid& body, const Blow& blow, std::uint64_t seed,
 
 bool canBreak(const BreakableSolid& body, const Blow& blow) {
     // The body can store no more than the blow brings, and both of these must be paid for:
-    // a particle at its strength s stores at least s^2 / (2 E) (1 - 2 nu^2 / (1 - nu)) a volume, the least
-    // energy density of any stress whose largest principal value is s; and a crack through the thinnest
-    // section costs its faces (Griffith).
+    // a particle that fails stores at least what the criterion says; and a crack through the thinnest section
+    // costs its faces (Griffith).
     const double energy = blowEnergy(blow);
     if (!(energy > smallestCrackEnergy(body))) return false;
     const Material& m = body.material();
     const double share = std::min(std::pow(body.spacing(), 3), body.moments().volume);
     const double s = m.tensile_strength_pa * weakestStrengthFraction(m, share) * body.weakestPlace();
-    const double nu = m.poisson_ratio;
-    const double density = s * s / (2 * m.youngs_modulus_pa) * (1 - 2 * nu * nu / (1 - nu));
+    const double density = body.failureCriterion().least_energy_density_j_m3(s, m);
     return energy > density * body.settings().sampling.smallest_fill * share;
 }
 

@@ -9,7 +9,7 @@ namespace {
 Material materialOf(const JsonEntry& entry) {
     entry.allowOnly({"name", "like", "youngs_modulus_pa", "poisson_ratio", "density_kg_m3",
                      "tensile_strength_pa", "fracture_energy_j_m2", "strength_scatter",
-                     "compressive_strength_pa", "weibull_modulus", "weibull_volume_m3"});
+                     "compressive_strength_pa", "weibull_modulus", "weibull_volume_m3", "failure_criterion"});
     Material material;
     const bool complete = entry.has("like");
     if (complete) {
@@ -33,6 +33,7 @@ Material materialOf(const JsonEntry& entry) {
     read("compressive_strength_pa", material.compressive_strength_pa, false);
     read("weibull_modulus", material.weibull_modulus, false);
     read("weibull_volume_m3", material.weibull_volume_m3, false);
+    if (entry.has("failure_criterion")) material.failure_criterion = entry["failure_criterion"].text();
     if (const Status valid = material.validate(); !valid) throw BadEntry{valid.error()};
     return material;
 }

@@ -61,7 +61,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
         R"(, "seed": 5, "duration_s": 3, "gravity_m_s2": [0, 0, -1.6], "floor": {"friction": 0.1},
            "balls": [{"diameter_m": 0.3, "velocity_m_s": [0, 4, 0]}])",
         R"({"shape": {"obj": "../thing.obj"}, "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2], "spin_rad_s": [1, 0, 0],
-            "material": {"like": "glass", "density_kg_m3": 2600}, "look": {"gloss": 0.5},
+            "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"}, "look": {"gloss": 0.5},
             "settings": {"quality": "film", "sampling": {"smallest_count": 3000}, "stress": {"resampling_rounds": 1},
                          "contact": {"smallest_patch": 0.3},
                          "fracture": {"fragment_count": 7, "guide": {"kind": "radial", "penalty": 0.1}}}})")));
@@ -76,6 +76,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(fs::path(std::get<demo::ObjFile>(thing.shape).path),
               (fs::path(testing::TempDir()) / "thing.obj").lexically_normal());
     EXPECT_EQ(thing.material.density_kg_m3, 2600);
+    EXPECT_EQ(thing.material.failure_criterion, "mohr_coulomb");
     EXPECT_EQ(thing.material.youngs_modulus_pa, sherd::Material::glass().youngs_modulus_pa);
     EXPECT_EQ(thing.spin, Vec3(1, 0, 0));
     EXPECT_EQ(thing.look.gloss, 0.5);

@@ -81,6 +81,81 @@ TEST(Strike, TheBoundNeverHidesABreak) {
     }
 }
 
+/// Plaster that is crushed at three times its tensile strength, and whose cracks cost little.
+Material crushable(const std::string& failure_criterion) {
+    Material material = Material::plaster();
+    material.strength_scatter = 0;
+    material.fracture_energy_j_m2 = 0.05;
+    material.compressive_strength_pa = 3 * material.tensile_strength_pa;
+    material.failure_criterion = failure_criterion;
+    return material;
+}
+
+/// A cube of 0.1 m, struck from above and from below at once by 0.5 kg each.
+BlowOutcome squeezeCube(const Material& material, double speed, const Settings& settings,
+                        bool* passes = nullptr) {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3::Constant(-0.05), Vec3::Constant(0.05)),
+                                                material, settings);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    Blow blow = blowInTheMiddle(0.5, speed);
+    blow.contacts.push_back(blow.contacts[0]);
+    for (const int side : {0, 1}) {
+        ContactImpulse& contact = blow.contacts[side];
+        contact.normal = Vec3::UnitZ() * (side ? 1 : -1);
+        contact.point = -0.05 * contact.normal;
+        contact.impulse = 0.5 * speed * contact.normal;
+        contact.partner_radius_m = 0.1;
+    }
+    if (passes) *passes = canBreak(*asset.value().solid(), blow);
+    return strike(*asset.value().solid(), blow, 1);
+}
+
+// In the middle of a squeezed cube is tension across the load and some three times as much compression along
+// it (the Brazilian test): neither reaches its strength where both together do.
+TEST(Strike, TensionAcrossCompressionBreaksByMohrCoulombOnly) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.0125;
+    settings.fracture.strength_field = [](const Vec3& x) { return std::abs(x.z()) < 0.026 ? 1.0 : 100.0; };
+    const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
+    EXPECT_EQ(squeezeCube(rankine, 4.9, settings).outcome, BreakEvent::Outcome::held);
+    const BlowOutcome broken = squeezeCube(coulomb, 4.9, settings);
+    EXPECT_EQ(broken.outcome, BreakEvent::Outcome::broke) << broken.message;
+    EXPECT_LT(broken.largest_stress_pa, coulomb.tensile_strength_pa * 1.2);
+}
+
+// Right under a contact there is compression from all sides, which crushes by the largest compression, and
+// not by Mohr-Coulomb, where side pressure strengthens.
+TEST(Strike, CompressionFromAllSidesCrushesByTheLargestCompressionOnly) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.0125;
+    settings.contact.largest_patch = 1;
+    const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
+    const BlowOutcome broken = squeezeCube(rankine, 3.7, settings);
+    EXPECT_EQ(broken.outcome, BreakEvent::Outcome::broke) << broken.message;
+    EXPECT_LT(broken.largest_stress_pa, rankine.tensile_strength_pa);
+    EXPECT_EQ(squeezeCube(coulomb, 3.7, settings).outcome, BreakEvent::Outcome::held);
+}
+
+// The same with cracks that cost nothing, so that the bound is that of the failure criterion.
+TEST(Strike, TheBoundOfAFailureCriterionNeverHidesABreak) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.025;
+    for (const FailureCriterion* criterion : failureCriteria()) {
+        Material material = crushable(criterion->name);
+        material.fracture_energy_j_m2 = 1e-12;
+        int skipped = 0, broke = 0;
+        for (double speed = 0.001; speed < 10; speed *= 2) {
+            bool passes = false;
+            const BlowOutcome out = squeezeCube(material, speed, settings, &passes);
+            skipped += !passes;
+            broke += out.outcome == BreakEvent::Outcome::broke;
+            EXPECT_TRUE(passes || out.damaged_particles == 0) << criterion->name << " " << speed;
+        }
+        EXPECT_GT(skipped, 0);
+        EXPECT_GT(broke, 0);
+    }
+}
+
 TEST(Strike, PressingContactsCannotBreak) {
     const auto body = plate(Material::plaster());
     Blow blow = blowInTheMiddle(1, 10);

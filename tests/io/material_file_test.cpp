@@ -27,7 +27,7 @@ const std::string needed = R"("youngs_modulus_pa": 5e10, "poisson_ratio": 0.2, "
 TEST(MaterialFile, GivesEveryField) {
     const auto tile =
         read("{" + needed + R"(, "name": "tile", "strength_scatter": 0.3, "compressive_strength_pa": 2e8,
-        "weibull_modulus": 9, "weibull_volume_m3": 2e-6})");
+        "weibull_modulus": 9, "weibull_volume_m3": 2e-6, "failure_criterion": "mohr_coulomb"})");
     ASSERT_TRUE(tile.ok()) << tile.error();
     const Material& m = tile.value();
     EXPECT_EQ(m.name, "tile");
@@ -40,6 +40,7 @@ TEST(MaterialFile, GivesEveryField) {
     EXPECT_EQ(m.compressive_strength_pa, 2e8);
     EXPECT_EQ(m.weibull_modulus, 9);
     EXPECT_EQ(m.weibull_volume_m3, 2e-6);
+    EXPECT_EQ(m.failure_criterion, "mohr_coulomb");
 }
 
 TEST(MaterialFile, TakesTheRestFromTheMaterialItIsLike) {
@@ -61,6 +62,8 @@ TEST(MaterialFile, WhatIsWrongIsNamed) {
                 "lacks the key \"youngs_modulus_pa\"; give it, or the material that gives it as \"like\"");
     expectError(R"({"like": "glass", "poisson_ratio": "high"})", "\"poisson_ratio\" must be a number");
     expectError(R"({"like": "glass", "poisson_ratio": 0.5})", "poisson_ratio is 0.5 but must be between");
+    expectError(R"({"like": "glass", "failure_criterion": "none"})",
+                "but must be one of largest_principal_stress,");
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <sherd/material.h>
 
+#include "core/damage/failure_criterion.h"
 #include "core/numerics/range_checks.h"
 
 namespace sherd {
@@ -21,6 +22,8 @@ Status Material::validate() const {
         .require(isPositive(weibull_volume_m3), "weibull_volume_m3", weibull_volume_m3, "positive, in m^3")
         .require(isPositive(fracture_energy_j_m2), "fracture_energy_j_m2", fracture_energy_j_m2,
                  "positive, in J/m^2")
+        .require(failureCriterion(failure_criterion) != nullptr, "failure_criterion",
+                 "'" + failure_criterion + "'", ("one of " + failureCriterionNames()).c_str())
         .status();
 }
 

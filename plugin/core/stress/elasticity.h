@@ -22,6 +22,15 @@ struct Elasticity {
     Mat3 stress(const Mat3& gradient) const {
         return lambda_pa * gradient.trace() * Mat3::Identity() + mu_pa * (gradient + gradient.transpose());
     }
+
+    /// The least energy density, J/m^3, of all principal stresses s (in any order) with `weights` . s =
+    /// `value_pa`. The energy density is s . C^-1 s / 2 with C = lambda (1 1^T) + 2 mu I, so that the least
+    /// is at s = C weights value / (weights . C weights), and is value^2 / (2 weights . C weights).
+    double leastEnergyDensity(const Vec3& weights, double value_pa) const {
+        const double stiffness =
+            lambda_pa * weights.sum() * weights.sum() + 2 * mu_pa * weights.squaredNorm();
+        return value_pa * value_pa / (2 * stiffness);
+    }
 };
 
 inline Voigt toVoigt(const Mat3& s) {

@@ -2,72 +2,32 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <stdexcept>
-
 namespace {
 
 using namespace sherd;
 
-std::vector<Particle> particlesOf(std::size_t count, double volume_m3) {
-    Particle particle;
-    particle.volume = volume_m3;
-    return std::vector<Particle>(count, particle);
-}
-
-double meanOf(const std::vector<double>& values) {
-    double sum = 0;
-    for (double value : values) sum += value / values.size();
-    return sum;
-}
-
-TEST(Damage, StrengthsHaveTheMeanAndScatterOfTheMaterial) {
+/// Damage of particles of one tensile strength, in a material whose compressive strength is a multiple of its
+/// tensile one, or that is never crushed.
+Damage damageOf(const StressField& stress, double scale, const Discretisation& sampling, double strength_pa,
+                double compressive_over_tensile, const std::vector<char>& damaged = {},
+                const char* criterion = "largest_principal_stress") {
     Material material;
-    material.tensile_strength_pa = 4e7;
-    material.strength_scatter = 0.1;
-    const auto particles = particlesOf(20000, 1e-6);
-    const auto strengths = particleStrengths(material, particles, 7);
-    const double mean = meanOf(strengths);
-    double square = 0;
-    for (double s : strengths) square += (s - mean) * (s - mean) / strengths.size();
-    EXPECT_NEAR(mean / 4e7, 1, 0.003);
-    EXPECT_NEAR(std::sqrt(square) / 4e6, 1, 0.03);
-    EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()),
-              4e7 * weakestStrengthFraction(material, 1e-6));
-    EXPECT_EQ(strengths, particleStrengths(material, particles, 7));
-    EXPECT_NE(strengths, particleStrengths(material, particles, 8));
+    if (compressive_over_tensile > 0)
+        material.compressive_strength_pa = compressive_over_tensile * material.tensile_strength_pa;
+    const std::vector<double> strengths(sampling.particles.size(), strength_pa);
+    return damagedParticles(stress, scale, sampling, {*failureCriterion(criterion), material, strengths},
+                            damaged);
 }
 
-// Weibull: mean sigma_0 (V_0 / V)^(1/m), coefficient of variation sqrt(Gamma(1 + 2/m) / Gamma(1 + 1/m)^2 -
-// 1).
-TEST(Damage, WeibullStrengthsFallWithSize) {
-    Material material;
-    material.tensile_strength_pa = 4e7;
-    material.weibull_modulus = 8;
-    material.weibull_volume_m3 = 1e-6;
-    ASSERT_TRUE(material.validate().ok());
-    for (const double volume : {1e-8, 1e-6, 1e-3}) {
-        const auto strengths = particleStrengths(material, particlesOf(40000, volume), 3);
-        const double expected = 4e7 * std::pow(1e-6 / volume, 1 / 8.0), mean = meanOf(strengths);
-        EXPECT_NEAR(mean / expected, 1, 0.005);
-        double square = 0;
-        for (double s : strengths) square += (s / mean - 1) * (s / mean - 1) / strengths.size();
-        EXPECT_NEAR(std::sqrt(square), std::sqrt(std::tgamma(1.25) / std::pow(std::tgamma(1.125), 2) - 1),
-                    0.004);
-        EXPECT_GE(*std::min_element(strengths.begin(), strengths.end()),
-                  4e7 * weakestStrengthFraction(material, volume) * (1 - 1e-12));
-    }
-}
+constexpr double never_crushed = 0;
 
 TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes) {
-    Discretisation solid;
-    solid.particles.resize(4);
-    solid.cells.resize(4);
-    for (int i = 0; i < 4; ++i) solid.cells[i].particle = i;
-    solid.surface_points.resize(1);
-    solid.surface_points[0].cell = 3;
+    Discretisation sampling;
+    sampling.particles.resize(4);
+    sampling.cells.resize(4);
+    for (int i = 0; i < 4; ++i) sampling.cells[i].particle = i;
+    sampling.surface_points.resize(1);
+    sampling.surface_points[0].cell = 3;
     StressField stress;
     stress.particles.assign(4, Voigt::Zero());
     stress.surface.assign(1, Voigt::Zero());
@@ -75,42 +35,37 @@ TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes
     stress.particles[1] << -9, -9, -9, 0, 0, 0;
     stress.particles[2] << 0, 0, 0, 2.5, 0, 0;  // shear: tension at 45 degrees
     stress.surface[0] << 0, 5, 0, 0, 0, 0;
-    const double never = std::numeric_limits<double>::infinity();
-    const Damage damage = damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), never);
+    const Damage damage = damageOf(stress, 2, sampling, 4.5, never_crushed);
     EXPECT_EQ(damage.damaged, (std::vector<char>{1, 0, 1, 1}));
     EXPECT_EQ(damage.count, 3);
     EXPECT_NEAR(damage.largest_stress_pa, 10, 1e-12);
     EXPECT_NEAR(damage.overstress[0], 6 / 4.5, 1e-12);
     // 2 x 9 of compression against 3 x 4.5.
-    const Damage crushed = damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), 3);
+    const Damage crushed = damageOf(stress, 2, sampling, 4.5, 3);
     EXPECT_EQ(crushed.damaged, (std::vector<char>{1, 1, 1, 1}));
     EXPECT_NEAR(crushed.overstress[1], 18 / 13.5, 1e-12);
-    EXPECT_EQ(damagedParticles(stress, 2, solid, std::vector<double>(4, 4.5), 4.1).damaged[1], 0);
+    EXPECT_EQ(damageOf(stress, 2, sampling, 4.5, 4.1).damaged[1], 0);
 }
 
-TEST(Damage, AStrengthFieldScalesEveryParticleAtItsPlace) {
-    auto particles = particlesOf(3, 1e-6);
-    for (int i = 0; i < 3; ++i) particles[i].position = Vec3(i, 0, 0);
-    const auto plain = particleStrengths(Material::glass(), particles, 5);
-    const auto painted =
-        particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return x.x() + 0.5; });
-    for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(painted[i], plain[i] * (i + 0.5));
-    try {
-        particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return 1 - x.x(); });
-        FAIL();
-    } catch (const std::invalid_argument& trouble) {
-        EXPECT_STREQ(
-            trouble.what(),
-            "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
-    }
+TEST(Damage, IsWhatTheCriterionSays) {
+    Discretisation sampling;
+    sampling.particles.resize(1);
+    StressField stress;
+    stress.particles.assign(1, Voigt::Zero());
+    stress.particles[0] << 0.6, 0, -1.8, 0, 0, 0;
+    EXPECT_EQ(damageOf(stress, 1, sampling, 1, 3).count, 0);
+    const Damage sheared = damageOf(stress, 1, sampling, 1, 3, {}, "mohr_coulomb");
+    EXPECT_EQ(sheared.count, 1);
+    EXPECT_NEAR(sheared.overstress[0], 1.2, 1e-12);
+    EXPECT_NEAR(sheared.largest_stress_pa, 0.6, 1e-12);
 }
 
 TEST(Damage, WhatIsDamagedStaysSo) {
-    Discretisation solid;
-    solid.particles.resize(2);
+    Discretisation sampling;
+    sampling.particles.resize(2);
     StressField stress;
     stress.particles.assign(2, Voigt::Zero());
-    const Damage damage = damagedParticles(stress, 1, solid, {1, 1}, 1, {1, 0});
+    const Damage damage = damageOf(stress, 1, sampling, 1, never_crushed, {1, 0});
     EXPECT_EQ(damage.damaged, (std::vector<char>{1, 0}));
     EXPECT_EQ(damage.count, 1);
 }

@@ -53,6 +53,9 @@ TEST(Material, WhatIsOutOfRangeIsNamed) {
                    "deviation over mean).");
     expectSentence([](Material& m) { m.fracture_energy_j_m2 = 0; },
                    "Material 'glass': fracture_energy_j_m2 is 0 but must be positive, in J/m^2.");
+    expectSentence([](Material& m) { m.failure_criterion = "rankine"; },
+                   "Material 'glass': failure_criterion is 'rankine' but must be one of "
+                   "largest_principal_stress, mohr_coulomb.");
 }
 
 TEST(Material, IsFoundByItsName) {

@@ -1,5 +1,6 @@
+#include "core/stress/principal_stresses.h"
+
 #include <gtest/gtest.h>
-#include <sherd/stress_field.h>
 
 #include <Eigen/Eigenvalues>
 
@@ -26,6 +27,13 @@ TEST(LargestPrincipal, MatchesTheIterativeSolver) {
     EXPECT_EQ(toVoigt(tensor), stress);
     const Eigen::SelfAdjointEigenSolver<Mat3> spectrum(tensor);
     EXPECT_NEAR(largestPrincipal(stress), spectrum.eigenvalues()[2], 1e-12);
+    const PrincipalStresses principal = principalStresses(stress), mirrored = principalStresses(-stress);
+    EXPECT_EQ(principal.largest, largestPrincipal(stress));
+    EXPECT_NEAR(principal.middle, spectrum.eigenvalues()[1], 1e-12);
+    EXPECT_NEAR(principal.smallest, spectrum.eigenvalues()[0], 1e-12);
+    EXPECT_EQ(mirrored.smallest, -principal.largest);
+    EXPECT_EQ(mirrored.middle, -principal.middle);
+    EXPECT_EQ(mirrored.largest, -principal.smallest);
 }
 
 // sigma = E eps in uniaxial tension, where the lateral strain is -nu eps; a rotation makes no stress.

@@ -1,6 +1,7 @@
-#include <sherd/stress_field.h>
+#include "core/stress/principal_stresses.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "core/stress/elasticity.h"
@@ -14,6 +15,15 @@ double largestPrincipal(const Voigt& stress) {
     Eigen::SelfAdjointEigenSolver<Mat3> spectrum;
     spectrum.computeDirect(toMatrix(stress / scale), Eigen::EigenvaluesOnly);
     return scale * spectrum.eigenvalues()[2];
+}
+
+PrincipalStresses principalStresses(const Voigt& stress) {
+    PrincipalStresses principal;
+    principal.largest = largestPrincipal(stress);
+    principal.smallest = -largestPrincipal(-stress);
+    const double rest = stress[0] + stress[1] + stress[2] - (principal.largest + principal.smallest);
+    principal.middle = std::min(std::max(rest, principal.smallest), principal.largest);
+    return principal;
 }
 
 }  // namespace sherd

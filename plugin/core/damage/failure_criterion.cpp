@@ -1,0 +1,31 @@
+#include "core/damage/failure_criterion.h"
+
+namespace sherd {
+
+// One line a criterion.
+#define SHERD_FAILURE_CRITERIA(criterion) criterion(largest_principal_stress) criterion(mohr_coulomb)
+
+#define SHERD_DECLARED(name) extern const FailureCriterion name;
+#define SHERD_LISTED(name) &name,
+
+SHERD_FAILURE_CRITERIA(SHERD_DECLARED)
+
+const std::vector<const FailureCriterion*>& failureCriteria() {
+    static const std::vector<const FailureCriterion*> all = {SHERD_FAILURE_CRITERIA(SHERD_LISTED)};
+    return all;
+}
+
+const FailureCriterion* failureCriterion(const std::string& name) {
+    for (const FailureCriterion* criterion : failureCriteria())
+        if (criterion->name == name) return criterion;
+    return nullptr;
+}
+
+std::string failureCriterionNames() {
+    std::string names;
+    for (const FailureCriterion* criterion : failureCriteria())
+        names += (names.empty() ? "" : ", ") + std::string(criterion->name);
+    return names;
+}
+
+}  // namespace sherd
