@@ -100,10 +100,10 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
     std::vector<std::unique_ptr<Breakable>> pieces;
     std::vector<btRigidBody*> bodies;
     for (const Fragment& fragment : fragments) {
-        auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.body));
-        piece->owned = makeRigidBody(*fragment.body, fragment.boxes, mass_scale);
+        auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid));
+        piece->owned = makeRigidBody(*fragment.solid, fragment.boxes, mass_scale);
         piece->body = piece->owned.body.get();
-        piece->body_from_asset = principalFrame(fragment.body->moments()).body_from_asset;
+        piece->body_from_asset = principalFrame(fragment.solid->moments()).body_from_asset;
         piece->body->setCenterOfMassTransform(world_from_asset * piece->body_from_asset.inverse());
         inheritSurface(whole, *piece->body);
         inheritMotionRules(whole, *piece->body);

@@ -17,9 +17,9 @@ Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Ma
 Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, const Material& material,
                                                 const Settings& settings) {
     if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
-    auto body = BreakableSolid::make(surface, material, settings);
-    if (!body) return Error{body.error()};
-    return BreakableAsset(std::move(body).value());
+    auto solid = BreakableSolid::make(surface, material, settings);
+    if (!solid) return Error{solid.error()};
+    return BreakableAsset(std::move(solid).value());
 }
 
 Status BreakableAsset::prepare() const {
@@ -42,8 +42,8 @@ double BreakableAsset::volume() const {
 }
 
 int BreakableAsset::particleCount() const {
-    const auto solid = solid_->discretisation();
-    return solid ? static_cast<int>(solid.value()->particles.size()) : 0;
+    const auto sampling = solid_->discretisation();
+    return sampling ? static_cast<int>(sampling.value()->particles.size()) : 0;
 }
 
 }  // namespace sherd

@@ -6,9 +6,9 @@
 
 #include "core/damage/particle_strengths.h"
 #include "core/loads/surface_region.h"
-#include "core/mlpg/splines/spacing_choice.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
+#include "fracture/spacing.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 
@@ -17,35 +17,11 @@ namespace sherd {
 namespace {
 
 constexpr double smallest_fragment = 1.0 / 200;  // of the first body's volume, when the settings do not say
-constexpr int fewest_in_fragment = 64;  // particles; a given spacing is refined in fragments below this
 
 double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
     double squared = 0;
     for (const Vec3& v : surface.vertices) squared = std::max(squared, (v - centre).squaredNorm());
     return std::sqrt(squared);
-}
-
-/// From the wall thickness and the limits on counts; a given spacing is taken as it is.
-double wishedSpacing(const SamplingSettings& sampling, double volume, double wall_thickness) {
-    const auto spacing_for = [&](double count) { return std::cbrt(volume / count); };
-    if (sampling.spacing_m > 0) return std::min(sampling.spacing_m, spacing_for(1));
-    return std::max(
-        std::min(wall_thickness / sampling.layers_across_wall, spacing_for(sampling.smallest_count)),
-        spacing_for(sampling.largest_count));
-}
-
-/// The same, made coarser until the factor of the stiffness matrix is as small as is wished.
-Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume,
-                             double wall_thickness) {
-    const double wished = wishedSpacing(settings.sampling, volume, wall_thickness);
-    if (settings.sampling.spacing_m > 0 || settings.stress.trial_function != TrialFunction::spline)
-        return wished;
-    constexpr double million = 1e6;
-    return chooseSpacing(surface,
-                         {wished, wall_thickness, splineDegree(settings.stress.basis),
-                          million * settings.sampling.largest_factor_millions,
-                          million * settings.sampling.largest_factor_if_thin_millions},
-                         settings.sampling.cells_per_spacing);
 }
 
 /// Spline functions are integrated with moments of twice their degree; other forms need none.
@@ -66,43 +42,37 @@ Result<std::vector<SupportPoint>> supportPoints(const TriangleMesh& surface,
 
 }  // namespace
 
+BreakableSolid::BreakableSolid(TriangleMesh surface, const Material& material, const Settings& settings)
+    : surface_(std::move(surface)),
+      material_(material),
+      settings_(settings),
+      moments_(solidMoments(surface_)),
+      bounding_radius_(boundingRadiusAbout(moments_.centroid, surface_)) {}
+
 Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh surface,
                                                                    const Material& material,
                                                                    const Settings& settings,
                                                                    std::vector<SurfaceRegion> supports) {
     if (const Status valid = material.validate(); !valid) return Error{valid.error()};
     if (const Status valid = settings.validate(); !valid) return Error{valid.error()};
-    std::shared_ptr<BreakableSolid> body(new BreakableSolid);
-    body->surface_ = std::move(surface);
-    body->material_ = material;
-    body->settings_ = settings;
-    body->supports_ = std::move(supports);
-    body->moments_ = solidMoments(body->surface_);
-    const double volume = body->moments_.volume;
-    body->wall_thickness_ = sherd::wallThickness(body->surface_);
-    body->bounding_radius_ = boundingRadiusAbout(body->moments_.centroid, body->surface_);
-    const Result<double> spacing = chosenSpacing(body->surface_, settings, volume, body->wall_thickness_);
+    std::shared_ptr<BreakableSolid> solid(new BreakableSolid(std::move(surface), material, settings));
+    const double volume = solid->moments_.volume;
+    solid->supports_ = std::move(supports);
+    solid->settings_.sampling.moment_order = momentOrder(settings.stress);
+    solid->wall_thickness_ = sherd::wallThickness(solid->surface_);
+    const Result<double> spacing = chosenSpacing(solid->surface_, settings, volume, solid->wall_thickness_);
     if (!spacing) return Error{spacing.error()};
-    body->spacing_ = spacing.value();
-    body->settings_.sampling.moment_order = momentOrder(settings.stress);
+    solid->spacing_ = spacing.value();
     const double given = settings.fracture.smallest_fragment_m3;
-    body->smallest_fragment_m3_ = given > 0 ? given : smallest_fragment * volume;
-    return std::shared_ptr<const BreakableSolid>(body);
+    solid->smallest_fragment_m3_ = given > 0 ? given : smallest_fragment * volume;
+    return std::shared_ptr<const BreakableSolid>(solid);
 }
 
 std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh surface) const {
-    std::shared_ptr<BreakableSolid> piece(new BreakableSolid);
-    piece->surface_ = std::move(surface);
-    piece->material_ = material_;
-    piece->settings_ = settings_;
-    piece->moments_ = solidMoments(piece->surface_);
+    std::shared_ptr<BreakableSolid> piece(new BreakableSolid(std::move(surface), material_, settings_));
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
-    piece->bounding_radius_ = boundingRadiusAbout(piece->moments_.centroid, piece->surface_);
-    // As fine as the whole, or finer where that would leave it too few particles.
-    SamplingSettings sampling = settings_.sampling;
-    sampling.spacing_m = std::min(spacing_, std::cbrt(volume / fewest_in_fragment));
-    piece->spacing_ = wishedSpacing(sampling, volume, piece->wall_thickness_);
+    piece->spacing_ = fragmentSpacing(spacing_, volume);
     piece->smallest_fragment_m3_ = smallest_fragment_m3_;
     return piece;
 }
@@ -150,10 +120,10 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
     return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
 }
 
-const std::vector<double>& BreakableSolid::strengths(const Discretisation& solid) const {
+const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (strengths_.empty())
-        strengths_ = particleStrengths(material_, solid.particles, settings_.fracture.seed,
+        strengths_ = particleStrengths(material_, sampling.particles, settings_.fracture.seed,
                                        settings_.fracture.strength_field);
     return strengths_;
 }

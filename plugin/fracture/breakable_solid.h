@@ -21,8 +21,8 @@ namespace sherd {
 /// factorisation are made when first asked for; all else never changes.
 class BreakableSolid {
   public:
-    /// Makes a body of a surface that `checkSurface` accepts. The error says which constant or setting is out
-    /// of range. On `supports` the displacement is zero; a body without any is free.
+    /// Makes a solid of a surface that `checkSurface` accepts. The error says which constant or setting is
+    /// out of range. On `supports` the displacement is zero; a solid without any is free.
     static Result<std::shared_ptr<const BreakableSolid>> make(TriangleMesh surface, const Material& material,
                                                               const Settings& settings,
                                                               std::vector<SurfaceRegion> supports = {});
@@ -52,7 +52,7 @@ class BreakableSolid {
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
     /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
     /// the first call. Throws std::invalid_argument where the field is not positive.
-    const std::vector<double>& strengths(const Discretisation& solid) const;
+    const std::vector<double>& strengths(const Discretisation& sampling) const;
     /// The smallest value of the strength field at any particle, 1 without a field; 0 if there is no telling.
     double weakestPlace() const;
     double sampleMilliseconds() const { return sample_ms_; }
@@ -60,18 +60,18 @@ class BreakableSolid {
     /// Whether the factored stress problem is there already.
     bool prepared() const;
 
-    /// A piece of this body: same material, settings and limits.
+    /// A piece of this solid: same material, settings and limits.
     std::shared_ptr<const BreakableSolid> makeFragment(TriangleMesh surface) const;
 
   private:
-    BreakableSolid() = default;
+    BreakableSolid(TriangleMesh surface, const Material& material, const Settings& settings);
 
     TriangleMesh surface_;
     Material material_;
     Settings settings_;
     std::vector<SurfaceRegion> supports_;
     Moments moments_;
-    double wall_thickness_ = 0, bounding_radius_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
+    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
 
     mutable std::recursive_mutex once_;
     mutable std::shared_ptr<const Discretisation> discretisation_;

@@ -1,28 +1,29 @@
 #pragma once
 
-#include "core/clustering/clusters.h"
-#include "fracture/pipeline.h"
+#include <sherd/result.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/clustering/fragment_labels.h"
+#include "core/sampling/voxel_boxes.h"
+#include "fracture/struck_solid.h"
 #include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
 
-/// Number of clusters for the damaged part: the settings' own, or what the strain energy pays for, within the
-/// limit.
-int wantedClusters(const BreakableSolid& body, const Damage& damage, const Discretisation& solid,
-                   double strain_energy_j);
+/// A piece of a broken solid, ready to become a rigid body. Frame of the parent's asset.
+struct Fragment {
+    std::shared_ptr<const BreakableSolid> solid;
+    std::vector<Box> boxes;  ///< for the collision shape; empty: the hull of the surface stands in
+    bool dropped = false;    ///< takes its share of the momentum, and leaves the world
+};
 
-/// Strain energy below which no crack runs through even the thinnest section, J (Griffith: its faces cost G_c
-/// each area).
-double smallestCrackEnergy(const BreakableSolid& body);
+/// Makes a solid of every cut surface, and the boxes that stand for it in collisions.
+std::vector<Fragment> makeFragments(const StruckSolid& struck, const FragmentLabels& labels,
+                                    const FragmentSurfaces& surfaces);
 
-/// Gives every cut surface its body and the boxes that stand for it in collisions.
-std::vector<Fragment> makeFragments(const BreakableSolid& body, const Discretisation& solid,
-                                    const FragmentLabels& labels, const FragmentSurfaces& surfaces);
-
-/// Marks the pieces below the smallest fragment as dropped, but never the largest piece.
-void markDropped(const BreakableSolid& body, std::vector<Fragment>& fragments);
-
-/// Compares volume and mass of all fragments with the body's.
-void addConservationErrors(const BreakableSolid& body, BlowOutcome& out);
+/// Boxes that stand for the whole solid in collisions: filled voxels, merged.
+Result<std::vector<Box>> collisionBoxes(const BreakableSolid& solid);
 
 }  // namespace sherd

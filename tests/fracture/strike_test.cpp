@@ -33,24 +33,24 @@ Blow blowInTheMiddle(double mass, double speed) {
 }
 
 TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {
-    const auto body = plate(Material::plaster());
-    const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
+    const auto solid = plate(Material::plaster());
+    const BlowOutcome out = strike(*solid, blowInTheMiddle(1, 10), 1);
     ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
     EXPECT_GE(out.fragments.size(), 4u);
     EXPECT_LT(out.volume_error_rel, 1e-9);
     EXPECT_LT(out.mass_error_rel, 1e-9);
     EXPECT_LT(out.residual_rel, 1e-10);
-    EXPECT_GT(out.largest_stress_pa, body->material().tensile_strength_pa);
+    EXPECT_GT(out.largest_stress_pa, solid->material().tensile_strength_pa);
     Vec3 moment = Vec3::Zero();
-    for (const Fragment& f : out.fragments) moment += f.body->mass() * f.body->moments().centroid;
-    EXPECT_LT((moment / body->mass() - body->moments().centroid).norm(), 1e-9);
+    for (const Fragment& f : out.fragments) moment += f.solid->mass() * f.solid->moments().centroid;
+    EXPECT_LT((moment / solid->mass() - solid->moments().centroid).norm(), 1e-9);
 }
 
 TEST(Strike, StressGrowsWithTheSpeedOfTheBlow) {
-    const auto body = plate(Material::plaster());
+    const auto solid = plate(Material::plaster());
     double last = 0;
     for (const double speed : {0.01, 0.1, 1.0}) {
-        const BlowOutcome out = strike(*body, blowInTheMiddle(0.1, speed), 1);
+        const BlowOutcome out = strike(*solid, blowInTheMiddle(0.1, speed), 1);
         EXPECT_GT(out.largest_stress_pa, 3 * last);
         last = out.largest_stress_pa;
     }
@@ -70,14 +70,14 @@ TEST(Strike, TheBoundNeverHidesABreak) {
     Settings settings;
     for (const double spacing : {0.01, 0.02}) {
         settings.sampling.spacing_m = spacing;
-        const auto body = plate(Material::plaster(), settings);
+        const auto solid = plate(Material::plaster(), settings);
         for (double speed = 0.001; speed < 10; speed *= 1.7) {
             const Blow blow = blowInTheMiddle(0.05, speed);
-            const bool broke = strike(*body, blow, 1).outcome == BreakEvent::Outcome::broke;
-            EXPECT_TRUE(!broke || canBreak(*body, blow)) << speed;
+            const bool broke = strike(*solid, blow, 1).outcome == BreakEvent::Outcome::broke;
+            EXPECT_TRUE(!broke || canBreak(*solid, blow)) << speed;
         }
-        EXPECT_FALSE(canBreak(*body, blowInTheMiddle(0.05, 0.001)));
-        EXPECT_TRUE(canBreak(*body, blowInTheMiddle(1, 10)));
+        EXPECT_FALSE(canBreak(*solid, blowInTheMiddle(0.05, 0.001)));
+        EXPECT_TRUE(canBreak(*solid, blowInTheMiddle(1, 10)));
     }
 }
 
@@ -157,16 +157,16 @@ TEST(Strike, TheBoundOfAFailureCriterionNeverHidesABreak) {
 }
 
 TEST(Strike, PressingContactsCannotBreak) {
-    const auto body = plate(Material::plaster());
+    const auto solid = plate(Material::plaster());
     Blow blow = blowInTheMiddle(1, 10);
     blow.contacts[0].approach_m_s = 0;
-    EXPECT_FALSE(canBreak(*body, blow));
+    EXPECT_FALSE(canBreak(*solid, blow));
 }
 
 TEST(Strike, AFurtherBlowAssemblesAndFactorsNothing) {
-    const auto body = plate(Material::glass());
-    const BlowOutcome first = strike(*body, blowInTheMiddle(0.01, 0.1), 1);
-    const BlowOutcome further = strike(*body, blowInTheMiddle(0.01, 0.1), 1);
+    const auto solid = plate(Material::glass());
+    const BlowOutcome first = strike(*solid, blowInTheMiddle(0.01, 0.1), 1);
+    const BlowOutcome further = strike(*solid, blowInTheMiddle(0.01, 0.1), 1);
     EXPECT_GT(first.ms.assemble, 0);
     EXPECT_GT(first.ms.factor, 0);
     EXPECT_EQ(further.ms.assemble, 0);
@@ -181,7 +181,7 @@ TEST(Strike, SameSeedSameFragmentsOtherSeedOthers) {
         std::vector<double> v;
         for (const Fragment& f :
              strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), seed).fragments)
-            v.push_back(f.body->moments().volume);
+            v.push_back(f.solid->moments().volume);
         return v;
     };
     EXPECT_EQ(volumes(1), volumes(1));
@@ -195,10 +195,10 @@ TEST(Strike, FragmentsBreakAgain) {
     ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
     const Fragment* largest = &out.fragments.front();
     for (const Fragment& f : out.fragments)
-        if (f.body->mass() > largest->body->mass()) largest = &f;
+        if (f.solid->mass() > largest->solid->mass()) largest = &f;
     Blow blow = blowInTheMiddle(1, 20);
-    blow.contacts[0].point = largest->body->moments().centroid + Vec3(0, 0, 0.02);
-    const BlowOutcome again = strike(*largest->body, blow, 2);
+    blow.contacts[0].point = largest->solid->moments().centroid + Vec3(0, 0, 0.02);
+    const BlowOutcome again = strike(*largest->solid, blow, 2);
     EXPECT_EQ(again.outcome, BreakEvent::Outcome::broke) << again.message;
     EXPECT_LT(again.volume_error_rel, 1e-9);
 }
@@ -212,11 +212,11 @@ TEST(Strike, WithoutContactsNothingHappens) {
 TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
     Settings settings;
     const auto share_on_the_right = [&] {
-        const auto body = plate(Material::plaster(), settings);
-        const BlowOutcome out = strike(*body, blowInTheMiddle(0.5, 6), 1);
+        const auto solid = plate(Material::plaster(), settings);
+        const BlowOutcome out = strike(*solid, blowInTheMiddle(0.5, 6), 1);
         EXPECT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
         int right = 0;
-        for (const Fragment& f : out.fragments) right += f.body->moments().centroid.x() > 0.003;
+        for (const Fragment& f : out.fragments) right += f.solid->moments().centroid.x() > 0.003;
         return static_cast<double>(right) / out.fragments.size();
     };
     EXPECT_NEAR(share_on_the_right(), 0.5, 0.2);
@@ -227,9 +227,9 @@ TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
 TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
     Settings settings;
     settings.fracture.strength_field = [](const Vec3& x) { return x.x(); };
-    const auto body = plate(Material::plaster(), settings);
-    EXPECT_TRUE(canBreak(*body, blowInTheMiddle(1, 10)));
-    const BlowOutcome out = strike(*body, blowInTheMiddle(1, 10), 1);
+    const auto solid = plate(Material::plaster(), settings);
+    EXPECT_TRUE(canBreak(*solid, blowInTheMiddle(1, 10)));
+    const BlowOutcome out = strike(*solid, blowInTheMiddle(1, 10), 1);
     EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
     EXPECT_NE(out.message.find("the strength field is -"), std::string::npos) << out.message;
 }
@@ -244,10 +244,10 @@ TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
     for (const auto& field : fields) {
         Settings settings;
         settings.fracture.strength_field = field;
-        const auto body = plate(Material::plaster(), settings);
+        const auto solid = plate(Material::plaster(), settings);
         for (int time = 0; time < 2; ++time) {  // what is wrong is said again at the next blow
-            EXPECT_TRUE(canBreak(*body, blow));
-            const BlowOutcome out = strike(*body, blow, 1);
+            EXPECT_TRUE(canBreak(*solid, blow));
+            const BlowOutcome out = strike(*solid, blow, 1);
             EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
             EXPECT_FALSE(out.message.empty());
         }
@@ -288,7 +288,7 @@ TEST(Strike, DebrisIsKeptMergedOrDropped) {
     };
     const auto small = [&](const BlowOutcome& out) {
         int count = 0;
-        for (const Fragment& f : out.fragments) count += f.body->moments().volume < 0.9e-4;
+        for (const Fragment& f : out.fragments) count += f.solid->moments().volume < 0.9e-4;
         return count;
     };
     const BlowOutcome kept = struck(Debris::unbreakable), merged = struck(Debris::merged),
@@ -299,7 +299,7 @@ TEST(Strike, DebrisIsKeptMergedOrDropped) {
     EXPECT_EQ(small(merged), 0);
     EXPECT_LT(merged.fragments.size(), kept.fragments.size());
     ASSERT_EQ(dropped.fragments.size(), kept.fragments.size());
-    for (const Fragment& f : dropped.fragments) EXPECT_EQ(f.dropped, f.body->moments().volume < 1e-4);
+    for (const Fragment& f : dropped.fragments) EXPECT_EQ(f.dropped, f.solid->moments().volume < 1e-4);
     for (const BlowOutcome* out : {&kept, &merged, &dropped}) EXPECT_LT(out->mass_error_rel, 1e-9);
 }
 
@@ -313,7 +313,7 @@ TEST(Strike, MergedDebrisStaysMergedAlongAGuideField) {
         settings.fracture.debris = Debris::merged;
         const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
         ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
-        for (const Fragment& f : out.fragments) EXPECT_GT(f.body->moments().volume, 0.9e-4);
+        for (const Fragment& f : out.fragments) EXPECT_GT(f.solid->moments().volume, 0.9e-4);
     }
 }
 
@@ -341,13 +341,13 @@ TEST(Strike, TwiceTheImpulseNeverDamagesLess) {
     for (const double spacing : {0.01, 0.02}) {
         Settings settings;
         settings.sampling.spacing_m = spacing;
-        const auto body = plate(Material::plaster(), settings);
+        const auto solid = plate(Material::plaster(), settings);
         for (const bool faster : {false, true}) {  // or heavier
             int last = 0;
             for (double factor = 0.01; factor < 50; factor *= 2) {
                 const Blow blow =
                     faster ? blowInTheMiddle(0.3, 3 * factor) : blowInTheMiddle(0.3 * factor, 3);
-                const int damaged = strike(*body, blow, 1).damaged_particles;
+                const int damaged = strike(*solid, blow, 1).damaged_particles;
                 EXPECT_GE(damaged, last) << factor;
                 last = damaged;
             }

@@ -1,0 +1,32 @@
+#include "fracture/gate.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/damage/particle_strengths.h"
+#include "fracture/crack_energy.h"
+
+namespace sherd {
+
+namespace {
+
+/// Least elastic energy of a particle that fails, J.
+double smallestFailureEnergy(const BreakableSolid& solid) {
+    const Material& material = solid.material();
+    const double volume = std::min(std::pow(solid.spacing(), 3), solid.moments().volume);
+    const double strength =
+        material.tensile_strength_pa * weakestStrengthFraction(material, volume) * solid.weakestPlace();
+    return solid.failureCriterion().least_energy_density_j_m3(strength, material) *
+           solid.settings().sampling.smallest_fill * volume;
+}
+
+}  // namespace
+
+// The solid stores no more energy than the blow brings.
+bool canBreak(const BreakableSolid& solid, const Blow& blow) {
+    const double energy = blowEnergy(blow);
+    return energy > smallestCrackEnergy(solid, solid.settings().fracture) &&
+           energy > smallestFailureEnergy(solid);
+}
+
+}  // namespace sherd

@@ -1,0 +1,20 @@
+#include "fracture/label_fragments.h"
+
+#include "core/clustering/clusters.h"
+#include "core/clustering/merge_labels.h"
+#include "fracture/cluster_count.h"
+
+namespace sherd {
+
+FragmentLabels labelFragments(const StruckSolid& struck, const Damage& damage, double strain_energy_j,
+                              const BlowAxis& axis) {
+    const FractureSettings& fracture = struck.fracture;
+    const int clusters = clusterCount(struck, damage, strain_energy_j);
+    FragmentLabels labels = fragmentLabels(struck.sampling, damage, clusters, struck.solid.wallThickness(),
+                                           struck.seed, fracture.guide, axis);
+    const double smallest_m3 = fracture.debris == Debris::merged ? struck.solid.smallestFragment() : 0;
+    mergeSmallest(struck.sampling, smallest_m3, fracture.largest_fragment_count, labels);
+    return labels;
+}
+
+}  // namespace sherd

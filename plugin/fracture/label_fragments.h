@@ -1,0 +1,15 @@
+#pragma once
+
+#include "core/clustering/fragment_labels.h"
+#include "core/damage/damage.h"
+#include "core/loads/blow.h"
+#include "fracture/struck_solid.h"
+
+namespace sherd {
+
+/// The fragment of every particle: undamaged parts and clusters of damaged ones, merged until they are as few
+/// and as large as the settings say.
+FragmentLabels labelFragments(const StruckSolid& struck, const Damage& damage, double strain_energy_j,
+                              const BlowAxis& axis);
+
+}  // namespace sherd

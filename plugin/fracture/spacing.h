@@ -1,0 +1,17 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/settings.h>
+#include <sherd/triangle_mesh.h>
+
+namespace sherd {
+
+/// Particle spacing of a solid, m: the one given, or what the wall thickness and the limits on counts ask
+/// for, made coarser until the factor of the stiffness matrix is as small as the settings wish.
+Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume_m3,
+                             double wall_thickness_m);
+
+/// Of a fragment: as fine as the whole, or finer where that would leave it too few particles.
+double fragmentSpacing(double spacing_of_whole_m, double volume_m3);
+
+}  // namespace sherd
