@@ -65,6 +65,7 @@ sherd::Result<sherd::Settings> makeSettings(const BreakableBody& body, const she
     auto strength = sherd::strengthFromColours(surface, painted.black, painted.white);
     if (!strength) return sherd::Error{"painted_strength: " + strength.error()};
     settings.fracture.strength_field = std::move(strength).value();
+    settings.fracture.strength_field_minimum = std::min(painted.black, painted.white);
     return settings;
 }
 

@@ -117,6 +117,10 @@ struct FractureSettings {
     /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
     /// mesh.
     std::function<double(const Vec3& x)> strength_field;
+    /// What `strength_field` is nowhere below; 0: not known. Where it is known, a blow that is too weak for
+    /// any place of the body is skipped; the field itself is asked only once a blow is solved. A field that
+    /// is found below it fails the blow with a sentence.
+    double strength_field_minimum = 0;
     /// How often the stress is solved at most, each time without the particles that are damaged by then,
     /// until no more are (paper, section 6.1). Splines only. 1: the damage of the first solve counts, which
     /// is the default since every further wave takes as long as a first blow, and leaves the blow's energy to

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/damage/particle_strengths.h"
 #include "core/loads/surface_region.h"
@@ -123,31 +122,10 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
 const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {
     const std::lock_guard<std::recursive_mutex> lock(once_);
     if (strengths_.empty())
-        strengths_ = particleStrengths(material_, sampling.particles, settings_.fracture.seed,
-                                       settings_.fracture.strength_field);
+        strengths_ =
+            particleStrengths(material_, sampling.particles, settings_.fracture.seed,
+                              settings_.fracture.strength_field, settings_.fracture.strength_field_minimum);
     return strengths_;
-}
-
-double BreakableSolid::weakestPlace() const {
-    const auto& field = settings_.fracture.strength_field;
-    if (!field) return 1;
-    const auto sampled = discretisation();
-    if (!sampled) return 0;
-    const std::lock_guard<std::recursive_mutex> lock(once_);
-    if (weakest_place_ >= 0) return weakest_place_;
-    weakest_place_ =
-        0;  // for a field that throws or is not above 0 and finite: the blow then says what is wrong
-    try {
-        double weakest = std::numeric_limits<double>::infinity();
-        for (const Particle& particle : sampled.value()->particles) {
-            const double here = field(particle.position);
-            if (!(here > 0) || !std::isfinite(here)) return 0;
-            weakest = std::min(weakest, here);
-        }
-        weakest_place_ = weakest;
-    } catch (...) {  // whatever an app's function throws
-    }
-    return weakest_place_;
 }
 
 double BreakableSolid::quadratureSpacing() const {

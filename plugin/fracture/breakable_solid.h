@@ -51,10 +51,8 @@ class BreakableSolid {
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
     /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
-    /// the first call. Throws std::invalid_argument where the field is not positive.
+    /// the first call. Throws std::invalid_argument where the field is not positive, or below its minimum.
     const std::vector<double>& strengths(const Discretisation& sampling) const;
-    /// The smallest value of the strength field at any particle, 1 without a field; 0 if there is no telling.
-    double weakestPlace() const;
     double sampleMilliseconds() const { return sample_ms_; }
 
     /// Whether the factored stress problem is there already.
@@ -79,7 +77,6 @@ class BreakableSolid {
     mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again
     mutable std::vector<double> strengths_;
     mutable double sample_ms_ = 0;
-    mutable double weakest_place_ = -1;  ///< below 0: not asked for yet
 };
 
 }  // namespace sherd

@@ -10,12 +10,15 @@ namespace sherd {
 
 namespace {
 
-/// Least elastic energy of a particle that fails, J.
+/// Least elastic energy of a particle that fails, J. The strength field is not asked, since its value at a
+/// particle cannot be known before the solid is sampled.
 double smallestFailureEnergy(const BreakableSolid& solid) {
     const Material& material = solid.material();
     const double volume = std::min(std::pow(solid.spacing(), 3), solid.moments().volume);
+    const FractureSettings& fracture = solid.settings().fracture;
+    const double weakest_place = fracture.strength_field ? fracture.strength_field_minimum : 1;
     const double strength =
-        material.tensile_strength_pa * weakestStrengthFraction(material, volume) * solid.weakestPlace();
+        material.tensile_strength_pa * weakestStrengthFraction(material, volume) * weakest_place;
     return solid.failureCriterion().least_energy_density_j_m3(strength, material) *
            solid.settings().sampling.smallest_fill * volume;
 }

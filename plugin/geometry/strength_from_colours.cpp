@@ -1,5 +1,6 @@
 #include <sherd/strength_field.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -43,8 +44,10 @@ Result<std::function<double(const Vec3& x)>> strengthFromColours(const TriangleM
     if (!(black > 0 && white > 0) || !std::isfinite(black) || !std::isfinite(white))
         return Error{"The strength of black or white parts is not above 0 and finite."};
     const auto surface = std::make_shared<const PaintedSurface>(painted);
-    return std::function<double(const Vec3&)>(
-        [=](const Vec3& x) { return black + (white - black) * surface->brightnessNear(x); });
+    return std::function<double(const Vec3&)>([=](const Vec3& x) {
+        const double strength = black + (white - black) * surface->brightnessNear(x);
+        return std::clamp(strength, std::min(black, white), std::max(black, white));  // rounding
+    });
 }
 
 }  // namespace sherd

@@ -224,6 +224,27 @@ TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
     EXPECT_GT(share_on_the_right(), 0.8);
 }
 
+// The blow pays for a crack, but not for a particle at a hundred times the strength.
+TEST(Strike, AWeakBlowSamplesNoSolidWithAStrengthField) {
+    Settings settings;
+    settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 100.0 : 200.0; };
+    Material strong = Material::plaster();
+    strong.tensile_strength_pa = 1e8;
+    const Blow blow = blowInTheMiddle(1, 0.5);
+    for (const double minimum : {0.0, 1.0, 100.0}) {
+        settings.fracture.strength_field_minimum = minimum;
+        const auto solid = plate(strong, settings);
+        EXPECT_EQ(canBreak(*solid, blow), minimum < 100) << minimum;
+        EXPECT_TRUE(canBreak(*solid, blowInTheMiddle(1000, 100)));
+        EXPECT_EQ(solid->sampleMilliseconds(), 0) << "sampled to answer";
+        EXPECT_EQ(strike(*solid, blow, 1).outcome, BreakEvent::Outcome::held) << "nothing was hidden";
+    }
+    settings.fracture.strength_field_minimum = 150;
+    const BlowOutcome wrong = strike(*plate(strong, settings), blow, 1);
+    EXPECT_EQ(wrong.outcome, BreakEvent::Outcome::failed);
+    EXPECT_NE(wrong.message.find("nowhere below 150"), std::string::npos) << wrong.message;
+}
+
 TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
     Settings settings;
     settings.fracture.strength_field = [](const Vec3& x) { return x.x(); };

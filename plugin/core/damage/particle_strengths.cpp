@@ -37,17 +37,23 @@ double scattered(const Material& material, std::mt19937_64& random) {
     return std::max(weakest, std::pow(-std::log(uniform), inverse) / std::tgamma(1 + inverse));
 }
 
-std::string notPositive(double factor, const Vec3& x) {
+/// Throws a sentence about a value of the strength field at x that cannot be.
+void checkFactor(double factor, const Vec3& x, double minimum) {
+    if (factor > 0 && factor >= minimum && std::isfinite(factor)) return;
     std::ostringstream sentence;
-    sentence << "the strength field is " << factor << " at (" << x.transpose()
-             << ") m; it has to be above 0 and finite everywhere in the body";
-    return sentence.str();
+    sentence << "the strength field is " << factor << " at (" << x.transpose() << ") m; ";
+    if (factor > 0 && factor < minimum)
+        sentence << "strength_field_minimum says that it is nowhere below " << minimum;
+    else
+        sentence << "it has to be above 0 and finite everywhere in the body";
+    throw std::invalid_argument(sentence.str());
 }
 
 }  // namespace
 
 std::vector<double> particleStrengths(const Material& material, const std::vector<Particle>& particles,
-                                      std::uint64_t seed, const std::function<double(const Vec3&)>& field) {
+                                      std::uint64_t seed, const std::function<double(const Vec3&)>& field,
+                                      double field_minimum) {
     std::mt19937_64 random(seed);
     std::vector<double> strengths;
     strengths.reserve(particles.size());
@@ -56,8 +62,7 @@ std::vector<double> particleStrengths(const Material& material, const std::vecto
                             scattered(material, random));
     for (std::size_t i = 0; field && i < strengths.size(); ++i) {
         const double factor = field(particles[i].position);
-        if (!(factor > 0) || !std::isfinite(factor))
-            throw std::invalid_argument(notPositive(factor, particles[i].position));
+        checkFactor(factor, particles[i].position, field_minimum);
         strengths[i] *= factor;
     }
     return strengths;

@@ -64,6 +64,8 @@ Status GuideField::validate() const {
 Status FractureSettings::validate() const {
     if (const Status field = guide.validate(); !field) return field;
     return RangeChecks("FractureSettings")
+        .require(isNotNegative(strength_field_minimum), "strength_field_minimum", strength_field_minimum,
+                 "0 (not known) or positive")
         .require(fragment_count >= 0, "fragment_count", fragment_count,
                  "0 (what the strain energy pays for) or the number of clusters")
         .require(largest_fragment_count >= 2, "largest_fragment_count", largest_fragment_count, "at least 2")

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 namespace {
 
@@ -67,14 +68,20 @@ TEST(ParticleStrengths, AStrengthFieldScalesEachAtItsPlace) {
     const auto painted =
         particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return x.x() + 0.5; });
     for (int i = 0; i < 3; ++i) EXPECT_DOUBLE_EQ(painted[i], plain[i] * (i + 0.5));
-    try {
-        particleStrengths(Material::glass(), particles, 5, [](const Vec3& x) { return 1 - x.x(); });
-        FAIL();
-    } catch (const std::invalid_argument& trouble) {
-        EXPECT_STREQ(
-            trouble.what(),
-            "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
-    }
+    const auto falling = [](const Vec3& x) { return 1 - x.x(); };
+    const auto sentence = [&](double minimum) -> std::string {
+        try {
+            particleStrengths(Material::glass(), particles, 5, falling, minimum);
+            return "";
+        } catch (const std::invalid_argument& trouble) {
+            return trouble.what();
+        }
+    };
+    EXPECT_EQ(sentence(0),
+              "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
+    EXPECT_EQ(
+        sentence(1.5),
+        "the strength field is 1 at (0 0 0) m; strength_field_minimum says that it is nowhere below 1.5");
 }
 
 }  // namespace

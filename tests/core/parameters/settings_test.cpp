@@ -51,6 +51,7 @@ TEST(Settings, WhatIsOutOfRangeIsNamed) {
     named([](Settings& s) { s.fracture.fragment_count = -1; }, "fragment_count");
     named([](Settings& s) { s.fracture.fragment_count = 41; }, "fragment_count");
     named([](Settings& s) { s.fracture.smallest_fragment_m3 = -1; }, "smallest_fragment_m3");
+    named([](Settings& s) { s.fracture.strength_field_minimum = -1; }, "strength_field_minimum");
     named([](Settings& s) { s.fracture.crack_roughness = 0.6; }, "crack_roughness");
     named([](Settings& s) { s.fracture.rest_after_break_s = std::numeric_limits<double>::quiet_NaN(); },
           "rest_after_break_s");
