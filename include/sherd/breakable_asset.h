@@ -25,14 +25,26 @@ class BreakableAsset {
     static Result<BreakableAsset> fromMesh(const TriangleMesh& surface, const Material& material,
                                            const Settings& settings = {});
 
-    /// Assembles and factors the stress problem now rather than at the first blow.
+    /// Samples the solid, and assembles and factors its stress problem, now rather than at the first blow.
+    /// The error says why that cannot be; blows would say the same.
+    ///
+    /// May be called from any thread (which holds a copy of the asset), also while a world steps with bodies
+    /// of this asset in it. No step waits for it, with one exception: a blow that needs the factor of this
+    /// very asset waits until it is made, since that takes less long than to make another. To have none of
+    /// that, make the bodies breakable once `prepared`. `particleCount` and FractureWorld::add need the
+    /// sampling, and wait for that. Functions of the settings (strength field, guide field) are not called
+    /// here, but in blows.
     Status prepare() const;
 
+    /// Whether that is done. Never waits; from any thread.
+    bool prepared() const;
+
+    // These, too, may be called from any thread.
     const TriangleMesh& surface() const;
     const Material& material() const;
-    int particleCount() const;
-    double mass() const;    ///< kg
-    double volume() const;  ///< m^3
+    int particleCount() const;  ///< samples the solid at the first call; 0 if that cannot be
+    double mass() const;        ///< kg
+    double volume() const;      ///< m^3
 
     explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid) : solid_(std::move(solid)) {}
     const std::shared_ptr<const BreakableSolid>& solid() const { return solid_; }

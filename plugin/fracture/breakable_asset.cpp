@@ -28,6 +28,10 @@ Status BreakableAsset::prepare() const {
     return success();
 }
 
+bool BreakableAsset::prepared() const {
+    return solid_->prepared();
+}
+
 const TriangleMesh& BreakableAsset::surface() const {
     return solid_->surface();
 }

@@ -81,32 +81,21 @@ const FailureCriterion& BreakableSolid::failureCriterion() const {
 }
 
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() const {
-    const std::lock_guard<std::recursive_mutex> lock(once_);
-    if (!discretisation_ && trouble_.empty()) {
-        const Stopwatch watch;
-        Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
-        if (sampled)
-            discretisation_ = std::make_shared<const Discretisation>(std::move(sampled).value());
-        else
-            trouble_ = sampled.error();
-        sample_ms_ = watch.milliseconds();
-    }
-    if (!discretisation_) return Error{trouble_};
-    return discretisation_;
+    return sampled_
+        .get([&]() -> Sampled {
+            const Stopwatch watch;
+            Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
+            const double ms = watch.milliseconds();
+            if (!sampled) return {Error{sampled.error()}, ms};
+            return {std::make_shared<const Discretisation>(std::move(sampled).value()), ms};
+        })
+        .discretisation;
 }
 
 Result<const StressSolver*> BreakableSolid::stressSolver() const {
-    const std::lock_guard<std::recursive_mutex> lock(once_);
-    if (const auto sampled = discretisation(); !sampled) return Error{sampled.error()};
-    if (!solver_ && trouble_.empty()) {
-        Result<StressSolver> built = stressSolverWithout({});
-        if (built)
-            solver_ = std::make_unique<StressSolver>(std::move(built).value());
-        else
-            trouble_ = built.error();
-    }
-    if (!solver_) return Error{trouble_};
-    return static_cast<const StressSolver*>(solver_.get());
+    const Result<StressSolver>& solver = solver_.get([&] { return stressSolverWithout({}); });
+    if (!solver) return Error{solver.error()};
+    return &solver.value();
 }
 
 Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged) const {
@@ -120,12 +109,11 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
 }
 
 const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {
-    const std::lock_guard<std::recursive_mutex> lock(once_);
-    if (strengths_.empty())
-        strengths_ =
-            particleStrengths(material_, sampling.particles, settings_.fracture.seed,
-                              settings_.fracture.strength_field, settings_.fracture.strength_field_minimum);
-    return strengths_;
+    const FractureSettings& fracture = settings_.fracture;
+    return strengths_.get([&] {
+        return particleStrengths(material_, sampling.particles, fracture.seed, fracture.strength_field,
+                                 fracture.strength_field_minimum);
+    });
 }
 
 double BreakableSolid::quadratureSpacing() const {
@@ -133,9 +121,14 @@ double BreakableSolid::quadratureSpacing() const {
     return of_finest_cell * spacing_ / std::pow(2, settings_.stress.resampling_rounds);
 }
 
+double BreakableSolid::sampleMilliseconds() const {
+    const Sampled* sampled = sampled_.ifMade();
+    return sampled ? sampled->ms : 0;
+}
+
 bool BreakableSolid::prepared() const {
-    const std::lock_guard<std::recursive_mutex> lock(once_);
-    return solver_ != nullptr;
+    const Result<StressSolver>* solver = solver_.ifMade();
+    return solver && solver->ok();
 }
 
 }  // namespace sherd

@@ -7,18 +7,18 @@
 #include <sherd/triangle_mesh.h>
 
 #include <memory>
-#include <mutex>
-#include <string>
 #include <vector>
 
 #include "core/damage/failure_criterion.h"
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
+#include "fracture/made_once.h"
 
 namespace sherd {
 
-/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and
-/// factorisation are made when first asked for; all else never changes.
+/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling, factor
+/// and strengths are made when first needed; all else never changes. All members may be called from several
+/// threads at once. Who needs what another thread is making waits for that one thing; nothing else waits.
 class BreakableSolid {
   public:
     /// Makes a solid of a surface that `checkSurface` accepts. The error says which constant or setting is
@@ -53,9 +53,9 @@ class BreakableSolid {
     /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
     /// the first call. Throws std::invalid_argument where the field is not positive, or below its minimum.
     const std::vector<double>& strengths(const Discretisation& sampling) const;
-    double sampleMilliseconds() const { return sample_ms_; }
-
-    /// Whether the factored stress problem is there already.
+    /// What the sampling took; 0 until it is done. Never waits.
+    double sampleMilliseconds() const;
+    /// Whether the factored stress problem is there already. Never waits.
     bool prepared() const;
 
     /// A piece of this solid: same material, settings and limits.
@@ -71,12 +71,14 @@ class BreakableSolid {
     Moments moments_;
     double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
 
-    mutable std::recursive_mutex once_;
-    mutable std::shared_ptr<const Discretisation> discretisation_;
-    mutable std::unique_ptr<StressSolver> solver_;
-    mutable std::string trouble_;  ///< sentence of a sampling or factorisation that failed; not tried again
-    mutable std::vector<double> strengths_;
-    mutable double sample_ms_ = 0;
+    struct Sampled {
+        Result<std::shared_ptr<const Discretisation>> discretisation;
+        double ms = 0;
+    };
+    // A sampling or factorisation that failed is kept as its sentence, and not tried again.
+    mutable MadeOnce<Sampled> sampled_;
+    mutable MadeOnce<Result<StressSolver>> solver_;
+    mutable MadeOnce<std::vector<double>> strengths_;
 };
 
 }  // namespace sherd

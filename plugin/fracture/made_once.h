@@ -1,0 +1,36 @@
+#pragma once
+
+#include <atomic>
+#include <mutex>
+#include <optional>
+
+namespace sherd {
+
+/// A value that the first who needs it makes, and that never changes then. Who needs it while another thread
+/// makes it waits for that thread; who only asks whether it is there (`ifMade`) never waits.
+template <class T>
+class MadeOnce {
+  public:
+    /// The value, from `make` if it is not there yet. What `make` throws goes to the caller, and the next one
+    /// makes it anew.
+    template <class Make>
+    const T& get(const Make& make) {
+        if (const T* made = ifMade()) return *made;
+        const std::lock_guard<std::mutex> lock(making_);
+        if (!value_) {
+            value_.emplace(make());
+            made_.store(&*value_, std::memory_order_release);
+        }
+        return *value_;
+    }
+
+    /// nullptr until it is made.
+    const T* ifMade() const { return made_.load(std::memory_order_acquire); }
+
+  private:
+    std::mutex making_;
+    std::optional<T> value_;
+    std::atomic<const T*> made_{nullptr};
+};
+
+}  // namespace sherd

@@ -1,0 +1,101 @@
+// What may be done with an asset from several threads at once. Worth running with -fsanitize=thread, too.
+
+#include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
+
+#include <atomic>
+#include <future>
+#include <thread>
+
+#include "fracture/pipeline.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+BreakableAsset plate(const Settings& settings = {}) {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
+                                                Material::plaster(), settings);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    return asset.value();
+}
+
+Settings coarse() {
+    Settings settings;
+    settings.sampling.spacing_m = 0.02;
+    return settings;
+}
+
+Blow blowOf(double mass, double speed) {
+    ContactImpulse contact;
+    contact.point = Vec3(0.003, 0.002, 0.015);
+    contact.normal = -Vec3::UnitZ();
+    contact.impulse = -Vec3::UnitZ() * mass * speed;
+    contact.approach_m_s = speed;
+    contact.effective_mass_kg = mass;
+    contact.partner_radius_m = 0.03;
+    return {{contact}};
+}
+
+std::vector<double> volumesOf(const BlowOutcome& outcome) {
+    std::vector<double> volumes;
+    for (const Fragment& fragment : outcome.fragments) volumes.push_back(fragment.solid->moments().volume);
+    return volumes;
+}
+
+TEST(Threads, AnAssetIsPreparedOnOneWhileOthersAskForItAndStrikeOthers) {
+    const BreakableAsset asset = plate(coarse()), other = plate(coarse());
+    std::thread worker([copy = asset] { EXPECT_TRUE(copy.prepare().ok()); });
+    while (!asset.prepared()) {
+        EXPECT_FALSE(canBreak(*asset.solid(), blowOf(0.1, 0.01)));
+        EXPECT_GT(asset.mass(), 0);
+        EXPECT_EQ(strike(*other.solid(), blowOf(0.1, 0.1), 1).outcome, BreakEvent::Outcome::held);
+    }
+    worker.join();
+    const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
+    EXPECT_EQ(here.outcome, BreakEvent::Outcome::broke) << here.message;
+    EXPECT_EQ(here.ms.factor, 0) << "made on the worker";
+    EXPECT_EQ(volumesOf(here), volumesOf(strike(*plate(coarse()).solid(), blowOf(1, 10), 1)));
+}
+
+TEST(Threads, ABlowWaitsForTheFactorThatAnotherThreadMakes) {
+    const BreakableAsset asset = plate(coarse());
+    std::vector<double> on_worker;
+    std::thread worker([&] { on_worker = volumesOf(strike(*asset.solid(), blowOf(1, 10), 1)); });
+    const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
+    worker.join();
+    EXPECT_EQ(here.outcome, BreakEvent::Outcome::broke) << here.message;
+    EXPECT_EQ(volumesOf(here), on_worker);
+}
+
+// The strength field is where a test can stop a blow: it goes on once all else was asked for.
+TEST(Threads, ABlowOnOneThreadHoldsUpNothingButItsOwnSolidsStrengths) {
+    std::promise<void> in_the_field, asked;
+    std::shared_future<void> go_on(asked.get_future());
+    std::atomic<bool> entered{false}, waited_in_vain{false};
+    Settings settings = coarse();
+    settings.fracture.strength_field = [&](const Vec3&) {
+        if (!entered.exchange(true)) {
+            in_the_field.set_value();
+            waited_in_vain = go_on.wait_for(std::chrono::seconds(60)) != std::future_status::ready;
+        }
+        return 1.0;
+    };
+    const BreakableAsset asset = plate(settings), other = plate(coarse());
+    std::thread worker([copy = asset] {
+        EXPECT_EQ(strike(*copy.solid(), blowOf(1, 10), 1).outcome, BreakEvent::Outcome::broke);
+    });
+    in_the_field.get_future().wait();
+    EXPECT_TRUE(asset.prepared());
+    EXPECT_TRUE(asset.prepare().ok());
+    EXPECT_GT(asset.particleCount(), 0);
+    EXPECT_GT(asset.solid()->sampleMilliseconds(), 0);
+    EXPECT_TRUE(canBreak(*asset.solid(), blowOf(1, 10)));
+    EXPECT_EQ(strike(*other.solid(), blowOf(1, 10), 1).outcome, BreakEvent::Outcome::broke);
+    asked.set_value();
+    worker.join();
+    EXPECT_FALSE(waited_in_vain);
+}
+
+}  // namespace
