@@ -1,21 +1,20 @@
-# SuiteSparse::cholmod and SuiteSparse::umfpack, for releases of SuiteSparse without CMake packages of their own.
+# Makes SuiteSparse::cholmod and SuiteSparse::umfpack, for releases of SuiteSparse without CMake packages of their own.
+# The components CHOLMOD and UMFPACK say which of them are needed.
 include(FindPackageHandleStandardArgs)
 
 find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
-find_library(SuiteSparse_CHOLMOD_LIBRARY cholmod)
-find_library(SuiteSparse_UMFPACK_LIBRARY umfpack)
-
-find_package_handle_standard_args(SuiteSparse
-  REQUIRED_VARS SuiteSparse_INCLUDE_DIR SuiteSparse_CHOLMOD_LIBRARY SuiteSparse_UMFPACK_LIBRARY)
-
-if(SuiteSparse_FOUND)
-  foreach(part CHOLMOD UMFPACK)
-    string(TOLOWER ${part} name)
+foreach(part ${SuiteSparse_FIND_COMPONENTS})
+  string(TOLOWER ${part} name)
+  find_library(SuiteSparse_${part}_LIBRARY ${name})
+  if(SuiteSparse_INCLUDE_DIR AND SuiteSparse_${part}_LIBRARY)
+    set(SuiteSparse_${part}_FOUND TRUE)
     if(NOT TARGET SuiteSparse::${name})
       add_library(SuiteSparse::${name} UNKNOWN IMPORTED)
       set_target_properties(SuiteSparse::${name} PROPERTIES
         IMPORTED_LOCATION "${SuiteSparse_${part}_LIBRARY}"
         INTERFACE_INCLUDE_DIRECTORIES "${SuiteSparse_INCLUDE_DIR}")
     endif()
-  endforeach()
-endif()
+  endif()
+endforeach()
+
+find_package_handle_standard_args(SuiteSparse REQUIRED_VARS SuiteSparse_INCLUDE_DIR HANDLE_COMPONENTS)

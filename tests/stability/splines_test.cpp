@@ -147,8 +147,8 @@ TEST(BodySize, FromOneParticleUp) {
     for (const auto& [name, size, spacing] : bodies) {
         const ClosedForm constant{shapes::slab(size), elasticMaterial(), [&](const Vec3&) { return stress; }};
         const auto solid = sampledForSplines(constant.surface, spacing, Basis::quadratic);
-        const Outcome spline = solveOn(constant, solid, quadratic_splines),
-                      gmls = solveOn(constant, solid, galerkin_gmls);
+        const Outcome spline = solveOn(constant, solid, quadratic_splines);
+        const Outcome gmls = has_particle_forms ? solveOn(constant, solid, galerkin_gmls) : Outcome{};
         table.row("%s | %zu | %.0e | %.0e | %.0e", name, solid->particles.size(), spline.error, gmls.error,
                   spline.reciprocal_condition);
         EXPECT_LT(spline.error, 1e-6) << name;

@@ -42,6 +42,18 @@ inline StressSettings splines(Basis basis) {
     return settings;
 }
 
+/// Whether the library under test has the forms on particles.
+inline constexpr bool has_particle_forms = SHERD_PARTICLE_FORMS;
+
+/// Those of the forms that the library under test has.
+inline std::vector<StressSettings> built(std::vector<StressSettings> forms) {
+    const auto missing = [](const StressSettings& s) {
+        return !has_particle_forms && s.trial_function != TrialFunction::spline;
+    };
+    forms.erase(std::remove_if(forms.begin(), forms.end(), missing), forms.end());
+    return forms;
+}
+
 inline std::shared_ptr<Discretisation> sampled(const TriangleMesh& mesh, double spacing,
                                                int cells_per_spacing = 2) {
     SamplingSettings settings;

@@ -1,9 +1,9 @@
+#include "core/linear_algebra/cholesky_solver.h"
+
 #include <cholmod.h>
 
 #include <cmath>
 #include <mutex>
-
-#include "core/linear_algebra/sparse_solver.h"
 
 namespace sherd {
 namespace {

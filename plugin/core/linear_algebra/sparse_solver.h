@@ -1,21 +1,8 @@
 #pragma once
 
-#include <sherd/result.h>
-
 #include <Eigen/Dense>
-#include <memory>
-#include <vector>
 
 namespace sherd {
-
-/// A square sparse matrix in compressed form: line l holds entries starts[l] .. starts[l + 1] - 1, in
-/// ascending order of index. Lines are columns or rows, as each user says.
-struct SparseMatrix {
-    int size = 0;
-    std::vector<int> starts;     ///< size + 1
-    std::vector<int> indices;    ///< #entries
-    std::vector<double> values;  ///< #entries
-};
 
 /// A factored sparse matrix, ready for any number of right-hand sides.
 class SparseSolver {
@@ -36,23 +23,5 @@ class SparseSolver {
     /// mostly 0.
     virtual double relativeShift() const { return 0; }
 };
-
-/// Supernodal Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD). Lines are columns;
-/// entries above the diagonal are ignored. Unknowns come in blocks of `block_size` with equal patterns; the
-/// fill-reducing order is sought for blocks (METIS and AMD, the better one), which is far cheaper than for
-/// single unknowns. A matrix that is not safely positive definite gets a small shift of its diagonal
-/// (`relativeShift`).
-Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size);
-
-/// Numbers that the Cholesky factor of a symmetric matrix would store, from its pattern alone: lines are
-/// columns of blocks of `block_size`, entries above the diagonal are ignored, values are not used.
-Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size);
-
-/// LU factorisation of a general matrix (UMFPACK). Lines are rows. Solves take up to two steps of iterative
-/// refinement.
-Result<std::unique_ptr<SparseSolver>> factorLu(std::shared_ptr<const SparseMatrix> rows);
-
-/// A x of a matrix whose lines are rows.
-Eigen::VectorXd product(const SparseMatrix& rows, const Eigen::VectorXd& x);
 
 }  // namespace sherd

@@ -4,7 +4,7 @@
 #include <exception>
 #include <new>
 
-#include "core/mlpg/stress_problem.h"
+#include "core/mlpg/problem_checks.h"
 #include "core/mlpg/stress_solver_impl.h"
 
 namespace sherd {

@@ -187,19 +187,4 @@ SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients&
     return matrix;
 }
 
-void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
-    std::vector<char> pinned(lower.size, 0);
-    for (int unknown : unknowns) pinned[unknown] = 1;
-    double largest = 0;
-    for (double value : lower.values) largest = std::max(largest, std::abs(value));
-    // Any diagonal will do. A part's own may be zero: where a part is a single particle, values alone make no
-    // strain.
-    const double diagonal = largest > 0 ? largest : 1;
-    for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
-            const int row = lower.indices[k];
-            if (pinned[column] || pinned[row]) lower.values[k] = row == column ? diagonal : 0;
-        }
-}
-
 }  // namespace sherd

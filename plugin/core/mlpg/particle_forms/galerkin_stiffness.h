@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear_algebra/sparse_solver.h"
+#include "core/linear_algebra/sparse_matrix.h"
 #include "core/mlpg/particle_forms/cell_gradients.h"
 #include "core/stress/elasticity.h"
 
@@ -8,11 +8,8 @@ namespace sherd {
 
 /// Stiffness of the Galerkin form on smoothed strains, row (a, i), column (b, j):
 ///     K_ab = sum_c V_c [ lambda g_ca g_cb^T + mu g_cb g_ca^T + mu (g_ca . g_cb) I ].
-/// Columns; blocks of pairs of particles, from the diagonal block (complete) downwards.
+/// CSC; blocks of pairs of particles, from the diagonal block (complete) downwards.
 SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
                                const Elasticity& elasticity);
-
-/// Holds unknowns at zero: their rows and columns vanish but for a positive diagonal.
-void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns);
 
 }  // namespace sherd

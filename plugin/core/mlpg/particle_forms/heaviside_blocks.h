@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/mlpg/stress_problem.h"
+#include "core/mlpg/particle_forms/stress_problem.h"
 
 namespace sherd {
 

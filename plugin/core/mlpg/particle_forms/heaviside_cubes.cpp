@@ -10,12 +10,12 @@ namespace {
 
 constexpr int points_per_edge = 4;  // 4 x 4 on 6 faces: the paper's 96 points a particle
 
-/// Which sub-domain lies beyond each face of a cube; face 2 axis + 1 is the upper one of an axis.
-struct Beyond {
+/// The sub-domain beyond a face of a cube.
+struct FaceNeighbour {
     int particle = -1;  // none: a free boundary
     double area = 0;    // largest face of the solid that leads there
 };
-using CubeFaces = std::array<Beyond, 6>;
+using CubeFaces = std::array<FaceNeighbour, 6>;  // face 2 axis + 1 is the upper one of an axis
 
 /// The cubes of the particles, one for each cell of their grid, in units of their edges.
 struct CubeGrid {

@@ -1,5 +1,6 @@
-#include "core/mlpg/inertia_relief.h"
 #include "core/mlpg/particle_forms/heaviside_stiffness.h"
+#include "core/mlpg/particle_forms/lu_solver.h"
+#include "core/mlpg/particle_forms/particle_inertia.h"
 #include "core/mlpg/particle_forms/weak_form.h"
 #include "core/numerics/stopwatch.h"
 
@@ -15,10 +16,10 @@ class HeavisideForm : public WeakForm {
         : problem_(problem),
           matrix_(std::move(matrix)),
           solver_(std::move(solver)),
-          inertia_(InertiaRelief::heaviside(problem.solid, problem.motions)) {}
+          inertia_(heavisideInertia(problem)) {}
 
     void addLoad(const ShapeFunctions&, int owner, const PointForce& load, LoadVector& loads) const override {
-        const int component = problem_.motions.components.of_particle[owner];
+        const int component = problem_.motions.component_of_node[owner];
         loads.forces.segment<3>(3L * owner) += load.force;
         loads.resultants.col(component) +=
             problem_.motions.at(load.position, component).transpose() * load.force;
@@ -32,7 +33,7 @@ class HeavisideForm : public WeakForm {
         const double scale = forces.norm();
         if (scale == 0) return displacement(Eigen::VectorXd::Zero(forces.size()), 0);
         Eigen::VectorXd bordered =
-            Eigen::VectorXd::Zero(forces.size() + 6L * problem_.motions.components.count);
+            Eigen::VectorXd::Zero(forces.size() + 6L * problem_.motions.componentCount());
         bordered.head(forces.size()) = forces;
         Eigen::VectorXd solution;
         if (!solver_->solve(bordered, solution))

@@ -3,7 +3,8 @@
 namespace sherd {
 namespace {
 
-/// Unit-sized borders would drown K or be drowned by it: they are scaled to K's mean diagonal.
+/// What the borders are scaled with: K's mean diagonal, since borders far smaller or larger than K would
+/// spoil the condition of the whole matrix.
 double borderScale(const HeavisideBlocks& blocks) {
     const auto& rows = blocks.rows;
     double sum = 0;
@@ -28,7 +29,7 @@ SparseMatrix heavisideStiffness(const HeavisideBlocks& blocks, const Discretisat
         return scale * solid.particles[unknown / 3].volume * motions.coefficients(unknown, motion);
     };
 
-    matrix.size = unknowns + 6 * motions.components.count;
+    matrix.size = unknowns + 6 * motions.componentCount();
     matrix.starts.push_back(0);
     for (int unknown = 0; unknown < unknowns; ++unknown) {
         for (const auto& [particle, block] : rows[unknown / 3])
@@ -42,7 +43,7 @@ SparseMatrix heavisideStiffness(const HeavisideBlocks& blocks, const Discretisat
         }
         matrix.starts.push_back(static_cast<int>(matrix.indices.size()));
     }
-    for (int component = 0; component < motions.components.count; ++component)
+    for (int component = 0; component < motions.componentCount(); ++component)
         for (int motion = 0; motion < 6; ++motion) {
             for (int unknown = 0; unknown < unknowns; ++unknown) {
                 if (motions.componentOfUnknown(unknown) != component) continue;

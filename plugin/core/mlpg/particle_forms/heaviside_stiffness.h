@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear_algebra/sparse_solver.h"
+#include "core/linear_algebra/sparse_matrix.h"
 #include "core/mlpg/particle_forms/heaviside_blocks.h"
 
 namespace sherd {
@@ -9,7 +9,7 @@ namespace sherd {
 /// component, last rows and columns):
 ///     [ K    V R ] [u]   [f]
 ///     [ R^T V  0 ] [m] = [0],   K: HeavisideBlocks, V: volume of the sub-domain.
-/// Row (P, i), column (b, j). Lines are rows. One function a particle (mls).
+/// Row (P, i), column (b, j), in CSR. One function a particle (mls).
 SparseMatrix heavisideStiffness(const HeavisideBlocks& blocks, const Discretisation& solid,
                                 const RigidMotions& motions);
 

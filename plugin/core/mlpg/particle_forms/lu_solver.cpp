@@ -1,9 +1,9 @@
+#include "core/mlpg/particle_forms/lu_solver.h"
+
 #include <umfpack.h>
 
 #include <mutex>
 #include <utility>
-
-#include "core/linear_algebra/sparse_solver.h"
 
 namespace sherd {
 namespace {

@@ -3,7 +3,6 @@
 
 #include "core/mlpg/particle_forms/stress_recovery.h"
 #include "core/mlpg/particle_forms/weak_form.h"
-#include "core/mlpg/stress_problem.h"
 #include "core/mlpg/stress_solver_impl.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/nearest_owner.h"
@@ -36,11 +35,11 @@ class ParticleSolver : public StressSolver::Impl {
     LoadVector noLoads() const {
         LoadVector loads;
         loads.forces.setZero(problem.unknowns());
-        loads.resultants.setZero(6, problem.motions.components.count);
+        loads.resultants.setZero(6, problem.motions.componentCount());
         return loads;
     }
 
-    /// Sum of |F|: what net force, and net moment over the size of the body, are measured against.
+    /// Sum of |F|, which the net force, and the net moment over the size of the body, are compared with.
     static double magnitude(const std::vector<PointForce>& loads) {
         double sum = 0;
         for (const PointForce& load : loads) sum += load.force.norm();

@@ -21,7 +21,7 @@ struct TrialSpace {
     int unknownsPerParticle() const { return 3 * functionsPerParticle(); }
 };
 
-/// How far an evaluation had to leave the chosen form; each comprises the ones before.
+/// What had to be changed to evaluate the shape functions at a point; each value includes those before it.
 enum class Evaluation {
     regular,
     widened,   ///< supports widened for this point: too few or badly placed neighbours

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int chunk_count = 16;
 constexpr double fit_radius =
-    1.1;  // in support radii: what is to be smoothed away has the length of the supports
+    1.1;  // in support radii: the oscillations that are to be smoothed away are as long as the supports
 constexpr double smallest_spread =
     0.03;  // in particle spacings: cells closer to a plane than that give no slope across it
 

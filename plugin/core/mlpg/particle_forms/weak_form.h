@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/linear_algebra/sparse_solver.h"
-#include "core/mlpg/stress_problem.h"
+#include "core/mlpg/particle_forms/stress_problem.h"
 
 namespace sherd {
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/mlpg/splines/b_spline.h"
+
 namespace sherd {
 namespace {
 

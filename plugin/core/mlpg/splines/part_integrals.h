@@ -1,8 +1,9 @@
 #pragma once
 
+#include <Eigen/Dense>
 #include <array>
 
-#include "core/mlpg/splines/spline_space.h"
+#include "core/sampling/cell_parts.h"
 
 namespace sherd {
 

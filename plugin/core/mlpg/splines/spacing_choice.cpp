@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/linear_algebra/sparse_solver.h"
-#include "core/mlpg/splines/spline_stiffness.h"
+#include "core/linear_algebra/cholesky_solver.h"
+#include "core/mlpg/splines/stiffness_pattern.h"
 #include "core/sampling/cell_moments.h"
 
 namespace sherd {
@@ -24,7 +24,8 @@ Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int 
     const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
     if (!solid) return Error{solid.error()};
     const CellParts parts = measureCellParts(surface, grid.value(), cut, solid.value(), 0);
-    const Result<double> entries = factorEntriesOf(splinePattern(parts, SplineSpace(parts, degree)), 3);
+    const StiffnessPattern pattern{SplineSpace(parts, degree)};
+    const Result<double> entries = factorEntriesOf(blockMatrix(pattern), 3);
     if (!entries) return Error{entries.error()};
     return supernodal_surplus * entries.value();
 }

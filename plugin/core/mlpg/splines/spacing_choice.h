@@ -7,7 +7,7 @@ namespace sherd {
 
 /// What a particle spacing is to fulfil.
 struct SpacingWish {
-    double finest_m = 0;  ///< finer serves nothing
+    double finest_m = 0;  ///< a finer spacing gains nothing
     double wall_m = 0;    ///< thickness of the walls
     int spline_degree = 2;
     double largest_factor_entries = 0;

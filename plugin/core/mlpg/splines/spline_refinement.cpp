@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/mlpg/splines/b_spline.h"
+
 namespace sherd {
 namespace {
 

@@ -3,53 +3,11 @@
 #include <sherd/result.h>
 #include <sherd/triangle_mesh.h>
 
-#include <memory>
-
-#include "core/mlpg/splines/spline_space.h"
-#include "core/mlpg/splines/spline_stiffness.h"
+#include "core/mlpg/splines/load_boxes.h"
+#include "core/mlpg/splines/spline_loads.h"
+#include "core/mlpg/splines/spline_supports.h"
 
 namespace sherd {
-
-/// A displacement in splines on the parts of a solid.
-struct SplineField {
-    std::shared_ptr<const CellParts> parts;
-    std::shared_ptr<const SplineSpace> space;
-    Eigen::Matrix3Xd raw;  ///< coefficients of all functions, 3 x raw_count, m
-};
-
-/// Displacement gradient of a field on a part, `xi` in its cell, edges from the middle.
-Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi);
-
-/// A point in a solid's grid: found once, read after every solve.
-struct GridPoint {
-    int part = -1;           ///< nearest to the point; -1: none is near
-    Vec3 xi = Vec3::Zero();  ///< in the part's cell, edges from its middle
-};
-GridPoint locate(const CellParts& solid, const Vec3& x);
-
-/// A body force that is an affine function of place, N/m^3: value + gradient (x - about).
-struct AffineForce {
-    Vec3 value = Vec3::Zero();
-    Mat3 gradient = Mat3::Zero();
-    Vec3 about = Vec3::Zero();
-};
-
-/// Everything that acts on a body.
-struct BodyLoads {
-    std::vector<PointForce> forces;
-    std::vector<AffineForce> body_forces;  ///< per part of the grid that they are given for
-};
-
-/// A box of cells of a grid, `upper` exclusive; it may reach beyond the grid.
-struct CellBox {
-    Eigen::Vector3i lower, upper;
-};
-
-/// Boxes around those loads that act on a patch of fewer than four cells across: there stress diverges as the
-/// grid gets finer, and the coarse grid only sees the resultant. Patches above `largest_patch` (m) are left
-/// alone. At least `margin` cells beyond the loads.
-std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
-                                      double largest_patch, double margin);
 
 /// A finer grid around loads that the coarser one does not resolve.
 struct Zoom {

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/mlpg/inertia_relief.h"
 #include "core/mlpg/particle_forms/galerkin_stiffness.h"
 #include "core/mlpg/particle_forms/heaviside_stiffness.h"
-#include "core/mlpg/particle_forms/weak_form.h"
+#include "core/mlpg/particle_forms/particle_inertia.h"
+#include "core/mlpg/pinned_unknowns.h"
 #include "core/sampling/sample_solid.h"
 #include "support/shapes.h"
 
@@ -135,8 +135,7 @@ TEST(InertiaRelief, BalancesForceAndMoment) {
     const Discretisation solid = cutBlock();
     for (TrialFunction trial : {TrialFunction::mls, TrialFunction::gmls}) {
         const StressProblem problem = problemOf(solid, trial);
-        const InertiaRelief relief =
-            InertiaRelief::galerkin(solid, problem.supports, problem.space, problem.cells, problem.motions);
+        const InertiaRelief relief = galerkinInertia(problem);
         Eigen::VectorXd forces = Eigen::VectorXd::Zero(problem.unknowns());
         forces[0] = 3;
         forces[problem.unknowns() - problem.space.unknownsPerParticle() + 1] = -2;
@@ -150,10 +149,7 @@ TEST(InertiaRelief, AccelerationIsThatOfTheRigidBody) {
     const Discretisation solid = cutBlock();
     for (const bool galerkin : {true, false}) {
         const StressProblem problem = problemOf(solid, galerkin ? TrialFunction::gmls : TrialFunction::mls);
-        const InertiaRelief relief = galerkin
-                                         ? InertiaRelief::galerkin(solid, problem.supports, problem.space,
-                                                                   problem.cells, problem.motions)
-                                         : InertiaRelief::heaviside(solid, problem.motions);
+        const InertiaRelief relief = galerkin ? galerkinInertia(problem) : heavisideInertia(problem);
         const Moments total = totalMoments(solid);
         const Mat3 inertia = total.second.trace() * Mat3::Identity() - total.second;
         const double size = problem.motions.size[0];

@@ -1,11 +1,11 @@
-#include "core/mlpg/stress_problem.h"
+#include "core/mlpg/particle_forms/stress_problem.h"
 
-#include <cmath>
+#include "core/mlpg/particle_forms/cell_strains.h"
+#include "core/mlpg/particle_forms/particle_motions.h"
 
 namespace sherd {
 namespace {
 
-constexpr double largest_poisson_ratio = 0.499;
 constexpr double locking_poisson_ratio = 0.35;
 
 double supportRadius(const StressSettings& settings) {
@@ -23,38 +23,8 @@ StressProblem::StressProblem(const Discretisation& sampled, const Material& mate
       elasticity(material),
       space{settings.trial_function, settings.basis},
       supports(sampled, support_radius),
-      motions(sampled, space),
+      motions(particleMotions(sampled, space)),
       cells(smoothedGradients(sampled, supports, space)) {}
-
-Status checkStressProblem(const Discretisation* solid, const Material& material,
-                          const StressSettings& settings) {
-    if (!solid || solid->particles.empty() || solid->cells.empty())
-        return Error{"The stress solver was given a solid without particles; sample it first."};
-    if (!(material.youngs_modulus_pa > 0) || !std::isfinite(material.youngs_modulus_pa))
-        return Error{"Young's modulus must be positive and finite."};
-    if (!(material.poisson_ratio > -1 && material.poisson_ratio <= largest_poisson_ratio))
-        return Error{
-            "Poisson's ratio must be above -1 and at most 0.499, since displacements alone cannot tell the "
-            "pressure in a "
-            "body that keeps its volume; for rubber-like material use 0.49."};
-    if (!(settings.support_radius >= 0 && settings.support_radius < 10))
-        return Error{"The support radius is in particle spacings: 0 for the default, or about 1.3 to 3.5."};
-    const bool heaviside = settings.test_function != TestFunction::galerkin;
-    const std::string name =
-        settings.test_function == TestFunction::heaviside_paper ? "heaviside_paper" : "heaviside";
-    if (heaviside && settings.trial_function == TrialFunction::spline)
-        return Error{"Spline trial functions go with galerkin test functions; use " + name + " with mls."};
-    if (settings.trial_function != TrialFunction::spline && settings.basis == Basis::cubic)
-        return Error{
-            "The cubic basis is there for spline trial functions; use linear or quadratic with mls and "
-            "gmls."};
-    if (heaviside && settings.trial_function == TrialFunction::gmls)
-        return Error{
-            "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: "
-            "use " +
-            name + " with mls, or gmls with galerkin test functions."};
-    return success();
-}
 
 std::vector<std::string> trustWarnings(const StressProblem& problem, const Material& material) {
     std::vector<std::string> warnings;

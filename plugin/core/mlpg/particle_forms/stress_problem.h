@@ -1,7 +1,6 @@
 #pragma once
 
 #include <sherd/material.h>
-#include <sherd/result.h>
 #include <sherd/settings.h>
 
 #include <string>
@@ -13,7 +12,7 @@
 
 namespace sherd {
 
-/// What both weak forms need of a body. Refers to a solid that must outlive it.
+/// What both weak forms on particles need of a body. Refers to a solid that must outlive it.
 struct StressProblem {
     const Discretisation& solid;
     double support_radius;  ///< in particle spacings
@@ -26,10 +25,6 @@ struct StressProblem {
     StressProblem(const Discretisation& sampled, const Material& material, const StressSettings& settings);
     long unknowns() const { return motions.coefficients.rows(); }
 };
-
-/// Says which constant or which combination of settings no stress can be solved with.
-Status checkStressProblem(const Discretisation* solid, const Material& material,
-                          const StressSettings& settings);
 
 /// What limits trust in a problem's results, with the remedy, as sentences.
 std::vector<std::string> trustWarnings(const StressProblem& problem, const Material& material);

@@ -1,0 +1,39 @@
+#include "core/mlpg/pinned_system.h"
+
+#include "core/linear_algebra/cholesky_solver.h"
+#include "core/mlpg/pinned_unknowns.h"
+
+namespace sherd {
+
+PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned)
+    : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
+
+Result<PinnedSystem> PinnedSystem::factor(SparseMatrix lower, std::vector<int> pinned, int block_size) {
+    pinUnknowns(lower, pinned);
+    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size);
+    if (!solver) return Error{solver.error()};
+    return PinnedSystem(std::move(solver).value(), std::move(pinned));
+}
+
+Result<PinnedSystem::Solution> PinnedSystem::solve(const Eigen::VectorXd& forces, const Residual& residual_of,
+                                                   double good_residual) const {
+    constexpr int largest_refinements = 5;
+    Solution best{Eigen::VectorXd::Zero(forces.size()), 0};
+    const double scale = forces.norm();
+    if (!(scale > 0)) return best;
+    best.residual_rel = 1;
+    Eigen::VectorXd residual = forces, correction;
+    for (int step = 0; step <= largest_refinements && best.residual_rel > good_residual; ++step) {
+        for (const int unknown : pinned_) residual[unknown] = 0;
+        if (!solver_->solve(residual, correction))
+            return Error{"The stress solve failed in the linear solver."};
+        Eigen::VectorXd next = best.unknowns + correction;
+        residual = residual_of(next);
+        const double next_rel = residual.norm() / scale;
+        if (step > 0 && !(next_rel < best.residual_rel)) break;
+        best = {std::move(next), next_rel};
+    }
+    return best;
+}
+
+}  // namespace sherd

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sherd/result.h>
+
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/sparse_solver.h"
+
+namespace sherd {
+
+/// K u = f of the Galerkin form, factored once: unknowns that are pinned at zero remove the rigid motions of
+/// free components, and carry no reaction since loads are balanced. The direct solver is chosen here.
+class PinnedSystem {
+  public:
+    /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards.
+    static Result<PinnedSystem> factor(SparseMatrix lower, std::vector<int> pinned, int block_size);
+
+    struct Solution {
+        Eigen::VectorXd unknowns;
+        double residual_rel = 0;  ///< |f - K u| / |f|
+    };
+    /// f - K u with K as it was before any unknown was pinned.
+    using Residual = std::function<Eigen::VectorXd(const Eigen::VectorXd& unknowns)>;
+
+    /// Refines u until `residual_rel` is at most `good_residual` or falls no more. That mends what the
+    /// factorisation lost to a shifted diagonal or a bad condition; mostly the first solve is good enough.
+    Result<Solution> solve(const Eigen::VectorXd& forces, const Residual& residual_of,
+                           double good_residual) const;
+
+    const SparseSolver& solver() const { return *solver_; }
+
+  private:
+    PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned);
+
+    std::unique_ptr<SparseSolver> solver_;
+    std::vector<int> pinned_;
+};
+
+}  // namespace sherd

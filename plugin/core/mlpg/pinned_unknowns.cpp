@@ -1,0 +1,49 @@
+#include "core/mlpg/pinned_unknowns.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sherd {
+
+std::vector<int> unknownsToPin(const RigidMotions& motions) {
+    constexpr double smallest_norm = 1e-6;
+    Eigen::Matrix<double, Eigen::Dynamic, 6> rest = motions.coefficients;
+    std::vector<int> pinned;
+    for (int round = 0; round < 6; ++round) {
+        std::vector<long> best(motions.componentCount(), -1);
+        for (long unknown = 0; unknown < rest.rows(); ++unknown) {
+            long& leader = best[motions.componentOfUnknown(unknown)];
+            if (leader < 0 || rest.row(unknown).squaredNorm() > rest.row(leader).squaredNorm())
+                leader = unknown;
+        }
+        std::vector<Eigen::Matrix<double, 6, 1>> directions(best.size(), Eigen::Matrix<double, 6, 1>::Zero());
+        for (size_t component = 0; component < best.size(); ++component) {
+            const double norm = rest.row(best[component]).norm();
+            if (norm < smallest_norm) continue;
+            directions[component] = rest.row(best[component]).transpose() / norm;
+            pinned.push_back(static_cast<int>(best[component]));
+        }
+        for (long unknown = 0; unknown < rest.rows(); ++unknown) {
+            const auto& direction = directions[motions.componentOfUnknown(unknown)];
+            rest.row(unknown) -= rest.row(unknown).dot(direction.transpose()) * direction.transpose();
+        }
+    }
+    return pinned;
+}
+
+void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
+    std::vector<char> pinned(lower.size, 0);
+    for (int unknown : unknowns) pinned[unknown] = 1;
+    double largest = 0;
+    for (double value : lower.values) largest = std::max(largest, std::abs(value));
+    // Any positive diagonal will do. A component's own may be zero: where it is a single particle, values
+    // alone make no strain.
+    const double diagonal = largest > 0 ? largest : 1;
+    for (int column = 0; column < lower.size; ++column)
+        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
+            const int row = lower.indices[k];
+            if (pinned[column] || pinned[row]) lower.values[k] = row == column ? diagonal : 0;
+        }
+}
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "core/linear_algebra/sparse_matrix.h"
+#include "core/mlpg/rigid_motions.h"
+
+namespace sherd {
+
+/// For each component up to six unknowns far apart; holding them at zero leaves no rigid motion (pivoted
+/// Gram-Schmidt on the rows of `coefficients`). Fewer than six where the unknowns cannot express all six
+/// motions.
+std::vector<int> unknownsToPin(const RigidMotions& motions);
+
+/// Holds unknowns of a symmetric matrix (CSC, lower half) at zero: their rows and columns vanish but for a
+/// positive diagonal.
+void pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns);
+
+}  // namespace sherd

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/mlpg/splines/spline_supports.h"
+
+namespace sherd {
+
+/// The stiffness between raw functions, without its matrix: forces (3 x raw_count, N) that balance the
+/// stresses and springs which raw coefficients `displacement` (m) call up.
+Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space,
+                                      const Elasticity& elasticity, const std::vector<PointSpring>& springs,
+                                      const Eigen::Matrix3Xd& displacement);
+
+}  // namespace sherd

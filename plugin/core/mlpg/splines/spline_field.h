@@ -1,0 +1,26 @@
+#pragma once
+
+#include <memory>
+
+#include "core/mlpg/splines/spline_space.h"
+
+namespace sherd {
+
+/// A displacement in splines on the parts of a solid.
+struct SplineField {
+    std::shared_ptr<const CellParts> parts;
+    std::shared_ptr<const SplineSpace> space;
+    Eigen::Matrix3Xd raw;  ///< coefficients of all functions, 3 x raw_count, m
+};
+
+/// Displacement gradient of a field on a part, `xi` in its cell, edges from the middle.
+Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi);
+
+/// A point in a solid's grid: found once, read after every solve.
+struct GridPoint {
+    int part = -1;           ///< nearest to the point; -1: none is near
+    Vec3 xi = Vec3::Zero();  ///< in the part's cell, edges from its middle
+};
+GridPoint locate(const CellParts& solid, const Vec3& x);
+
+}  // namespace sherd

@@ -1,0 +1,62 @@
+#include "core/mlpg/splines/spline_problem.h"
+
+#include "core/mlpg/pinned_unknowns.h"
+#include "core/mlpg/splines/damaged_parts.h"
+#include "core/mlpg/splines/spline_motions.h"
+#include "core/mlpg/splines/spline_stiffness.h"
+
+namespace sherd {
+
+SplineField SplineProblem::fieldOf(const Eigen::VectorXd& unknowns) const {
+    return {std::shared_ptr<const CellParts>(solid, &solid->parts), space, space->expand(unknowns)};
+}
+
+Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> solid, const Material& material,
+                                        Basis basis, const std::vector<SupportPoint>& support_points,
+                                        const std::vector<char>& damaged) {
+    const CellParts& parts = solid->parts;
+    const int degree = splineDegree(basis);
+    if (parts.order < 2 * degree)
+        return Error{"The solid was sampled with moments of order " + std::to_string(parts.order) +
+                     "; splines of degree " + std::to_string(degree) + " need " + std::to_string(2 * degree) +
+                     "."};
+    const Elasticity elasticity(material);
+    const auto space = std::make_shared<const SplineSpace>(parts, degree);
+    RigidMotions motions = splineMotions(parts, *space);
+    auto supports = supportSprings(parts, elasticity, support_points);
+    if (!supports) return Error{supports.error()};
+    auto held = heldComponents(parts, *space, motions, supports.value());
+    if (!held) return Error{held.error()};
+    Eigen::Matrix4Xd moments = inertiaMoments(parts, *space, motions);
+    InertiaRelief inertia = splineInertia(moments, motions);
+    std::vector<double> shares = stiffnessShares(*solid, damaged);
+    return SplineProblem{std::move(solid),
+                         elasticity,
+                         material.density_kg_m3,
+                         std::move(shares),
+                         space,
+                         std::move(motions),
+                         std::move(supports).value(),
+                         std::move(held).value(),
+                         std::move(moments),
+                         std::move(inertia)};
+}
+
+SparseMatrix stiffnessOf(const SplineProblem& problem) {
+    return splineStiffness(problem.parts(), *problem.space, problem.elasticity,
+                           springsOf(problem.parts(), problem.supports), problem.shares);
+}
+
+std::vector<int> pinnedUnknowns(const SplineProblem& problem) {
+    std::vector<int> pinned;
+    for (const int unknown : unknownsToPin(problem.motions))
+        if (!problem.held[problem.motions.componentOfUnknown(unknown)]) pinned.push_back(unknown);
+    return pinned;
+}
+
+void clearHeld(const SplineProblem& problem, Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants) {
+    for (size_t component = 0; component < problem.held.size(); ++component)
+        if (problem.held[component]) resultants.col(static_cast<long>(component)).setZero();
+}
+
+}  // namespace sherd

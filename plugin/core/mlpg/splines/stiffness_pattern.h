@@ -1,0 +1,23 @@
+#pragma once
+
+#include "core/linear_algebra/sparse_matrix.h"
+#include "core/mlpg/splines/spline_space.h"
+
+namespace sherd {
+
+/// Which unknown functions share a part, and so have a block of 3 x 3 in the stiffness.
+struct StiffnessPattern {
+    std::vector<std::vector<int>> functions_of_part;  ///< that reach it, ascending
+    std::vector<std::vector<int>> rows_of_column;     ///< block rows from the diagonal down, ascending
+
+    explicit StiffnessPattern(const SplineSpace& space);
+};
+
+/// A symmetric matrix of that pattern in CSC, all entries zero: from the diagonal blocks (complete)
+/// downwards, in blocks of 3.
+SparseMatrix zeroStiffness(const StiffnessPattern& pattern);
+
+/// The pattern alone, a column for each column of 3 x 3 blocks; no values.
+SparseMatrix blockMatrix(const StiffnessPattern& pattern);
+
+}  // namespace sherd

@@ -1,0 +1,44 @@
+#include "core/mlpg/splines/stress_reading.h"
+
+namespace sherd {
+
+std::vector<GridPoint> locateSamples(const Discretisation& solid) {
+    std::vector<GridPoint> samples;
+    for (const Particle& particle : solid.particles)
+        samples.push_back(locate(solid.parts, particle.position));
+    for (const SurfacePoint& point : solid.surface_points)
+        samples.push_back(locate(solid.parts, point.position));
+    return samples;
+}
+
+void readStress(const SplineProblem& problem, const std::vector<GridPoint>& samples, const SplineField& whole,
+                const std::vector<Zoom>& zooms, const std::vector<Vec3>& points, StressField& field) {
+    double spacing = 0;  // of the grid that was read last
+    const auto stress_at = [&](const Vec3& x, const GridPoint& on_whole) -> Voigt {
+        Mat3 gradient;
+        for (size_t z = zooms.size(); z-- > 0;)
+            if (displacementGradient(zooms[z], x, gradient)) {
+                spacing = zooms[z].field.parts->edges.maxCoeff();
+                return toVoigt(problem.elasticity.stress(gradient));
+            }
+        spacing = whole.parts->edges.maxCoeff();
+        if (on_whole.part < 0) return Voigt::Zero();
+        const Voigt stress =
+            toVoigt(problem.elasticity.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
+        return problem.shares.empty() ? stress : Voigt(problem.shares[on_whole.part] * stress);
+    };
+    const Discretisation& solid = *problem.solid;
+    field.particles.reserve(solid.particles.size());
+    field.surface.reserve(solid.surface_points.size());
+    size_t sample = 0;
+    for (const Particle& particle : solid.particles)
+        field.particles.push_back(stress_at(particle.position, samples[sample++]));
+    for (const SurfacePoint& point : solid.surface_points)
+        field.surface.push_back(stress_at(point.position, samples[sample++]));
+    for (const Vec3& point : points) {
+        field.points.push_back(stress_at(point, locate(*whole.parts, point)));
+        field.point_spacing_m.push_back(spacing);
+    }
+}
+
+}  // namespace sherd
