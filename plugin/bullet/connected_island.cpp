@@ -4,28 +4,13 @@
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
-#include <numeric>
-
 #include "bullet/island_state.h"
 #include "bullet/multi_body_state.h"
+#include "core/numerics/union_find.h"
 
 namespace sherd {
 
 namespace {
-
-/// Union-find over the indices of the world's array of objects.
-class Groups {
-  public:
-    explicit Groups(int count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-    int find(int i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void unite(int a, int b) { parent_[find(a)] = find(b); }
-
-  private:
-    std::vector<int> parent_;
-};
 
 /// Static and kinematic objects do not connect islands.
 bool connects(const btCollisionObject& object) {
@@ -57,14 +42,14 @@ void forEachJoint(btDiscreteDynamicsWorld& world, const Visit& visit) {
 
 Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& seeds) {
     const auto& objects = world.getCollisionObjectArray();
-    Groups groups(objects.size());
+    UnionFind groups(static_cast<std::size_t>(objects.size()));  // of places in the world's array of objects
     forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {
         if (connects(a) && connects(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
     });
     std::vector<char> wanted(objects.size(), 0);
-    for (const btCollisionObject* seed : seeds) wanted[groups.find(seed->getWorldArrayIndex())] = 1;
+    for (const btCollisionObject* seed : seeds) wanted[groups.root(seed->getWorldArrayIndex())] = 1;
     const auto inside = [&](const btCollisionObject& object) {
-        return connects(object) && wanted[groups.find(object.getWorldArrayIndex())];
+        return connects(object) && wanted[groups.root(object.getWorldArrayIndex())];
     };
 
     Island island;

@@ -26,7 +26,7 @@ double enclosedVolume(const btConvexHullComputer& hull) {
     return std::abs(six_volumes) / 6;
 }
 
-/// A Fibonacci lattice on the sphere.
+/// Directions spread evenly over the sphere by a Fibonacci lattice.
 Eigen::Vector3f direction(int index, int count) {
     const double golden_angle = std::acos(-1.0) * (3 - std::sqrt(5.0));
     const double z = 1 - (2 * index + 1.0) / count, r = std::sqrt(1 - z * z);
@@ -49,7 +49,7 @@ ConvexHull convexHull(const std::vector<Vec3>& points) {
 ConvexHull roughHull(const std::vector<Vec3>& points, int directions) {
     if (static_cast<int>(points.size()) <= directions) return convexHull(points);
     const auto count = static_cast<Eigen::Index>(points.size());
-    // One column per coordinate, so that the products below run over the points.
+    // One column for each coordinate, so that the products below run over the points.
     Eigen::MatrixX3f coordinates =
         Eigen::Map<const Eigen::Matrix3Xd>(points.front().data(), 3, count).transpose().cast<float>();
     Eigen::VectorXf heights(count);

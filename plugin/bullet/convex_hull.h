@@ -12,11 +12,11 @@ struct ConvexHull {
     double volume = 0;           ///< m^3; 0 for points in a plane
 };
 
-/// The hull of points (btConvexHullComputer, which computes with exact integers and so never fails).
+/// The hull of points (btConvexHullComputer: exact in integers, so no input upsets it).
 ConvexHull convexHull(const std::vector<Vec3>& points);
 
-/// The hull of the outermost points in `directions` directions spread evenly over the sphere: at most so many
-/// vertices, much faster, and slightly smaller than the exact hull.
+/// The hull of the outermost points in `directions` directions spread evenly over the sphere. It has no more
+/// vertices than that, is a little smaller than the hull of all points, and takes far less time.
 ConvexHull roughHull(const std::vector<Vec3>& points, int directions);
 
 }  // namespace sherd

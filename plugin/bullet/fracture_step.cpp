@@ -4,21 +4,12 @@
 #include "bullet/body_swap.h"
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
+#include "core/numerics/split_mix.h"
 #include "core/numerics/stopwatch.h"
 
 namespace sherd {
 
 namespace {
-
-constexpr std::uint64_t golden_ratio = 0x9E3779B97F4A7C15ull;
-
-/// SplitMix64 (Steele, Lea, Flood 2014): neighbouring inputs give unrelated outputs.
-std::uint64_t mixed(std::uint64_t x) {
-    x += golden_ratio;
-    x = (x ^ (x >> 30)) * 0xBF58476D1CE4E5B9ull;
-    x = (x ^ (x >> 27)) * 0x94D049BB133111EBull;
-    return x ^ (x >> 31);
-}
 
 /// `strike` reports its failures in the outcome. This catches what it cannot report, such as running out of
 /// memory: nothing may throw through Bullet's step.
@@ -179,7 +170,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
 }
 
 std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {
-    return mixed(breakable.asset.solid()->settings().fracture.seed + golden_ratio * breakable.serial);
+    return splitMix64(breakable.asset.solid()->settings().fracture.seed + golden_step * breakable.serial);
 }
 
 }  // namespace sherd

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/clustering/clusters.h"
+#include "core/clustering/affordable_clusters.h"
 
 namespace sherd {
 

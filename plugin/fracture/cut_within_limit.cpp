@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/clustering/merge_labels.h"
+#include "geometry/cutting/cut_fragments.h"
 
 namespace sherd {
 

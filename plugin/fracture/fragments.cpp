@@ -1,5 +1,6 @@
 #include "fracture/fragments.h"
 
+#include "core/clustering/affordable_clusters.h"
 #include "fracture/voxel_owners.h"
 
 namespace sherd {

@@ -1,9 +1,12 @@
 #include "geometry/mass_properties.h"
 
+#include "core/numerics/mesh_measures.h"
+
 namespace sherd {
 namespace {
 
-/// Sums over the tetrahedra (origin, a, b, c); their signed volumes cancel outside the solid.
+/// Sums over the tetrahedra (origin, a, b, c) of all triangles. Their signed volumes cancel outside the
+/// solid.
 struct TetrahedronSums {
     double volume = 0;
     Vec3 first = Vec3::Zero();
@@ -27,12 +30,6 @@ TetrahedronSums sumTetrahedra(const TriangleMesh& mesh, const Vec3& origin) {
     return sums;
 }
 
-Vec3 boxCentre(const TriangleMesh& mesh) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& vertex : mesh.vertices) box.extend(vertex);
-    return box.center();
-}
-
 }  // namespace
 
 Moments solidMoments(const TriangleMesh& mesh) {
@@ -40,7 +37,7 @@ Moments solidMoments(const TriangleMesh& mesh) {
     if (mesh.triangles.empty()) return moments;
     // Two passes, so that a body far from the origin loses no digits: the second is about the centroid
     // itself.
-    const Vec3 near = boxCentre(mesh);
+    const Vec3 near = boundingBox(mesh.vertices).center();
     const TetrahedronSums rough = sumTetrahedra(mesh, near);
     if (rough.volume == 0) {
         moments.centroid = near;
@@ -53,14 +50,6 @@ Moments solidMoments(const TriangleMesh& mesh) {
     moments.centroid = centroid + rest;
     moments.second = sums.second - sums.volume * rest * rest.transpose();
     return moments;
-}
-
-double enclosedVolume(const TriangleMesh& mesh, const Vec3& origin) {
-    double six_volumes = 0;
-    for (const auto& [a, b, c] : mesh.triangles)
-        six_volumes +=
-            (mesh.vertices[a] - origin).cross(mesh.vertices[b] - origin).dot(mesh.vertices[c] - origin);
-    return six_volumes / 6;
 }
 
 }  // namespace sherd

@@ -6,11 +6,8 @@
 
 namespace sherd {
 
-/// Volume, centroid and second moment of the solid that a closed surface bounds (divergence theorem), unit
-/// density.
+/// Volume, centroid and second moment of the solid that a closed surface bounds, of unit density (divergence
+/// theorem).
 Moments solidMoments(const TriangleMesh& mesh);
-
-/// The volume alone, m^3; exact up to rounding if `origin` is near.
-double enclosedVolume(const TriangleMesh& mesh, const Vec3& origin);
 
 }  // namespace sherd

@@ -4,14 +4,13 @@
 
 namespace sherd {
 
-/// Whether a mesh has anything beyond its triangles and their kinds.
+/// Whether a mesh has normals, texture coordinates, materials or colours.
 bool hasAttributes(const TriangleMesh& mesh);
 
-/// Appends what a triangle of one mesh has at its corners, and its material, to another one with the same
-/// materials.
+/// Appends the attributes of a triangle's corners, and its material, to another mesh with the same materials.
 void copyCorners(const TriangleMesh& from, int triangle, TriangleMesh& to);
 
-/// The index of a material, which is added if there is none of that name.
+/// The index of the material of a name, which is added if there is none.
 int findOrAddMaterial(TriangleMesh& mesh, const std::string& name);
 
 }  // namespace sherd

@@ -30,7 +30,7 @@ using Parts = std::vector<std::vector<Vec3>>;
 
 constexpr double weld_tolerance = 1e-6;  // of the whole; a float keeps 6e-8
 
-/// Coordinates along one axis that are nearly equal become equal.
+/// Makes coordinates along one axis equal that are nearly so.
 void weldAxis(Parts& parts, int axis, double tolerance) {
     std::vector<double*> values;
     for (auto& part : parts)
@@ -68,7 +68,7 @@ std::optional<Solid> convexHull(const std::vector<Vec3>& points) {
     return hull;
 }
 
-/// Adds `part` to `whole` if the union is a manifold, and says whether it was.
+/// Adds `part` to `whole` if their union is a manifold; false if not.
 bool unite(Solid& whole, const Solid& part) {
     Solid a = whole, b = part, both;  // corefinement splits the triangles of its operands
     if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) return false;
@@ -119,8 +119,8 @@ Result<Solid> uniteHulls(const Parts& parts) {
                  "faces, or stay apart."};
 }
 
-/// Every part grows by a few millionths, each by its own share, so that faces that all but lie in one plane
-/// are apart by more than the rounding to double precision.
+/// Scales every part up by a few millionths, each by another factor, so that faces nearly in one plane are
+/// apart by more than rounding to double precision.
 void growUnevenly(Parts& parts) {
     for (std::size_t p = 0; p < parts.size(); ++p) {
         const double growth =

@@ -1,9 +1,10 @@
 #include "geometry/surface_topology.h"
 
 #include <algorithm>
-#include <numeric>
 #include <sstream>
 #include <tuple>
+
+#include "core/numerics/union_find.h"
 
 namespace sherd {
 namespace {
@@ -54,21 +55,7 @@ Error twistedEdge(const TriangleMesh& mesh, const EdgeUse& use, const EdgeUse& o
         " in the same direction; make the faces' winding consistent, counter-clockwise seen from outside."};
 }
 
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), 0);
-    }
-    int find(int item) {
-        while (parent_[item] != item) item = parent_[item] = parent_[parent_[item]];
-        return item;
-    }
-    void join(int a, int b) { parent_[find(a)] = find(b); }
-
-  private:
-    std::vector<int> parent_;
-};
-
+/// Number of a corner among all corners of all triangles.
 int cornerOf(const TriangleMesh& mesh, int triangle, int vertex) {
     int k = 0;
     while (mesh.triangles[triangle][k] != vertex) ++k;
@@ -77,15 +64,15 @@ int cornerOf(const TriangleMesh& mesh, int triangle, int vertex) {
 
 /// Corners that meet across edges around a vertex are one fan; a second fan at the same vertex is a pinch.
 Status checkFans(const TriangleMesh& mesh, const std::vector<SharedEdge>& edges) {
-    DisjointSets fans(3 * mesh.triangles.size());
+    UnionFind fans(3 * mesh.triangles.size());
     for (const SharedEdge& edge : edges)
         for (const int vertex : edge.vertices)
-            fans.join(cornerOf(mesh, edge.triangles[0], vertex), cornerOf(mesh, edge.triangles[1], vertex));
+            fans.unite(cornerOf(mesh, edge.triangles[0], vertex), cornerOf(mesh, edge.triangles[1], vertex));
     std::vector<int> fan_of_vertex(mesh.vertices.size(), -1);
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
         for (int k = 0; k < 3; ++k) {
             const int vertex = mesh.triangles[t][k];
-            const int fan = fans.find(static_cast<int>(3 * t) + k);
+            const int fan = fans.root(static_cast<int>(3 * t) + k);
             if (fan_of_vertex[vertex] == -1) fan_of_vertex[vertex] = fan;
             if (fan_of_vertex[vertex] != fan)
                 return Error{"The surface is not a manifold: it touches itself in the single point " +
@@ -133,12 +120,12 @@ Result<std::vector<SharedEdge>> closedManifoldEdges(const TriangleMesh& mesh) {
 }
 
 std::vector<int> shellOfTriangle(const TriangleMesh& mesh, const std::vector<SharedEdge>& edges) {
-    DisjointSets shells(mesh.triangles.size());
-    for (const SharedEdge& edge : edges) shells.join(edge.triangles[0], edge.triangles[1]);
+    UnionFind shells(mesh.triangles.size());
+    for (const SharedEdge& edge : edges) shells.unite(edge.triangles[0], edge.triangles[1]);
     std::vector<int> number_of_set(mesh.triangles.size(), -1), shell(mesh.triangles.size());
     int count = 0;
     for (std::size_t t = 0; t < shell.size(); ++t) {
-        int& number = number_of_set[shells.find(static_cast<int>(t))];
+        int& number = number_of_set[shells.root(static_cast<int>(t))];
         if (number == -1) number = count++;
         shell[t] = number;
     }

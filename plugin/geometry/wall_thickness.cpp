@@ -3,6 +3,7 @@
 #include <exception>
 #include <vector>
 
+#include "core/numerics/mesh_measures.h"
 #include "geometry/surface_checks.h"
 #include "geometry/triangle_tree.h"
 
@@ -12,7 +13,7 @@ namespace {
 using Kernel = TriangleTree::Kernel;
 
 constexpr int ray_count = 2000;
-// A thin wall that is a tenth of the surface counts, a sharp edge does not.
+// So that a thin wall counts if it has a tenth of the surface, and a sharp edge does not.
 constexpr double percentile = 0.1;
 
 struct Ray {
@@ -20,18 +21,14 @@ struct Ray {
     Vec3 origin, direction;
 };
 
-/// Equal shares of the area, each with a point in its triangle; a large triangle gets several.
+/// Rays that each stand for the same share of the surface, so that a large triangle gets several.
 std::vector<Ray> inwardRays(const TriangleMesh& mesh) {
-    const auto areaVector = [&](std::size_t t) -> Vec3 {
-        const auto& [a, b, c] = mesh.triangles[t];
-        return (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]) / 2;
-    };
     double total = 0;
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) total += areaVector(t).norm();
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) total += areaVector(cornersOf(mesh, t)).norm();
     std::vector<Ray> rays;
     double passed = 0;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const Vec3 area = areaVector(t);
+        const Vec3 area = areaVector(cornersOf(mesh, t));
         passed += area.norm();
         while (rays.size() < ray_count && passed > (rays.size() + 0.5) / ray_count * total) {
             // The R2 sequence, folded into the triangle; shrunk so that no ray starts on an edge.

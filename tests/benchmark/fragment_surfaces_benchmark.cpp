@@ -14,8 +14,8 @@
 #include <ctime>
 #include <string>
 
+#include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/mass_properties.h"
 #include "support/shapes.h"
 

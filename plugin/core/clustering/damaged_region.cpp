@@ -8,12 +8,11 @@ namespace sherd {
 
 namespace {
 
-constexpr double across_wall =
-    0.75;  // of the wall, about the way between the outermost particles of two sides
+constexpr double across_wall = 0.75;    // of the wall: distance of the outermost particles on its two sides
 constexpr double compact_reach = 2.01;  // in spacings of the particles
-constexpr int speck = 6;                // parts of fewer particles are no fragments
+constexpr int smallest_part = 6;        // particles; connected parts with fewer are specks
 
-/// Flips specks of either state to that of what surrounds them; a body of its own stays as it is.
+/// Gives specks of either state that of what surrounds them. A part that touches nothing stays as it is.
 std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
     for (const char speck_state : {char(0), char(1)}) {
         const Parts parts = connectedParts(solid, state);
@@ -23,20 +22,21 @@ std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> s
                 touches[parts.of_particle[i]] |= parts.of_particle[j] != parts.of_particle[i];
         for (std::size_t i = 0; i < state.size(); ++i) {
             const int part = parts.of_particle[i];
-            if (state[i] == speck_state && parts.sizes[part] < speck && touches[part]) state[i] = !state[i];
+            if (state[i] == speck_state && parts.sizes[part] < smallest_part && touches[part])
+                state[i] = !state[i];
         }
     }
     return state;
 }
 
-/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps straight
-/// through the wall, no further than its thickness. Where there is no telling which way is through: as far as
-/// three quarters of the wall, or two particles in a compact body. `seen_from` (#particles) notes who was
-/// reached from where; no call may have had the same `first`.
+/// Calls `visit` for every particle that is reached from `first` along the neighbour table by steps along the
+/// wall's axis, no further than the wall is thick. Where the axis is not known: by any steps, as far as three
+/// quarters of the wall or two particles, whichever is less. `seen_from` (#particles) keeps from which
+/// `first` each particle was last reached; start with -1 and call once for each `first`.
 template <class Visit>
 void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& axes, int first, double wall,
                         std::vector<int>& seen_from, const Visit& visit) {
-    constexpr double straight = 0.8;  // cosine between a step and the wall's axis
+    constexpr double straight = 0.8;  // least cosine between a step and the wall's axis
     const Vec3& axis = axes[first];
     const bool known = !axis.isZero(0);
     const double reach = known ? wall : std::min(across_wall * wall, compact_reach * solid.spacing);
@@ -57,8 +57,8 @@ void forEachThroughWall(const Discretisation& solid, const std::vector<Vec3>& ax
     }
 }
 
-/// Takes in what lies behind damaged particles, with their overstress: a crack that starts on one side of a
-/// wall runs straight through to the other, it does not turn and peel the wall.
+/// Marks as damaged what lies behind damaged particles through the wall, with the overstress of those: a
+/// crack that starts on one side of a wall runs straight through to the other and does not turn to peel it.
 Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
                       double wall) {
     Damage through = damage;

@@ -14,8 +14,8 @@ struct Parts {
 };
 Parts connectedParts(const Discretisation& solid, const std::vector<char>& state);
 
-/// What is split into clusters: the damaged particles and those behind them through the wall, with their
-/// overstress, and without specks of either state. `axes` are those of the walls (see wall_axes.h).
+/// The part of a body that is split into clusters: the damaged particles and those behind them through the
+/// wall, with their overstress, and without specks of either state. `axes`: see wall_axes.h.
 Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
                      double wall_thickness_m);
 

@@ -2,14 +2,15 @@
 
 #include <map>
 
+#include "core/numerics/union_find.h"
+
 namespace sherd {
 
 namespace {
 
 struct Piece {
     double volume = 0;           // m^3
-    std::map<int, double> area;  // m^2, shared with each neighbour
-    int into = -1;               // the piece that it became part of
+    std::map<int, double> area;  // m^2, shared with each neighbour; empty once it is part of another piece
 };
 
 std::vector<Piece> measure(const Discretisation& solid, const FragmentLabels& labels) {
@@ -29,13 +30,14 @@ std::vector<Piece> measure(const Discretisation& solid, const FragmentLabels& la
 int smallestWithNeighbours(const std::vector<Piece>& pieces) {
     int smallest = -1;
     for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
-        if (pieces[p].into >= 0 || pieces[p].area.empty()) continue;
+        if (pieces[p].area.empty()) continue;
         if (smallest < 0 || pieces[p].volume < pieces[smallest].volume) smallest = p;
     }
     return smallest;
 }
 
-void mergeIntoNeighbour(std::vector<Piece>& pieces, int small) {
+/// Merges a piece into the neighbour that it shares most area with, and returns that one.
+int mergeIntoNeighbour(std::vector<Piece>& pieces, int small) {
     int target = -1;
     for (const auto& [other, area] : pieces[small].area)
         if (target < 0 || area > pieces[small].area[target]) target = other;
@@ -47,8 +49,8 @@ void mergeIntoNeighbour(std::vector<Piece>& pieces, int small) {
         pieces[other].area[target] += area;
         pieces[other].area.erase(small);
     }
-    pieces[small].into = target;
     pieces[small].area.clear();
+    return target;
 }
 
 }  // namespace
@@ -56,24 +58,22 @@ void mergeIntoNeighbour(std::vector<Piece>& pieces, int small) {
 void mergeSmallest(const Discretisation& solid, double smallest_m3, int largest_count,
                    FragmentLabels& labels) {
     std::vector<Piece> pieces = measure(solid, labels);
+    UnionFind merged(pieces.size());
     for (int left = labels.count;; --left) {
         const int small = smallestWithNeighbours(pieces);
         if (small < 0 || (pieces[small].volume >= smallest_m3 && left <= largest_count)) break;
-        mergeIntoNeighbour(pieces, small);
+        merged.uniteInto(mergeIntoNeighbour(pieces, small), small);
     }
     std::vector<int> number(pieces.size(), -1);
     labels.count = 0;
     for (std::size_t p = 0; p < pieces.size(); ++p)
-        if (pieces[p].into < 0) number[p] = labels.count++;
-    const auto renumbered = [&](int label) {
-        while (pieces[label].into >= 0) label = pieces[label].into;
-        return number[label];
-    };
+        if (merged.isRoot(static_cast<int>(p))) number[p] = labels.count++;
+    const auto renumbered = [&](int label) { return number[merged.root(label)]; };
     for (int& label : labels.of_particle) label = renumbered(label);
-    for (std::size_t i = 0; i < labels.shared.size(); ++i) {
-        SharedLabel& shared = labels.shared[i];
-        if (shared.second >= 0) shared.second = renumbered(shared.second);
-        if (shared.second == labels.of_particle[i]) shared = {};
+    for (std::size_t i = 0; i < labels.runner_up.size(); ++i) {
+        RunnerUp& runner_up = labels.runner_up[i];
+        if (runner_up.label >= 0) runner_up.label = renumbered(runner_up.label);
+        if (runner_up.label == labels.of_particle[i]) runner_up = {};
     }
 }
 

@@ -4,10 +4,10 @@ namespace sherd {
 
 namespace {
 
-/// The offset with its component along the field times lambda.
+/// The offset with its component along the field multiplied by lambda.
 Vec3 penalised(const Vec3& offset, const Vec3& field, double lambda) {
     if (!field.allFinite() || field.isZero(0)) return offset;
-    const Vec3 v = field.stableNormalized();  // lengths whose square is no number are lengths, too
+    const Vec3 v = field.stableNormalized();  // the square of the length may overflow
     return offset - (1 - lambda) * offset.dot(v) * v;
 }
 
@@ -32,11 +32,11 @@ double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide,
         case GuideField::Kind::none:
             break;
         case GuideField::Kind::constant:
-            return penalised(x - seed, guide.direction, guide.penalty).norm();
+            return penalised(x - seed, guide.direction, guide.cost_along).norm();
         case GuideField::Kind::radial:
-            return radialDistance(seed, x, blow, guide.penalty);
+            return radialDistance(seed, x, blow, guide.cost_along);
         case GuideField::Kind::custom:
-            return penalised(x - seed, guide.custom(0.5 * (seed + x), blow.contact), guide.penalty).norm();
+            return penalised(x - seed, guide.custom(0.5 * (seed + x), blow.contact), guide.cost_along).norm();
     }
     return (x - seed).norm();
 }

@@ -6,8 +6,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double most = 0.7;  // of the surface around a particle, which has to face one way
-constexpr int rounds = 3;     // of neighbours: the middle of a wall knows its sides
+constexpr double most = 0.7;  // least part of the surface around a particle that faces along the axis
+constexpr int rounds = 3;     // in which particles without surface take that of their neighbours
 
 }  // namespace
 

@@ -25,14 +25,14 @@ struct Blow {
     std::vector<ContactImpulse> contacts;
 };
 
-/// What a contact point of a blow stands for, apart from how far this time step got with it.
+/// The part of a blow that one contact point carries, whatever the time step.
 struct ContactShare {
     double mass_kg = 0;    ///< J / (speed before - speed after): the mass that the contact stops
     double speed_m_s = 0;  ///< closing speed; 0 for contacts that merely press
     double energy_j = 0;   ///< 1/2 m v^2
 };
 
-/// The share of a contact point. Several points of one blow share its mass in proportion to their impulses.
+/// The share of a contact point. Points of the same blow share its mass in proportion to their impulses.
 ContactShare contactShare(const ContactImpulse& contact);
 
 /// Energy that all contacts together bring to the body at most, J.

@@ -24,7 +24,8 @@ double hertzPatchRadius(const HertzContact& contact, double force_n) {
 
 namespace {
 
-/// F with a F^2 + e (F / F_hertz)^(5/3) = e: a spring and a Hertz contact in series share the energy e.
+/// The force F at which a spring and a Hertz contact in series store the energy e together: a F^2 + e (F /
+/// F_hertz)^(5/3) = e.
 double sharedForce(double hertz_force, double a, double e) {
     double low = 0, high = hertz_force;
     for (int i = 0; i < 60; ++i) {

@@ -4,29 +4,19 @@
 #include <cmath>
 #include <limits>
 
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
 
 namespace sherd {
 
 namespace {
 
-using Triangle = std::array<Vec3, 3>;
-
-Triangle corners(const TriangleMesh& surface, std::size_t t) {
-    const auto& v = surface.triangles[t];
-    return {surface.vertices[v[0]], surface.vertices[v[1]], surface.vertices[v[2]]};
-}
-
-Vec3 areaVector(const Triangle& t) {
-    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
-bool facesPush(const Triangle& t, const Vec3& push) {
+bool facesPush(const TriangleCorners& t, const Vec3& push) {
     return areaVector(t).dot(push) < 0;
 }
 
 /// Nearest point of a triangle (Ericson, Real-Time Collision Detection, 5.1.5).
-Vec3 nearestPoint(const Triangle& t, const Vec3& p) {
+Vec3 nearestPoint(const TriangleCorners& t, const Vec3& p) {
     const Vec3 ab = t[1] - t[0], ac = t[2] - t[0], ap = p - t[0];
     const double d1 = ab.dot(ap), d2 = ac.dot(ap);
     if (d1 <= 0 && d2 <= 0) return t[0];
@@ -47,28 +37,28 @@ Vec3 nearestPoint(const Triangle& t, const Vec3& p) {
 
 /// Calls visit(centroid, area) for parts of a triangle no longer than `size`.
 template <class Visit>
-void subdivide(const Triangle& t, double size, int depth, const Visit& visit) {
+void subdivide(const TriangleCorners& t, double size, int depth, const Visit& visit) {
     const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     if (longest <= size || depth == 0) {
         visit(Vec3((t[0] + t[1] + t[2]) / 3), areaVector(t).norm());
         return;
     }
     const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    for (const Triangle& part :
-         {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc}, Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
+    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
+                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
         subdivide(part, size, depth - 1, visit);
 }
 
-/// The same, only for parts near a point; far branches of large triangles are dropped early.
+/// The same for the parts within `radius` of a point only; whole branches farther away are skipped.
 template <class Visit>
-void subdivideNear(const Triangle& t, const Vec3& centre, double radius, double size, int depth,
+void subdivideNear(const TriangleCorners& t, const Vec3& centre, double radius, double size, int depth,
                    const Visit& visit) {
     if ((nearestPoint(t, centre) - centre).squaredNorm() > radius * radius) return;
     const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     if (longest <= size || depth == 0) return subdivide(t, size, 0, visit);
     const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    for (const Triangle& part :
-         {Triangle{t[0], ab, ca}, Triangle{ab, t[1], bc}, Triangle{ca, bc, t[2]}, Triangle{ab, bc, ca}})
+    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
+                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
         subdivideNear(part, centre, radius, size, depth - 1, visit);
 }
 
@@ -79,7 +69,7 @@ SurfaceSpot nearestSurfacePoint(const TriangleMesh& surface, const Vec3& point, 
         SurfaceSpot best;
         double nearest = std::numeric_limits<double>::infinity();
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-            const Triangle triangle = corners(surface, t);
+            const TriangleCorners triangle = cornersOf(surface, t);
             if (facing && !facesPush(triangle, push)) continue;
             const Vec3 candidate = nearestPoint(triangle, point);
             const double distance = (candidate - point).squaredNorm();
@@ -100,7 +90,7 @@ double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& 
         if ((v - spot).squaredNorm() < reach * reach) furthest = std::min(furthest, v.dot(push));
     double area = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const Triangle triangle = corners(surface, t);
+        const TriangleCorners triangle = cornersOf(surface, t);
         const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
         if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
         subdivideNear(triangle, spot, reach, std::max(depth, reach / 16), 8, [&](const Vec3& x, double a) {
@@ -115,7 +105,7 @@ std::vector<PointForce> spreadForce(const TriangleMesh& surface, const SurfaceSp
     std::vector<PointForce> points;
     double area = 0;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const Triangle triangle = corners(surface, t);
+        const TriangleCorners triangle = cornersOf(surface, t);
         if (!facesPush(triangle, push)) continue;
         subdivideNear(triangle, spot.point, radius, radius / 3, 12, [&](const Vec3& x, double a) {
             if ((x - spot.point).squaredNorm() > radius * radius) return;

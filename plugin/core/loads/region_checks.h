@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-/// Says which figure of a region is not finite or describes no shape.
+/// The error says which number of a region is not finite or describes no shape.
 Status checkRegion(const SurfaceRegion& region);
 
 }  // namespace sherd

@@ -1,10 +1,11 @@
 #include "core/loads/region_parts.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
+#include "core/numerics/plane_crossing.h"
 
 namespace sherd {
 
@@ -14,36 +15,28 @@ constexpr double relative_tolerance = 1e-6;  // of the body's size: how far from
 constexpr double cylinder_tolerance = 1e-3;  // of the radius
 constexpr int disc_sides = 128;              // of the polygon that stands for a sphere cut by a plane
 
-using Triangle = std::array<Vec3, 3>;
-
 /// The points with normal . x <= offset.
 struct HalfSpace {
     Vec3 normal;
     double offset;
 };
 
-Triangle corners(const TriangleMesh& surface, std::size_t t) {
-    const auto& v = surface.triangles[t];
-    return {surface.vertices[v[0]], surface.vertices[v[1]], surface.vertices[v[2]]};
-}
-
-Vec3 areaVector(const Triangle& t) {
-    return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
-}
-
-/// Sutherland and Hodgman's step for one plane.
+/// The part of a polygon in a half-space.
 ConvexPolygon clipped(const ConvexPolygon& polygon, const HalfSpace& half) {
     ConvexPolygon inside;
-    for (std::size_t i = 0; i < polygon.size(); ++i) {
-        const Vec3 &a = polygon[i], &b = polygon[(i + 1) % polygon.size()];
-        const double above_a = half.normal.dot(a) - half.offset, above_b = half.normal.dot(b) - half.offset;
-        if (above_a <= 0) inside.push_back(a);
-        if ((above_a <= 0) != (above_b <= 0)) inside.push_back(a + (b - a) * (above_a / (above_a - above_b)));
-    }
+    const auto height = [&](int i) { return half.normal.dot(polygon[i]) - half.offset; };
+    walkAcrossPlane(
+        static_cast<int>(polygon.size()), [&](int i) { return height(i) > 0; },
+        [&](int i, bool above) {
+            if (!above) inside.push_back(polygon[i]);
+        },
+        [&](int i, int next, bool) {
+            inside.push_back(planeCrossing(polygon[i], height(i), polygon[next], height(next)));
+        });
     return inside;
 }
 
-ConvexPolygon clipped(const Triangle& t, const std::vector<HalfSpace>& halves) {
+ConvexPolygon clipped(const TriangleCorners& t, const std::vector<HalfSpace>& halves) {
     ConvexPolygon polygon(t.begin(), t.end());
     for (const HalfSpace& half : halves) {
         polygon = clipped(polygon, half);
@@ -52,9 +45,9 @@ ConvexPolygon clipped(const Triangle& t, const std::vector<HalfSpace>& halves) {
     return polygon;
 }
 
-/// The sphere cuts the triangle's plane in a disc, which a regular polygon of the same area stands for. It
-/// depends on the plane alone, so the parts of a face that is cut into triangles tile that polygon.
-ConvexPolygon partInside(const SphereRegion& sphere, const Triangle& t, double) {
+/// The sphere cuts the triangle's plane in a disc, which is replaced by a regular polygon of the same area.
+/// That polygon depends on the plane alone, so the parts of neighbouring triangles of one flat face tile it.
+ConvexPolygon partInside(const SphereRegion& sphere, const TriangleCorners& t, double) {
     const Vec3 middle = (t[0] + t[1] + t[2]) / 3, normal = areaVector(t).normalized();
     double reach = 0;
     for (const Vec3& corner : t) reach = std::max(reach, (corner - middle).norm());
@@ -76,7 +69,7 @@ ConvexPolygon partInside(const SphereRegion& sphere, const Triangle& t, double) 
     return clipped(t, sides);
 }
 
-ConvexPolygon partInside(const BoxRegion& box, const Triangle& t, double tolerance) {
+ConvexPolygon partInside(const BoxRegion& box, const TriangleCorners& t, double tolerance) {
     std::vector<HalfSpace> sides;
     for (int axis = 0; axis < 3; ++axis) {
         sides.push_back({Vec3::Unit(axis), box.hi[axis] + tolerance});
@@ -85,8 +78,8 @@ ConvexPolygon partInside(const BoxRegion& box, const Triangle& t, double toleran
     return clipped(t, sides);
 }
 
-/// All of a triangle with its corners on the cylinder, unless it is part of an end face.
-ConvexPolygon partInside(const CylinderRegion& cylinder, const Triangle& t, double tolerance) {
+/// The whole triangle if its corners lie on the cylinder and it is no part of an end face, else nothing.
+ConvexPolygon partInside(const CylinderRegion& cylinder, const TriangleCorners& t, double tolerance) {
     const Vec3 axis = cylinder.axis.normalized();
     const auto radial = [&](const Vec3& x) {
         const Vec3 arm = x - cylinder.point;
@@ -99,7 +92,8 @@ ConvexPolygon partInside(const CylinderRegion& cylinder, const Triangle& t, doub
     return {t.begin(), t.end()};
 }
 
-/// A strip as narrow as the tolerance: what a flat box cuts from the faces beside its own.
+/// Whether a polygon is a strip as narrow as the tolerance, as a flat box cuts from the faces that adjoin the
+/// one it lies on.
 bool isSliver(const ConvexPolygon& polygon, double tolerance) {
     double longest = 0;
     for (const Vec3& p : polygon) longest = std::max(longest, (p - polygon[0]).norm());
@@ -107,13 +101,11 @@ bool isSliver(const ConvexPolygon& polygon, double tolerance) {
 }
 
 double toleranceOf(const TriangleMesh& surface) {
-    Eigen::AlignedBox3d bounds;
-    for (const Vec3& v : surface.vertices) bounds.extend(v);
-    return relative_tolerance * bounds.diagonal().norm();
+    return relative_tolerance * boundingBox(surface.vertices).diagonal().norm();
 }
 
-/// Empty where a triangle only touches the region.
-ConvexPolygon partInside(const SurfaceRegion& region, const Triangle& triangle, double tolerance) {
+/// The part of a triangle in a region; empty where the two only touch.
+ConvexPolygon partInside(const SurfaceRegion& region, const TriangleCorners& triangle, double tolerance) {
     ConvexPolygon part =
         std::visit([&](const auto& r) { return partInside(r, triangle, tolerance); }, region);
     if (!part.empty() && isSliver(part, tolerance)) part.clear();
@@ -133,7 +125,7 @@ std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const Surfac
     const double tolerance = toleranceOf(surface);
     std::vector<ConvexPolygon> parts;
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        ConvexPolygon part = partInside(region, corners(surface, t), tolerance);
+        ConvexPolygon part = partInside(region, cornersOf(surface, t), tolerance);
         if (!part.empty()) parts.push_back(std::move(part));
     }
     return parts;
@@ -142,7 +134,7 @@ std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const Surfac
 RegionOnSurface::RegionOnSurface(const TriangleMesh& surface, const SurfaceRegion& region)
     : region_(region), tolerance_(toleranceOf(surface)) {
     for (std::size_t t = 0; t < surface.triangles.size(); ++t)
-        has_part_.push_back(!partInside(region, corners(surface, t), tolerance_).empty());
+        has_part_.push_back(!partInside(region, cornersOf(surface, t), tolerance_).empty());
 }
 
 bool RegionOnSurface::holds(int triangle, const Vec3& x) const {

@@ -10,12 +10,12 @@ namespace sherd {
 /// Corners in order, counter-clockwise seen from outside the body.
 using ConvexPolygon = std::vector<Vec3>;
 
-/// What is left of each triangle of `surface` inside `region`, empty parts left out. The region is one that
+/// The part of each triangle of `surface` inside `region`, empty parts left out. `region` must be one that
 /// `checkRegion` accepts.
 std::vector<ConvexPolygon> partsInside(const TriangleMesh& surface, const SurfaceRegion& region);
 
-/// A region as part of a surface: what lies on it is told by the same triangles and tolerances that place its
-/// loads.
+/// Tells whether points lie in a region of a surface, with the same triangles and tolerances by which
+/// `partsInside` places the region's loads.
 class RegionOnSurface {
   public:
     RegionOnSurface(const TriangleMesh& surface, const SurfaceRegion& region);
@@ -23,7 +23,7 @@ class RegionOnSurface {
     /// Whether a point of a triangle lies in the region.
     bool holds(int triangle, const Vec3& x) const;
 
-    /// Whether a point within `reach` of the surface may lie over the region; costs next to nothing.
+    /// A quick test: false only if no point of the region's surface lies within `reach` of x.
     bool mayHold(const Vec3& x, double reach) const;
 
   private:
@@ -32,6 +32,6 @@ class RegionOnSurface {
     std::vector<char> has_part_;  // #triangles
 };
 
-double areaOf(const ConvexPolygon& polygon);
+double areaOf(const ConvexPolygon& polygon);  ///< m^2
 
 }  // namespace sherd

@@ -7,6 +7,7 @@
 
 #include "core/loads/region_checks.h"
 #include "core/loads/region_parts.h"
+#include "core/numerics/mesh_measures.h"
 
 namespace sherd {
 
@@ -15,15 +16,7 @@ namespace {
 constexpr double points_across = 8;   // at least, over the root of a region's area
 constexpr double most_points = 4000;  // about, of a flat region
 
-using Triangle = std::array<Vec3, 3>;
-
-BoxRegion boundingBox(const TriangleMesh& surface) {
-    Eigen::AlignedBox3d box;
-    for (const Vec3& v : surface.vertices) box.extend(v);
-    return {box.min(), box.max()};
-}
-
-/// Adds up points of the same cube of the grid that face alike.
+/// Merges the quadrature points that lie in the same cube of a grid and face alike into one.
 class MergingGrid {
   public:
     MergingGrid(const Vec3& origin, double size) : origin_(origin), size_(size) {}
@@ -58,14 +51,14 @@ class MergingGrid {
     std::map<Key, AreaPoint> sums_;
 };
 
-/// One point a triangle, halved at its longest edge until it is no longer than a cube of the grid.
-void addTriangle(const Triangle& t, MergingGrid& grid) {
+/// One point a triangle; a triangle longer than a cube of the grid is first halved across its longest edge.
+void addTriangle(const TriangleCorners& t, MergingGrid& grid) {
     int longest = 0;
     const auto length = [&](int edge) { return (t[(edge + 1) % 3] - t[edge]).squaredNorm(); };
     for (int edge = 1; edge < 3; ++edge)
         if (length(edge) > length(longest)) longest = edge;
     if (length(longest) <= grid.size() * grid.size())
-        return grid.add((t[0] + t[1] + t[2]) / 3, 0.5 * (t[1] - t[0]).cross(t[2] - t[0]));
+        return grid.add((t[0] + t[1] + t[2]) / 3, areaVector(t));
     const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
     const Vec3 half = 0.5 * (a + b);
     addTriangle({a, half, c}, grid);
@@ -80,11 +73,12 @@ Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, con
     const std::vector<ConvexPolygon> parts = partsInside(surface, region);
     double area = 0;
     for (const ConvexPolygon& part : parts) area += areaOf(part);
+    const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     if (!(area > 0))
         return Error{"No part of the surface lies in " + describe(region) + "; the body fills " +
-                     describe(boundingBox(surface)) + "."};
-    MergingGrid grid(boundingBox(surface).lo, std::max(std::min(size, std::sqrt(area) / points_across),
-                                                       std::sqrt(area / most_points)));
+                     describe(BoxRegion{box.min(), box.max()}) + "."};
+    MergingGrid grid(
+        box.min(), std::max(std::min(size, std::sqrt(area) / points_across), std::sqrt(area / most_points)));
     for (const ConvexPolygon& part : parts)
         for (std::size_t i = 2; i < part.size(); ++i) addTriangle({part[0], part[i - 1], part[i]}, grid);
     return grid.points();

@@ -15,14 +15,15 @@ struct AreaPoint {
     double area_m2 = 0;            ///< its norm, or a little more where points of a curved part were merged
 };
 
-/// Quadrature points of the part of `surface` that lies in `region`, about `size` apart (closer where the
-/// region is small, further where there would be thousands). Triangles across the region's border are
+/// Quadrature points of the part of `surface` that lies in `region`, about `size` m apart (closer if the
+/// region is small, further apart if there would be thousands). Triangles across the region's border are
 /// clipped; the points add up to the region's area to 0.1 %, and integrate linear functions over it exactly.
 /// The error says that the region is malformed, or that it touches no surface.
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size);
 
-/// The forces of a load at the quadrature points of its region: with A = sum a, each F a / A - p a n.
+/// The forces of a load at the quadrature points of its region: F a / A - p a n at a point of area a and
+/// normal n, with A the sum of all areas.
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points);
 
 }  // namespace sherd

@@ -2,19 +2,15 @@
 
 #include <cstdint>
 
+#include "core/numerics/split_mix.h"
+
 namespace sherd {
 
-/// A uniform number in [-1, 1) that depends on nothing but the seed and two counters (splitmix64), so that it
-/// is the same in whatever order it is asked for.
+/// A uniform random number in [-1, 1) that depends on the seed, the counter and the component alone, not on
+/// how many were drawn before.
 inline double hashedRandom(std::uint64_t seed, std::uint64_t counter, std::uint64_t component) {
-    std::uint64_t z = seed + 0x9e3779b97f4a7c15ULL * (4 * counter + component + 1);
-    for (int round = 0; round < 2; ++round) {
-        z += 0x9e3779b97f4a7c15ULL;
-        z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-        z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-        z ^= z >> 31;
-    }
-    return static_cast<double>(z >> 11) * 0x1p-52 - 1.0;
+    const std::uint64_t bits = splitMix64(splitMix64(seed + golden_step * (4 * counter + component + 1)));
+    return static_cast<double>(bits >> 11) * 0x1p-52 - 1.0;
 }
 
 }  // namespace sherd

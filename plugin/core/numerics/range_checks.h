@@ -3,6 +3,7 @@
 #include <sherd/result.h>
 
 #include <cmath>
+#include <locale>
 #include <sstream>
 #include <string>
 
@@ -15,19 +16,25 @@ class RangeChecks {
 
     /// `allowed` goes on from "must be": "positive", "between 0 and 1".
     template <class T>
-    RangeChecks& require(bool condition, const char* member, T value, const char* allowed) {
-        if (condition || !sentence_.empty()) return *this;
+    RangeChecks& require(bool condition, const std::string& member, const T& value,
+                         const std::string& allowed) {
+        if (condition || !fault_.empty()) return *this;
         std::ostringstream text;
         text.imbue(std::locale::classic());
-        text << subject_ << ": " << member << " is " << value << " but must be " << allowed << ".";
-        sentence_ = text.str();
+        text << member << " is " << value << " but must be " << allowed;
+        fault_ = text.str();
         return *this;
     }
 
-    Status status() const { return sentence_.empty() ? success() : Status(Error{sentence_}); }
+    /// The sentence without its subject and full stop; empty if nothing is out of range.
+    const std::string& fault() const { return fault_; }
+
+    Status status() const {
+        return fault_.empty() ? success() : Status(Error{subject_ + ": " + fault_ + "."});
+    }
 
   private:
-    std::string subject_, sentence_;
+    std::string subject_, fault_;
 };
 
 inline bool isPositive(double value) {

@@ -9,15 +9,13 @@
 
 namespace sherd {
 
-/// Groups the solid's voxels to parts of grid cells and integrates all monomials up to `order` a direction
-/// over each, by the divergence theorem with the flux along x. Exact to rounding for what linear
-/// displacements ask of splines of degree `order` / 2; for their products, the better the smaller the
-/// triangles.
+/// Groups the solid's voxels into connected parts of grid cells and integrates all monomials up to `order` of
+/// each coordinate over every part (see momentFlux for how exactly).
 CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
                            const SolidVoxels& solid, int order);
 
-/// The part of a solid inside a box of cells of a coarser grid, sampled anew with cells half as long. `lower`
-/// and `upper` (exclusive) may reach beyond the coarse grid.
+/// The part of a solid inside a box of cells of a coarser grid, measured anew on cells of half the edge. The
+/// box is given by its lowest cell and the one behind its highest; it may reach beyond the coarse grid.
 Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& coarse,
                                   const Eigen::Vector3i& lower, const Eigen::Vector3i& upper);
 

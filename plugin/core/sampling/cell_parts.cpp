@@ -7,7 +7,7 @@
 namespace sherd {
 namespace {
 
-/// Squared distance, in cells, from a point in grid coordinates (of cells) to the box of one cell or voxel.
+/// Squared distance from a point to a cube with the given lowest corner, all in edges of a cell.
 double squaredDistance(const Vec3& u, const Vec3& lower, double edge) {
     const Vec3 outside = (lower - u).cwiseMax(u - lower - Vec3::Constant(edge)).cwiseMax(0.0);
     return outside.squaredNorm();

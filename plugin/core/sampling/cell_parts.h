@@ -14,11 +14,11 @@ struct CellPart {
     /// of the cell in edges, and the cell of volume 1. Empty: the whole cell is solid.
     std::vector<double> moments;
     std::vector<Eigen::Vector3i>
-        voxels;  ///< of the integration grid; empty if the part has the cell to itself
+        voxels;  ///< on the integration grid; empty if it is the only part of its cell
 };
 
-/// The solid as parts of grid cells with their exact moments, and which parts touch. Trial functions that are
-/// polynomials on every cell are integrated with these moments exactly.
+/// The solid as parts of grid cells with their exact moments, and which parts touch. Products of trial
+/// functions that are polynomials on every cell are integrated exactly with these moments.
 struct CellParts {
     Vec3 origin = Vec3::Zero();  ///< lower corner of cell (0, 0, 0), m
     Vec3 edges = Vec3::Zero();   ///< of a cell, m
@@ -37,7 +37,7 @@ struct CellParts {
         return (x - origin).cwiseQuotient(edges) - cell.cast<double>() - Vec3::Constant(0.5);
     }
     Vec3 centroid(const CellPart& part) const;  ///< m
-    /// The part that x lies in, or the nearest one in the cells around it; -1 if there is none within a cell.
+    /// The part that x lies in, else the nearest one in its cell and the 26 around it; -1 if there is none.
     int partAt(const Vec3& x) const;
 };
 

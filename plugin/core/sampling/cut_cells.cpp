@@ -5,8 +5,8 @@
 namespace sherd {
 namespace {
 
-constexpr double smallest_cell =
-    0.15;  // of a voxel; smaller ones weigh next to nothing and cost as much as the others
+// Of a voxel: smaller cells matter little to the stress and cost as much as the others.
+constexpr double smallest_cell = 0.15;
 constexpr double no_volume = 1e-12;  // of a voxel: rounding
 
 std::vector<int> mergeVoxels(const SolidVoxels& solid) {

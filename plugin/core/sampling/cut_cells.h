@@ -5,10 +5,10 @@
 
 namespace sherd {
 
-/// The integration cells that voxels make, tiny ones merged.
+/// The integration cells: the solid's voxels, tiny ones merged into neighbours.
 struct CutCells {
-    std::vector<int> of_voxel;  ///< #solid voxels: the cell it is part of; -1: nothing but rounding, left out
-    std::vector<long long> home_voxel;   ///< #cells: the voxel, on the grid, that the others were merged into
+    std::vector<int> of_voxel;  ///< #solid voxels: the cell it is part of; -1: no volume but by rounding
+    std::vector<long long> home_voxel;   ///< #cells: the voxel, on the grid, that others were merged into
     std::vector<Moments> moments;        ///< #cells, m
     std::vector<IntegrationFace> faces;  ///< between different cells, m
 };

@@ -23,6 +23,12 @@ class Sum {
 
 }  // namespace
 
+double meanParticleVolume(const Discretisation& solid) {
+    double mean = 0;
+    for (const Particle& p : solid.particles) mean += p.volume / static_cast<double>(solid.particles.size());
+    return mean;
+}
+
 Moments totalMoments(const Discretisation& solid) {
     // About the first cell: far from the origin nothing is lost.
     const Vec3 reference = solid.cells.empty() ? Vec3(Vec3::Zero()) : solid.cells.front().moments.centroid;

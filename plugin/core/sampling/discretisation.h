@@ -17,7 +17,8 @@ struct Moments {
     Mat3 second = Mat3::Zero();    ///< integral of (x - centroid)(x - centroid)^T, m^5
 };
 
-/// A piece of the solid over which the strain is smoothed: a grid cell cut by the surface, or several merged.
+/// A piece of the solid over which particle forms smooth the strain and masses are summed: a voxel cut by the
+/// surface, or several merged.
 struct IntegrationCell {
     Moments moments;
     int particle = -1;  ///< whose sub-domain it is part of; the sub-domains tile the solid
@@ -37,7 +38,7 @@ struct SurfacePoint {
     Vec3 position = Vec3::Zero();  ///< m
     Vec3 area = Vec3::Zero();      ///< weight, m^2: sum f(position) area is the integral of f n for linear f
     Vec3 normal =
-        Vec3::Zero();  ///< outward, unit; zero where the cell's side is curved, or the point lies off it
+        Vec3::Zero();  ///< outward, unit; zero where the surface in the cell is curved or the point is off it
 };
 
 struct Particle {
@@ -46,8 +47,8 @@ struct Particle {
     double spacing = 0;            ///< local distance between particles, m; supports are multiples of it
 };
 
-/// A solid sampled for the stress solve: particles, and cells that tile it exactly. The core's only view of
-/// geometry.
+/// A solid sampled for the stress solve: particles, and cells that tile it exactly. All that the solvers know
+/// of the body's geometry.
 struct Discretisation {
     double spacing = 0;             ///< m
     Vec3 cell_size = Vec3::Zero();  ///< edges of a cell of the integration grid, m
@@ -58,7 +59,7 @@ struct Discretisation {
     std::vector<std::vector<int>> neighbours;      ///< per particle: who shares a face with it, sorted
     std::vector<std::vector<int>> particle_cells;  ///< per particle: its integration cells, sorted
 
-    /// A box that is filled by the solid, for collision shapes: one grid cell.
+    /// A voxel of the integration grid that holds solid; collision shapes are made of these.
     struct Voxel {
         Eigen::Vector3i index;  ///< on the integration grid
         int cell = -1;          ///< the integration cell that it belongs to
@@ -70,7 +71,9 @@ struct Discretisation {
     std::vector<Voxel> voxels;        ///< in ascending order of (z, y, x)
 };
 
-/// Of the whole solid, the sum over its cells.
+double meanParticleVolume(const Discretisation& solid);  ///< m^3
+
+/// Moments of the whole solid, summed over its cells.
 Moments totalMoments(const Discretisation& solid);
 
 }  // namespace sherd

@@ -4,11 +4,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/numerics/union_find.h"
+
 namespace sherd {
 namespace {
 
-constexpr double rounding = 1e-12;  // of a whole cell: no volume at all
-constexpr double tie = 1e-9;        // differences below are rounding, and the order of the pieces decides
+constexpr double rounding = 1e-12;  // of a whole cell: less counts as no volume
+constexpr double tie = 1e-9;        // relative differences below this are rounding: the lower index wins
 
 /// The pieces as they are merged.
 class Merging {
@@ -16,11 +18,10 @@ class Merging {
     Merging(std::vector<double> volumes, const std::vector<SharedFace>& faces)
         : volumes_(std::move(volumes)),
           faces_(faces),
-          parent_(volumes_.size()),
+          sets_(volumes_.size()),
           members_(volumes_.size()),
           first_face_(volumes_.size() + 1, 0),
           face_of_(2 * faces.size()) {
-        std::iota(parent_.begin(), parent_.end(), 0);
         for (const SharedFace& face : faces_)
             for (const int piece : face.pieces) ++first_face_[std::size_t(piece) + 1];
         std::partial_sum(first_face_.begin(), first_face_.end(), first_face_.begin());
@@ -30,16 +31,11 @@ class Merging {
                 face_of_[std::size_t(next[std::size_t(piece)]++)] = int(f);
     }
 
-    int rootOf(int piece) {
-        while (parent_[std::size_t(piece)] != piece) {
-            int& parent = parent_[std::size_t(piece)];
-            parent = parent_[std::size_t(parent)];
-            piece = parent;
-        }
-        return piece;
-    }
+    bool isRoot(int piece) const { return sets_.isRoot(piece); }
 
-    /// Merges `root` with its neighbours until it is not small.
+    std::vector<int> roots() { return sets_.roots(); }
+
+    /// Merges what `root` stands for into neighbours until the result is not small.
     void mergeWhileSmall(int root, double fraction) {
         // A corner cut off at equal edges a has the volume a^3 / 6 and the largest face a^2 / 2.
         const double corner_depth = std::cbrt(6 * fraction) / 3;
@@ -58,13 +54,13 @@ class Merging {
     }
 
   private:
-    /// Roots that `root` shares faces with and the area, ascending by root.
+    /// The roots that `root` shares faces with, ascending, and the area shared with each.
     void gatherNeighbours(int root) {
         neighbours_.clear();
         const auto gather = [&](int piece) {
             for (int i = first_face_[std::size_t(piece)]; i < first_face_[std::size_t(piece) + 1]; ++i) {
                 const SharedFace& face = faces_[std::size_t(face_of_[std::size_t(i)])];
-                const int other = rootOf(face.pieces[face.pieces[0] == piece ? 1 : 0]);
+                const int other = sets_.root(face.pieces[face.pieces[0] == piece ? 1 : 0]);
                 if (other != root) neighbours_.emplace_back(other, face.area);
             }
         };
@@ -82,7 +78,7 @@ class Merging {
     }
 
     void join(int from, int into) {
-        parent_[std::size_t(from)] = into;
+        sets_.uniteInto(into, from);
         volumes_[std::size_t(into)] += volumes_[std::size_t(from)];
         auto& members = members_[std::size_t(into)];
         members.push_back(from);
@@ -92,9 +88,9 @@ class Merging {
 
     std::vector<double> volumes_;
     const std::vector<SharedFace>& faces_;
-    std::vector<int> parent_;
-    std::vector<std::vector<int>> members_;  ///< per root: what was merged into it
-    std::vector<int> first_face_, face_of_;  ///< faces of each piece, compressed rows
+    UnionFind sets_;
+    std::vector<std::vector<int>> members_;  // per root: the pieces merged into it
+    std::vector<int> first_face_, face_of_;  // the faces of each piece, compressed rows
     std::vector<std::pair<int, double>> neighbours_;
 };
 
@@ -112,10 +108,8 @@ std::vector<int> mergeSmall(std::vector<double> volumes, const std::vector<Share
 
     Merging merging(std::move(volumes), faces);
     for (const int piece : small)
-        if (merging.rootOf(piece) == piece) merging.mergeWhileSmall(piece, fraction);
-    std::vector<int> root(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) root[std::size_t(i)] = merging.rootOf(i);
-    return root;
+        if (merging.isRoot(piece)) merging.mergeWhileSmall(piece, fraction);
+    return merging.roots();
 }
 
 }  // namespace sherd

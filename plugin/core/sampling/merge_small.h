@@ -10,10 +10,10 @@ struct SharedFace {
     double area = 0;  ///< in faces of a whole grid cell
 };
 
-/// Merges pieces of grid cells that are small, the smallest first, each into the one it shares most area
-/// with, so that what is merged is connected. A piece is small when it fills less than `fraction` of a cell
-/// and is no deeper behind the face that it shares than the corner of a cell with that volume: the pieces of
-/// a sheet or a rod that is thin everywhere are not merged along it. Volumes are in whole grid cells.
+/// Merges small pieces of grid cells into neighbours, the smallest first, each into the one that it shares
+/// most area with. A piece is small if it fills less than `fraction` of a cell and is less deep (volume over
+/// shared area) than a corner of a cell that fills `fraction`. So the pieces of a sheet or a rod that is thin
+/// everywhere are not merged along it. Volumes are in whole grid cells.
 ///
 /// Returns for each piece the one that it became part of; that one's entry is itself.
 std::vector<int> mergeSmall(std::vector<double> volumes, const std::vector<SharedFace>& faces,

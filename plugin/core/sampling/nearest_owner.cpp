@@ -6,8 +6,9 @@
 namespace sherd {
 
 int nearestOwner(const Discretisation& solid, const Vec3& x) {
-    constexpr double margin =
-        2;  // in particle spacings: the nearest cell's owner is not farther behind the nearest particle
+    // In spacings: the particle that owns the nearest cell is at most so much farther away than the nearest
+    // particle.
+    constexpr double margin = 2;
     double nearest_particle = std::numeric_limits<double>::infinity();
     for (const Particle& particle : solid.particles)
         nearest_particle = std::min(nearest_particle, (particle.position - x).norm());

@@ -4,8 +4,8 @@
 
 namespace sherd {
 
-/// Particle that owns the integration cell whose centroid is nearest to x: the sub-domain that a point in or
-/// on the solid belongs to, or lies beside.
+/// The particle that owns the integration cell whose centroid is nearest to x: that of the sub-domain in
+/// which a point of the solid lies, or next to which.
 int nearestOwner(const Discretisation& solid, const Vec3& x);
 
 }  // namespace sherd

@@ -1,14 +1,14 @@
 #include "core/sampling/polygon_clipping.h"
 
-#include <algorithm>
+#include "core/numerics/plane_crossing.h"
 
 namespace sherd {
 namespace {
 
-/// Where the edge from `a` (below) to `b` (on or above) meets the plane.
+/// Where the edge from `a` (below) to `b` (on or above) meets the plane. The two triangles of an edge name
+/// its ends in this same order, so both get the same bits; the point stays within the box of the edge.
 Vec3 cutPoint(const Vec3& a, const Vec3& b, int axis, double plane) {
     if (b[axis] == plane) return b;
-    // `a` lies below and `b` above for both triangles of an edge, so this order is already canonical.
     const double t = (plane - a[axis]) / (b[axis] - a[axis]);
     Vec3 p = a + t * (b - a);
     p = p.cwiseMax(a.cwiseMin(b)).cwiseMin(a.cwiseMax(b));
@@ -20,16 +20,16 @@ Vec3 cutPoint(const Vec3& a, const Vec3& b, int axis, double plane) {
 
 void cutPolygon(const Polygon& polygon, int axis, double plane, Polygon& below, Polygon& above) {
     below.count = above.count = 0;
-    for (int i = 0; i < polygon.count; ++i) {
-        const Vec3& p = polygon.points[i];
-        const Vec3& q = polygon.points[i + 1 == polygon.count ? 0 : i + 1];
-        const bool p_above = p[axis] >= plane, q_above = q[axis] >= plane;
-        (p_above ? above : below).add(p);
-        if (p_above == q_above) continue;
-        const Vec3 cut = p_above ? cutPoint(q, p, axis, plane) : cutPoint(p, q, axis, plane);
-        below.add(cut);
-        above.add(cut);
-    }
+    const auto& x = polygon.points;
+    walkAcrossPlane(
+        polygon.count, [&](int i) { return x[i][axis] >= plane; },
+        [&](int i, bool is_above) { (is_above ? above : below).add(x[i]); },
+        [&](int i, int next, bool is_above) {
+            const Vec3 cut =
+                is_above ? cutPoint(x[next], x[i], axis, plane) : cutPoint(x[i], x[next], axis, plane);
+            below.add(cut);
+            above.add(cut);
+        });
     below.close();
     above.close();
 }

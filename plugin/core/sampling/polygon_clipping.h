@@ -2,14 +2,14 @@
 
 #include <sherd/types.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace sherd {
 
-/// A small planar polygon. A triangle cut by the six planes of a cell has nine corners at most; the room
-/// above that is for polygons that rounding has made slightly concave.
+/// A small planar polygon without repeated corners. A triangle cut by the six planes of a cell has nine
+/// corners at most; there is room for more since rounding may make a polygon slightly concave.
 struct Polygon {
     std::array<Vec3, 24> points;
     int count = 0;
@@ -21,19 +21,18 @@ struct Polygon {
     void close() {
         while (count > 1 && points[count - 1] == points[0]) --count;
     }
-    void assign(const Polygon& other) {  // copies only what is in use
+    void assign(const Polygon& other) {  // copies only the corners in use
         count = other.count;
         for (int i = 0; i < count; ++i) points[i] = other.points[i];
     }
 };
 
-/// Cuts a polygon at x[axis] = plane (Sutherland-Hodgman). A point on the plane belongs to `above`. A cut
-/// point depends only on the two ends of its edge, not on their order: triangles that share an edge get the
-/// same bits.
+/// Cuts a polygon in two at x[axis] = plane. A corner on the plane belongs to `above`. A cut point depends
+/// on the ends of its edge but not on their order, so triangles that share an edge get the same bits.
 void cutPolygon(const Polygon& polygon, int axis, double plane, Polygon& below, Polygon& above);
 
-/// Calls visit(cell, piece) for the part of the polygon inside each cell of the unit grid, planes taken in
-/// ascending order. Pieces without area are left out.
+/// Calls visit(cell, piece) for the part of the polygon inside each cell of the unit grid, in ascending order
+/// along x, then y, then z. Pieces with fewer than three corners are left out.
 template <class Visit>
 void forEachCellPiece(const Polygon& polygon, Visit&& visit, int axis = 0,
                       Eigen::Vector3i cell = Eigen::Vector3i::Zero()) {

@@ -18,10 +18,7 @@ namespace {
 Status checkInput(const TriangleMesh& surface, double spacing_m, const SamplingSettings& settings) {
     if (!(spacing_m > 0) || !std::isfinite(spacing_m))
         return Error{"The particle spacing must be a positive length in metres."};
-    if (settings.cells_per_spacing < 1 || settings.cells_per_spacing > 4)
-        return Error{"The number of integration cells per particle spacing must be from 1 to 4."};
-    if (!(settings.smallest_fill >= 0 && settings.smallest_fill < 1))
-        return Error{"The smallest fill of a cell with a particle must be at least 0 and less than 1."};
+    if (const Status valid = settings.validate(); !valid) return valid;
     if (surface.triangles.empty())
         return Error{"The surface has no triangles, so there is no solid to sample."};
     const int count = int(surface.vertices.size());

@@ -4,26 +4,20 @@
 #include <cmath>
 #include <sstream>
 
+#include "core/numerics/mesh_measures.h"
+
 namespace sherd {
 namespace {
 
-constexpr double largest_grid = 30e6;     // voxels, filled or not: 4 bytes each
+constexpr double largest_grid = 30e6;     // voxels, filled or empty: 4 bytes each
 constexpr double largest_solid = 3e6;     // filled voxels: some 500 bytes each with their faces
-constexpr double largest_stretch = 0.35;  // of a particle cell, to fit the bounding box
+constexpr double largest_stretch = 0.35;  // change of a cell's edge, relative, to fit the bounding box
 
 std::string describe(double value) {
     std::ostringstream text;
     text.precision(3);
     text << value;
     return text.str();
-}
-
-double enclosedVolume(const TriangleMesh& surface, const Vec3& centre) {
-    double six_volumes = 0;
-    for (const auto& [a, b, c] : surface.triangles)
-        six_volumes += (surface.vertices[a] - centre)
-                           .dot((surface.vertices[b] - centre).cross(surface.vertices[c] - centre));
-    return six_volumes / 6;
 }
 
 /// Number of particle cells along one axis, and their edge.
@@ -70,7 +64,8 @@ Result<SamplingGrid> makeGrid(const TriangleMesh& surface, double spacing_m, int
     }
     if (!(voxels <= largest_grid))
         return tooLarge(voxels, largest_grid, spacing_m, "grid cells over its bounding box");
-    const double filled = enclosedVolume(surface, (lower + upper) / 2) / grid.voxelVolume();
+    const double filled =
+        enclosedVolume(surface.vertices, surface.triangles, (lower + upper) / 2) / grid.voxelVolume();
     if (filled > largest_solid)
         return tooLarge(filled, largest_solid, spacing_m, "grid cells inside the solid");
     for (int d = 0; d < 3; ++d) {

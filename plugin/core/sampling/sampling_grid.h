@@ -8,17 +8,17 @@
 
 namespace sherd {
 
-/// The integration grid over a solid's bounding box. Grid coordinates u = (x - origin) / cell_size make every
-/// plane of the grid an integer, so that cutting compares with exact numbers. A coordinate on a plane counts
-/// as above it.
+/// The integration grid over a solid's bounding box. In grid coordinates u = (x - origin) / cell_size every
+/// plane of the grid is an integer, so that cutting compares with exact numbers. A point on a plane counts as
+/// above it.
 struct SamplingGrid {
     Vec3 origin = Vec3::Zero();     ///< lower corner of voxel (0, 0, 0), m
     Vec3 cell_size = Vec3::Zero();  ///< edges of a voxel, m
     Eigen::Vector3i count =
-        Eigen::Vector3i::Zero();  ///< voxels, with one empty layer above for what lies on the top plane
+        Eigen::Vector3i::Zero();  ///< voxels; includes an empty layer on top for points on the top plane
     Eigen::Vector3i particle_cells = Eigen::Vector3i::Zero();  ///< cells of `cells_per_spacing`^3 voxels
     int cells_per_spacing = 1;
-    /// Whether the grid covers the whole solid, or all of it along x but only a range of rows along y and z.
+    /// False: the grid covers the whole solid. True: along x it does, along y and z only a range of rows.
     bool window = false;
 
     double voxelVolume() const { return cell_size.prod(); }
@@ -36,14 +36,14 @@ struct SamplingGrid {
     }
     Vec3 toWorld(const Vec3& u) const { return origin + u.cwiseProduct(cell_size); }
 
-    /// Index of the particle cell that a voxel lies in, ascending in (z, y, x).
+    /// Index of the particle cell that a voxel lies in: x fastest, z slowest.
     long long particleCellOf(const Eigen::Vector3i& voxel) const;
 };
 
 /// Lays particle cells of edge `spacing_m` over the surface's bounding box and splits each into
-/// `cells_per_spacing`^3 voxels. Where the box takes a whole number of cells to within 15 % they are
-/// stretched to fit it, else they are centred on it. Fails with a sentence when the grid would be too large,
-/// naming a spacing that would do.
+/// `cells_per_spacing`^3 voxels. Along each axis the cells are stretched or shrunk by up to 35 % so that a
+/// whole number of them fits the box; where that is not enough they are centred on it. Fails with a sentence
+/// when the grid would be too large, naming a spacing that would do.
 Result<SamplingGrid> makeGrid(const TriangleMesh& surface, double spacing_m, int cells_per_spacing);
 
 }  // namespace sherd

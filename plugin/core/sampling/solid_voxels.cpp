@@ -8,8 +8,8 @@ namespace sherd {
 namespace {
 
 constexpr int empty_voxel = -1, full_voxel = -2;
-constexpr double closing_tolerance =
-    1e-6;  // of a voxel face; rounding stays far below, a missing triangle far above
+// Of a voxel face: the error of the flux by rounding is far smaller, by a missing triangle far larger.
+constexpr double closing_tolerance = 1e-6;
 constexpr double smallest_face = 1e-13;  // of a voxel face; less is rounding
 
 using FaceMoments = std::array<double, 6>;  // 1, u, v, uu, uv, vv
@@ -60,7 +60,8 @@ Status forEachRow(const SamplingGrid& grid, int axis, Visit&& visit) {
     return success();
 }
 
-/// The sentence for a voxel that no triangle cuts and that is yet neither full nor empty.
+/// The sentence for a voxel that no triangle cuts and whose flux says that it is neither full nor empty.
+/// `layers`: how many times the solid would fill it.
 Error notClosed(const SamplingGrid& grid, long long voxel, double layers) {
     const Vec3 x = grid.toWorld(grid.voxelAt(voxel).cast<double>() + Vec3::Constant(0.5));
     std::ostringstream text;
@@ -79,7 +80,7 @@ Error notClosed(const SamplingGrid& grid, long long voxel, double layers) {
     return {text.str()};
 }
 
-/// Walks the rows along x: moments of every cut voxel, and which of the others are full.
+/// Walks the rows along x: measures every cut voxel, and sets the state of the others to full or empty.
 Result<std::vector<RawMoments>> measureVoxels(const SamplingGrid& grid, const CutSurface& surface,
                                               std::vector<int>& state) {
     std::vector<RawMoments> moments(surface.voxels.size());
@@ -109,8 +110,9 @@ Result<std::vector<RawMoments>> measureVoxels(const SamplingGrid& grid, const Cu
     return moments;
 }
 
-/// The solid part of the face above the top of a row that ends inside the solid: what the first voxel without
-/// a surface asks for, or where there is none, about as much as the top voxel holds.
+/// The solid part of the topmost face of a row that ends inside the solid: the one from which the flux leads
+/// to the right value (full or empty) at the first uncut voxel; without such a voxel, an estimate by the fill
+/// of the topmost one.
 FaceMoments faceAboveRow(const Row& row, const CutSurface& surface, const std::vector<int>& state,
                          const std::vector<RawMoments>& fills, int axis) {
     FaceMoments flux{};
@@ -130,7 +132,7 @@ FaceMoments faceAboveRow(const Row& row, const CutSurface& surface, const std::v
     return face;
 }
 
-/// Walks the rows along an axis: the solid part of every face across it.
+/// Walks the rows along an axis and measures the solid part of every face across it.
 Status measureFaces(const SamplingGrid& grid, const CutSurface& surface, const std::vector<int>& state,
                     const std::vector<int>& number, const std::vector<RawMoments>& fills, int axis,
                     std::vector<VoxelFace>& faces) {

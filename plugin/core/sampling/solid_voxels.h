@@ -8,8 +8,9 @@
 
 namespace sherd {
 
-/// Integrals over a piece of the solid of 1, x, x x^T about a point that its owner knows. Grid coordinates.
-/// Unlike centroids they stay meaningful when the volume is as small as rounding.
+/// Integrals of 1, x and x x^T over a piece of the solid, with x from a reference point that is kept
+/// elsewhere. Grid coordinates. Unlike a centroid they have a meaning even where the volume is as small as
+/// rounding.
 struct RawMoments {
     double volume = 0;
     Vec3 first = Vec3::Zero();
@@ -29,7 +30,7 @@ struct VoxelFace {
     double v = 0;     ///< and along axis + 2
 };
 
-/// The grid cells that the solid fills or cuts.
+/// The voxels of the grid that hold solid.
 struct SolidVoxels {
     std::vector<long long> index;     ///< #voxels on the grid, ascending
     std::vector<RawMoments> moments;  ///< #voxels, about the voxel's centre
@@ -38,7 +39,7 @@ struct SolidVoxels {
 };
 
 /// Moments of the solid in every voxel and on every face between voxels, exact to rounding, by the divergence
-/// theorem: the solid part of a face is the flux through the surface in the row of voxels beyond it, and a
+/// theorem: the solid part of a face equals the flux through the surface in the row of voxels above it, and a
 /// voxel's integrals are the flux through its two x faces and its surface. Fails with a sentence where the
 /// surface does not close.
 Result<SolidVoxels> fillVoxels(const SamplingGrid& grid, const CutSurface& surface);

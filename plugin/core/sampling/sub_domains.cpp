@@ -1,30 +1,23 @@
 #include "core/sampling/sub_domains.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
+#include "core/numerics/union_find.h"
 #include "core/sampling/merge_small.h"
+#include "core/sampling/neighbour_lists.h"
 
 namespace sherd {
 namespace {
 
-int rootOf(std::vector<int>& parent, int i) {
-    while (parent[std::size_t(i)] != i)
-        i = parent[std::size_t(i)] = parent[std::size_t(parent[std::size_t(i)])];
-    return i;
-}
-
-/// Parts of the solid that are connected inside one particle cell: the lowest cell of each stands for it.
-std::vector<int> connectedParts(const CutCells& cells, const std::vector<long long>& particle_cell) {
-    std::vector<int> parent(particle_cell.size());
-    std::iota(parent.begin(), parent.end(), 0);
-    for (const IntegrationFace& face : cells.faces) {
-        const int a = rootOf(parent, face.cells[0]), b = rootOf(parent, face.cells[1]);
+/// Parts of the solid that are connected inside one particle cell: of each integration cell the lowest one in
+/// its part.
+std::vector<int> partsOfParticleCells(const CutCells& cells, const std::vector<long long>& particle_cell) {
+    UnionFind sets(particle_cell.size());
+    for (const IntegrationFace& face : cells.faces)
         if (particle_cell[std::size_t(face.cells[0])] == particle_cell[std::size_t(face.cells[1])])
-            parent[std::size_t(std::max(a, b))] = std::min(a, b);
-    }
-    for (std::size_t c = 0; c < parent.size(); ++c) parent[c] = rootOf(parent, int(c));
-    return parent;
+            sets.unite(face.cells[0], face.cells[1]);
+    return sets.roots();
 }
 
 /// Area of a face in faces of a whole particle cell.
@@ -33,7 +26,7 @@ double relativeArea(const SamplingGrid& grid, const IntegrationFace& face) {
     return face.area.cwiseProduct(edge).sum() / edge.prod();
 }
 
-/// Numbers what stands for itself in ascending (particle cell, cell).
+/// Numbers the roots by their particle cells and, within one, by their integration cells.
 SubDomains numberRoots(const std::vector<int>& root, const std::vector<long long>& particle_cell) {
     std::vector<int> order;
     for (int c = 0; c < int(root.size()); ++c)
@@ -57,7 +50,7 @@ SubDomains findSubDomains(const SamplingGrid& grid, const CutCells& cells, doubl
     std::vector<long long> particle_cell(count);
     for (std::size_t c = 0; c < count; ++c)
         particle_cell[c] = grid.particleCellOf(grid.voxelAt(cells.home_voxel[c]));
-    const std::vector<int> part = connectedParts(cells, particle_cell);
+    const std::vector<int> part = partsOfParticleCells(cells, particle_cell);
 
     const double whole = grid.voxelVolume() * std::pow(grid.cells_per_spacing, 3);
     std::vector<double> fill(count, 0.0);
@@ -68,7 +61,7 @@ SubDomains findSubDomains(const SamplingGrid& grid, const CutCells& cells, doubl
         const int a = part[std::size_t(face.cells[0])], b = part[std::size_t(face.cells[1])];
         if (a != b) shared.push_back({{a, b}, relativeArea(grid, face)});
     }
-    // Cells that are not the lowest of their part share no face here and so stay out of the merging.
+    // `shared` names parts by their lowest cells only, so that all other cells stay out of the merging.
     const std::vector<int> merged = mergeSmall(std::move(fill), shared, smallest_fill);
     std::vector<int> root(count);
     for (std::size_t c = 0; c < count; ++c) root[c] = merged[std::size_t(part[c])];
@@ -91,19 +84,12 @@ std::vector<Particle> placeParticles(const SamplingGrid& grid, const CutCells& c
 }
 
 std::vector<std::vector<int>> neighboursThroughSolid(const CutCells& cells, const SubDomains& domains) {
-    std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(domains.count));
-    for (const IntegrationFace& face : cells.faces) {
-        const int a = domains.of_cell[std::size_t(face.cells[0])],
-                  b = domains.of_cell[std::size_t(face.cells[1])];
-        if (a == b) continue;
-        neighbours[std::size_t(a)].push_back(b);
-        neighbours[std::size_t(b)].push_back(a);
-    }
-    for (std::vector<int>& list : neighbours) {
-        std::sort(list.begin(), list.end());
-        list.erase(std::unique(list.begin(), list.end()), list.end());
-    }
-    return neighbours;
+    std::vector<std::array<int, 2>> links;
+    links.reserve(cells.faces.size());
+    for (const IntegrationFace& face : cells.faces)
+        links.push_back(
+            {domains.of_cell[std::size_t(face.cells[0])], domains.of_cell[std::size_t(face.cells[1])]});
+    return neighbourLists(std::size_t(domains.count), links);
 }
 
 }  // namespace sherd

@@ -37,8 +37,8 @@ void addTriangle(const TriangleMonomials& m, const Vec3& area, SurfaceFlux& flux
     flux.face[0][5] += nx * m.of(2, 2);
 }
 
-/// Flux and centroid of a polygon as a fan of triangles; the fans of a closed surface close to rounding even
-/// where rounding has bent a polygon.
+/// Adds the flux of a polygon and gives its area and centroid. It is summed as a fan of triangles, so that
+/// the fans of a closed surface still close where rounding has made a polygon not quite planar.
 SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& flux) {
     SurfacePiece piece;
     double size = 0;
@@ -56,7 +56,7 @@ SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& fl
     return piece;
 }
 
-/// Whether a polygon lies outside the rows of a window.
+/// Whether a polygon lies wholly outside the rows that a window covers.
 bool isBeside(const Polygon& polygon, const SamplingGrid& grid) {
     for (int axis = 1; axis < 3; ++axis) {
         bool below = true, above = true;
@@ -97,7 +97,7 @@ void forEachVoxelPiece(const TriangleMesh& surface, int first, int last, const S
             forEachCellPiece(triangle, visit);
             continue;
         }
-        // What touches the window's border from inside leaves pieces without area beyond it.
+        // A polygon that touches the window's upper border leaves a piece without area beyond it.
         forEachCellPiece(triangle, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
             if ((voxel.array() < grid.count.array()).all()) visit(voxel, polygon);
         });

@@ -7,9 +7,9 @@ namespace {
 
 constexpr double same_plane = 1 - 1e-10;  // cosine between normals of what counts as one plane
 constexpr double same_side = 0.7;         // cosine between normals of what counts as one side of the solid
-constexpr double nearly_flat = 0.99;      // area of a side's sum over its own, above which it has a normal
-constexpr std::size_t most_planes = 3;    // a corner; with more, sides are curved
-constexpr double no_area = 1e-40;         // of a voxel face, squared: too small to have a direction
+constexpr double nearly_flat = 0.99;      // |sum of area vectors| / area from which a side has one normal
+constexpr std::size_t most_planes = 3;    // as at a corner; with more the surface counts as curved
+constexpr double no_area = 1e-40;         // square of an area, of a voxel face: too small for a direction
 constexpr double rounding = 1e-13;        // of area times length
 
 /// The part of one triangle inside one cell, m.
@@ -22,8 +22,8 @@ struct Facet {
 
 using Facets = std::vector<Facet>;
 
-/// Groups facets whose normals lie near that of a group's first facet. False when that takes more than `most`
-/// groups.
+/// Groups facets into sides: each joins the first side whose first facet has a normal near its own. False if
+/// that would take more than `most` sides.
 bool groupByNormal(Facets::iterator first, Facets::iterator last, double cosine, std::size_t most,
                    std::vector<Vec3>& normals) {
     normals.clear();
@@ -38,9 +38,9 @@ bool groupByNormal(Facets::iterator first, Facets::iterator last, double cosine,
     return true;
 }
 
-/// Points for D = sum (x - c) area^T: it is split as sum of d_k w_k^T with orthogonal d_k, and each w_k
-/// becomes the weight of a point beside c in direction d_k, at the distance over which the facets spread, so
-/// that no weight exceeds their area.
+/// Points that add D = sum (x - c) area^T to the rule of one point at c: D is split into a sum of d_k w_k^T
+/// with orthogonal unit vectors d_k, and each term becomes a point at distance h from c along d_k with the
+/// weight w_k / h, taken off the weight at c. With h the spread of the facets no weight exceeds their area.
 void addDeviation(Mat3 deviation, const Mat3& spread, double tolerance, std::size_t centre,
                   std::vector<SurfacePoint>& points) {
     const Vec3 outward = points[centre].area;
@@ -59,8 +59,8 @@ void addDeviation(Mat3 deviation, const Mat3& spread, double tolerance, std::siz
     }
 }
 
-/// The integral of f n over a side is f(c) A + D grad f, with A its area vector and c its centroid; D = 0 if
-/// it is flat.
+/// The points of one side. For linear f the integral of f n over it is f(c) A + D^T grad f, with A its area
+/// vector and c its centroid; D = 0 if it is flat.
 void addPoints(Facets::const_iterator first, Facets::const_iterator last, int side, int cell,
                std::vector<SurfacePoint>& points) {
     Vec3 centroid = Vec3::Zero(), area = Vec3::Zero();
@@ -89,7 +89,7 @@ void addPoints(Facets::const_iterator first, Facets::const_iterator last, int si
     addDeviation(deviation, spread, tolerance, points.size() - 1, points);
 }
 
-/// The facets of each cell, cell by cell: those of cell c are first[c] to first[c + 1].
+/// The facets sorted by cell: those of cell c are numbers first[c] to first[c + 1] - 1.
 Facets facetsByCell(const SamplingGrid& grid, const CutSurface& surface, const SolidVoxels& solid,
                     const CutCells& cells, std::vector<int>& first) {
     const auto cellOf = [&](const SurfacePiece& piece) {

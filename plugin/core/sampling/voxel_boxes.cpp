@@ -19,7 +19,7 @@ class Uncovered {
         const auto& [z, y, x] = *voxels_.begin();
         return {x, y, z};
     }
-    /// Whether the whole block [low, high] is there.
+    /// Whether all voxels of the block [low, high] are uncovered.
     bool holds(const Index& low, const Index& high) const {
         return visit(low, high, [&](const Index& i) { return voxels_.count(key(i)) > 0; });
     }

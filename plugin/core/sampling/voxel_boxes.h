@@ -14,8 +14,8 @@ struct Box {
     Vec3 half_extents = Vec3::Zero();
 };
 
-/// Boxes that fill the wanted voxels, merged greedily along x, y and z; voxels less than half solid are left
-/// out unless nothing else is there. `wanted` has an entry a voxel.
+/// Boxes that cover the wanted voxels (`wanted`: #voxels), merged greedily along x, then y, then z. Voxels
+/// less than half solid are left out, unless all are.
 std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted);
 
 }  // namespace sherd

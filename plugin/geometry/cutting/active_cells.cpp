@@ -8,8 +8,8 @@ namespace {
 
 enum : char { outside = 0, unreached = 1, near_surface = 2 };
 
-// Wider than jitter and smoothing can move a crack out of its cell, and wide enough that all cells around the
-// node nearest to a surface point are marked.
+// In cells. Jitter and smoothing move a crack out of its cell by less, and all cells around the node nearest
+// to a surface point are marked.
 constexpr double margin = 0.8;
 
 void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, std::vector<char>& state) {
@@ -19,7 +19,8 @@ void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, s
             (a.cwiseMin(b).cwiseMin(c) - lattice.origin) / lattice.spacing - Vec3::Constant(margin);
         const Vec3 high =
             (a.cwiseMax(b).cwiseMax(c) - lattice.origin) / lattice.spacing + Vec3::Constant(margin);
-        // The air around keeps all of this positive, so that truncation rounds down.
+        // The lattice begins in the air below the solid, so all of this is positive and truncation rounds
+        // down.
         const Eigen::Vector3i first = low.cast<int>();
         const Eigen::Vector3i last = high.cast<int>().cwiseMin((lattice.size.array() - 2).matrix());
         for (int k = first.z(); k <= last.z(); ++k)
@@ -52,9 +53,7 @@ void floodOutside(const LabelLattice& lattice, std::vector<char>& state) {
 
 std::vector<char> findActiveCells(const TriangleMesh& surface, const LabelLattice& lattice) {
     std::vector<char> state(lattice.nodes.size(), outside);
-    for (int k = 0; k + 1 < lattice.size.z(); ++k)
-        for (int j = 0; j + 1 < lattice.size.y(); ++j)
-            for (int i = 0; i + 1 < lattice.size.x(); ++i) state[lattice.index(i, j, k)] = unreached;
+    lattice.forEachCell([&](int i, int j, int k) { state[lattice.index(i, j, k)] = unreached; });
     markNearSurface(surface, lattice, state);
     floodOutside(lattice, state);
     for (char& s : state) s = s != outside;

@@ -8,9 +8,15 @@
 #include <cstdio>
 #include <utility>
 
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/union_find.h"
-#include "geometry/cutting/crack_complex.h"
+#include "geometry/cutting/crack_roughness.h"
+#include "geometry/cutting/crack_smoothing.h"
+#include "geometry/cutting/lattice_building.h"
+#include "geometry/cutting/lattice_spacing.h"
+#include "geometry/cutting/marching_tetrahedra.h"
 #include "geometry/cutting/pieces.h"
+#include "geometry/cutting/surface_fitting.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 #include "geometry/triangle_tree.h"
@@ -24,8 +30,8 @@ using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr double largest_lattice = 2e5;  // nodes
 constexpr double nodes_across_wall = 3;
-constexpr double smallest_crumb = 0.05;         // of a particle: less, apart from all others, is no fragment
-constexpr double largest_volume_change = 1.25;  // more than that, and walls are missing
+constexpr double smallest_crumb = 0.05;         // of a particle's mean volume
+constexpr double largest_volume_change = 1.25;  // more means that walls are missing
 
 CgalMesh toCgal(const TriangleMesh& mesh) {
     CgalMesh result;
@@ -35,6 +41,7 @@ CgalMesh toCgal(const TriangleMesh& mesh) {
     return result;
 }
 
+// Gives the nodes outside of the body a label of their own.
 void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattice) {
     const CgalMesh mesh = toCgal(surface);
     const CGAL::Side_of_triangle_mesh<CgalMesh, Kernel> side(mesh);
@@ -44,76 +51,20 @@ void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattic
             lattice.labels[node] = outside;
 }
 
-/// Places the points between inside and outside where the surface is, and tells on which triangle.
-class SurfaceFitting {
-  public:
-    SurfaceFitting(const TriangleTree& surface, const LabelLattice& lattice, int outside)
-        : surface_(surface), lattice_(lattice), outside_(outside) {}
-
-    std::vector<int> fit(CrackComplex& complex) const {
-        std::vector<int> triangle_at;  // #points; -1 elsewhere
-        for (CrackPoint& point : complex.origins)
-            triangle_at.push_back(isOnSurface(point) ? fitToEdge(point) : -1);
-        for (CrackPoint& point : complex.origins)
-            if (point.nodes[0] < 0 && point.between[3] < 0) leanOnSurface(complex, point);
-        placePoints(complex, lattice_);
-        return triangle_at;
-    }
-
-  private:
-    bool isOutside(int node) const { return lattice_.labels[node] == outside_; }
-
-    bool isOnSurface(const CrackPoint& point) const {
-        return point.nodes[0] >= 0 && isOutside(point.nodes[0]) != isOutside(point.nodes[1]);
-    }
-
-    int fitToEdge(CrackPoint& point) const {
-        const bool starts_inside = isOutside(point.nodes[1]);
-        const Vec3 &inside = lattice_.nodes[point.nodes[starts_inside ? 0 : 1]],
-                   &outside = lattice_.nodes[point.nodes[starts_inside ? 1 : 0]];
-        point.fixed = true;
-        const Kernel::Ray_3 ray(TriangleTree::toPoint(inside), TriangleTree::toPoint(outside));
-        const auto hit = surface_.tree.first_intersection(ray);
-        const auto* place = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
-        if (!place)  // along a triangle: the middle will do
-            return surface_.indexOf(
-                surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
-        const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
-        point.t = clampToEdge(starts_inside ? t : 1 - t);
-        return surface_.indexOf(hit->second);
-    }
-
-    // Where a crack meets the surface it has two neighbours there and one inside.
-    void leanOnSurface(const CrackComplex& complex, CrackPoint& point) const {
-        std::array<double, 4> weights = {0.1, 0.1, 0.1, 0};
-        int count = 0;
-        for (int i = 0; i < 3; ++i)
-            if (isOnSurface(complex.origins[point.between[i]])) weights[i] = 0.45, ++count;
-        if (count != 2) return;
-        point.weights = weights;
-        point.fixed = true;
-    }
-
-    const TriangleTree& surface_;
-    const LabelLattice& lattice_;
-    int outside_;
-};
-
-// Triangles of one label that hang together.
+// For each triangle the number of the connected set within one label that it belongs to.
 std::vector<int> connectLabels(const CutFaces& faces) {
     const EdgeTable edges = buildEdgeTable(faces.body, static_cast<int>(faces.points.size()));
-    UnionFind sets(static_cast<int>(faces.body.size()));
+    UnionFind sets(faces.body.size());
     for (std::size_t e = 0; e < edges.edges.size(); ++e) {
         const int first = edges.uses[edges.first_use[e]] / 3;
         for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
             if (faces.body_label[edges.uses[u] / 3] == faces.body_label[first])
                 sets.unite(first, edges.uses[u] / 3);
     }
-    std::vector<int> roots;
-    for (int t = 0; t < static_cast<int>(faces.body.size()); ++t) roots.push_back(sets.root(t));
-    return roots;
+    return sets.roots();
 }
 
+// The complex as the surface of a body (where it bounds the outside) and the cracks within.
 CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_at, int outside) {
     CutFaces faces;
     faces.points = complex.points;
@@ -135,13 +86,13 @@ CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_a
     return faces;
 }
 
+// Drops pieces of next to no volume that touch no other piece.
 void dropCrumbs(const Discretisation& solid, std::vector<FragmentSurface>& pieces) {
-    double mean_volume = 0;
-    for (const Particle& p : solid.particles)
-        mean_volume += p.volume / static_cast<double>(solid.particles.size());
+    const double smallest_volume = smallest_crumb * meanParticleVolume(solid);
     const auto is_crumb = [&](const FragmentSurface& piece) {
         return std::all_of(piece.across.begin(), piece.across.end(), [](int other) { return other < 0; }) &&
-               enclosedVolume(piece.mesh, piece.mesh.vertices.front()) < smallest_crumb * mean_volume;
+               enclosedVolume(piece.mesh.vertices, piece.mesh.triangles, piece.mesh.vertices.front()) <
+                   smallest_volume;
     };
     std::vector<int> new_index;
     int kept = 0;
@@ -151,7 +102,7 @@ void dropCrumbs(const Discretisation& solid, std::vector<FragmentSurface>& piece
     pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_crumb), pieces.end());
 }
 
-// All by the same factor about one point, so that they still fit together.
+// Scales all pieces by the same factor about one point, so that they still fit together.
 void scaleToVolume(const TriangleMesh& surface, double ratio, std::vector<FragmentSurface>& pieces) {
     const Vec3 centre = solidMoments(surface).centroid;
     const double scale = 1 / std::cbrt(ratio);
@@ -181,7 +132,7 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     labelOutside(surface, outside, lattice);
     CrackComplex complex = buildCrackComplex(lattice);
     const TriangleTree tree(surface);
-    const std::vector<int> triangle_at = SurfaceFitting(tree, lattice, outside).fit(complex);
+    const std::vector<int> triangle_at = fitToSurface(tree, lattice, outside, complex);
     smoothCracks(complex, lattice, smoothing_steps);
     if (settings.roughness > 0)
         roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "core/numerics/mesh_measures.h"
 #include "geometry/cutting/edge_table.h"
 #include "geometry/cutting/spread_colours.h"
 #include "geometry/mesh_attributes.h"
@@ -14,24 +15,20 @@ namespace {
 
 constexpr double smallest_cosine = 0.3;  // between a crack triangle and the axis along which it is projected
 
-Vec3 areaVector(const TriangleMesh& mesh, const Triangle& t) {
-    const Vec3& a = mesh.vertices[t[0]];
-    return (mesh.vertices[t[1]] - a).cross(mesh.vertices[t[2]] - a) / 2;
-}
-
 int longestAxis(const Vec3& v) {
     int axis = 0;
     v.cwiseAbs().maxCoeff(&axis);
     return axis;
 }
 
-// For every neighbour of a piece the axis that sees most of the crack between them. The same from both sides.
+// For every neighbour of a piece the axis along which most of the crack between them is seen; the same from
+// both sides.
 std::map<int, int> projectionAxes(const FragmentSurface& piece) {
     std::map<int, Vec3> seen;
     for (std::size_t t = 0; t < piece.parents.size(); ++t)
         if (piece.parents[t] < 0)
             seen.try_emplace(piece.across[t], Vec3::Zero()).first->second +=
-                areaVector(piece.mesh, piece.mesh.triangles[t]).cwiseAbs();
+                areaVector(cornersOf(piece.mesh, t)).cwiseAbs();
     std::map<int, int> axes;
     for (const auto& [neighbour, area] : seen) axes[neighbour] = longestAxis(area);
     return axes;
@@ -85,7 +82,7 @@ class AttributeCarrier {
     }
 
   private:
-    // The weights of the point of a triangle that is nearest to x in its plane, about.
+    // Barycentric coordinates of x projected to the plane of a triangle, negative ones set to zero.
     Vec3 barycentric(const Triangle& t, const Vec3& x) const {
         const Vec3 &a = body_.vertices[t[0]], &b = body_.vertices[t[1]], &c = body_.vertices[t[2]];
         const Vec3 normal = (b - a).cross(c - a);
@@ -131,7 +128,7 @@ class AttributeCarrier {
 
     void addCrackTriangle(FragmentSurface& piece, int t, int axis) const {
         TriangleMesh& mesh = piece.mesh;
-        const Vec3 normal = areaVector(mesh, mesh.triangles[t]).normalized();
+        const Vec3 normal = areaVector(cornersOf(mesh, t)).normalized();
         if (!body_.texture_coordinates.empty())
             mesh.texture_coordinates.push_back(projected(mesh, mesh.triangles[t], normal, axis));
         if (!body_.normals.empty()) mesh.normals.push_back({normal, normal, normal});

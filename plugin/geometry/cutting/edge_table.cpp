@@ -20,8 +20,8 @@ int idOf(HalfEdge h) {
     return static_cast<int>(h & 0xffffffffU);
 }
 
-// Half-edges grouped by their lower vertex: a counting sort, since a comparison sort would dominate on large
-// meshes.
+// Half-edges grouped by their lower vertex. By counting, since sorting them all would take most of the time
+// on large meshes.
 std::vector<HalfEdge> groupByLowerVertex(const std::vector<Triangle>& triangles, std::vector<int>& offset) {
     for (const Triangle& t : triangles)
         for (int i = 0; i < 3; ++i) ++offset[std::min(t[i], t[i < 2 ? i + 1 : 0]) + 1];

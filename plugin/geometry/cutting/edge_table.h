@@ -7,14 +7,14 @@ namespace sherd {
 
 using Triangle = std::array<int, 3>;
 
-/// The undirected edges of any set of triangles, and who uses them. Half-edge 3 t + i runs from corner i of
-/// triangle t to corner i + 1.
+/// The undirected edges of any set of triangles, and the half-edges along each. Half-edge 3 t + i runs from
+/// corner i of triangle t to its next corner.
 struct EdgeTable {
     std::vector<std::array<int, 2>> edges;        ///< #E, lower vertex first, ascending
     std::vector<std::array<int, 3>> of_triangle;  ///< #T, the edge of half-edge 3 t + i
     std::vector<int> first_use;                   ///< #E + 1, offsets into `uses`
     std::vector<int> uses;                        ///< half-edges, grouped by edge
-    std::vector<int> first_edge;                  ///< #V + 1, the edges whose lower vertex is v
+    std::vector<int> first_edge;                  ///< #V + 1, offsets: the edges whose lower vertex is v
 
     /// The edge between two vertices, or -1.
     int find(int a, int b) const;

@@ -9,8 +9,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double winning_ratio =
-    1.5;  // of the own label over the next at a particle; a flat interface gives about 2
+// Density of the own label over the next one that a particle should have; beside a flat crack it is about 2.
+constexpr double winning_ratio = 1.5;
 constexpr double largest_raise = 30;
 constexpr int raising_rounds = 8;
 
@@ -19,7 +19,7 @@ struct Contribution {
     double kernel;
 };
 
-// Buckets of particles, for range searches.
+// Particles sorted into cubes, for range searches.
 class ParticleGrid {
   public:
     ParticleGrid(const Discretisation& solid, double cell) : cell_(cell) {
@@ -63,14 +63,15 @@ std::vector<std::vector<Contribution>> contributionsAtParticles(const Discretisa
     return result;
 }
 
+// The density of a particle's own label at its position over that of the next one.
 double ownOverNext(const std::vector<Contribution>& near, const std::vector<double>& weights,
                    const FragmentLabels& labels, int own) {
     std::map<int, double> sums;
     for (const Contribution& c : near) {
-        const SharedLabel shared = labels.sharedAt(c.particle);
+        const RunnerUp runner_up = labels.runnerUpOf(c.particle);
         const double value = weights[c.particle] * c.kernel;
-        sums[labels.of_particle[c.particle]] += (1 - shared.share) * value;
-        if (shared.share > 0) sums[shared.second] += shared.share * value;
+        sums[labels.of_particle[c.particle]] += (1 - runner_up.share) * value;
+        if (runner_up.share > 0) sums[runner_up.label] += runner_up.share * value;
     }
     double next = 0;
     for (const auto& [label, sum] : sums)
@@ -91,8 +92,8 @@ std::vector<double> particleWeights(const Discretisation& solid, const FragmentL
         bool raised = false;
         for (int i = 0; i < count; ++i) {
             const double ratio = ownOverNext(near[i], weights, labels, labels.of_particle[i]);
-            // A particle right beside a crack shares its place with the other side.
-            const double share = labels.sharedAt(i).share;
+            // Right beside a crack a particle has no more than its own share of what is there.
+            const double share = labels.runnerUpOf(i).share;
             const double wanted = std::min(winning_ratio, (1 - share) / share);
             if (ratio >= wanted || weights[i] >= largest_raise * fill[i]) continue;
             weights[i] = std::min(largest_raise * fill[i], weights[i] * std::min(3.0, wanted / ratio * 1.1));

@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-/// Radius of a particle's kernel, m: wide enough that the steps between particles are smoothed away.
+/// Radius of a particle's kernel, m: wide enough that no bumps of single particles are left.
 inline double kernelRadius(const Particle& particle) {
     return 2.0 * particle.spacing;
 }
@@ -18,8 +18,9 @@ inline double kernel(double r_squared) {
     return s > 0 ? s * s * s : 0;
 }
 
-/// #particles, what each adds to the density of its label: the share of its kernel that it fills, raised
-/// where its label would not clearly win at its own position.
+/// #particles, the factor of each particle's kernel in the density of its label: its volume over the cube of
+/// the kernel's radius, raised where its own label would not clearly win at its position, so that fragments
+/// of one particle survive the smoothing.
 std::vector<double> particleWeights(const Discretisation& solid, const FragmentLabels& labels);
 
 }  // namespace sherd

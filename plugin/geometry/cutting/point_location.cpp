@@ -34,8 +34,8 @@ FirstHit firstHit(const Vec3& from, const Vec3& to, const std::vector<Vec3>& poi
 }
 
 bool isInside(const Vec3& x, const std::vector<Vec3>& points, const std::vector<Triangle>& surface) {
-    // Beyond the middle of one of its triangles there is the surface to be met. Another triangle is tried
-    // when the way there is degenerate.
+    // The way to a point a little beyond the middle of a triangle meets the surface there, or before. If it
+    // is degenerate another triangle is tried.
     for (std::size_t k = 0; k < surface.size(); ++k) {
         const auto& [a, b, c] = surface[k];
         const Vec3 middle = 0.37 * points[a] + 0.34 * points[b] + 0.29 * points[c];

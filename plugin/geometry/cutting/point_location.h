@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-/// The first triangle that is met on the way from a point to a target.
+/// The first triangle on the straight way from a point to a target.
 struct FirstHit {
     int triangle = -1;        ///< -1: none
     bool above = false;       ///< the point lies on the side that the triangle's normal points to
@@ -18,8 +18,8 @@ struct FirstHit {
 FirstHit firstHit(const Vec3& from, const Vec3& to, const std::vector<Vec3>& points,
                   const std::vector<Triangle>& triangles);
 
-/// Whether a point that is not on it lies inside a closed surface that is oriented outward (inward: outside
-/// of it).
+/// Whether a point that is not on it lies inside a closed surface that is oriented outward. For one oriented
+/// inward: whether it lies outside.
 bool isInside(const Vec3& x, const std::vector<Vec3>& points, const std::vector<Triangle>& surface);
 
 }  // namespace sherd

@@ -7,7 +7,8 @@ namespace sherd {
 
 namespace {
 
-// Both directions of every crack edge that ends in a vertex without a colour: that vertex first.
+// The edges of crack faces that end in a vertex without a colour, that vertex first; both directions if both
+// do.
 std::vector<std::array<int, 2>> edgesToUnknown(const std::vector<FragmentSurface>& pieces,
                                                const SharedVertices& shared,
                                                const std::vector<Vec3>& colours) {

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// Vertices at the same position, in whatever pieces, under one number.
+/// Numbers for the vertices of all pieces; those at the same position have the same.
 struct SharedVertices {
     std::vector<std::vector<int>> of_piece;  ///< #pieces, #V each
     int count = 0;
@@ -15,8 +15,8 @@ SharedVertices shareVertices(const std::vector<FragmentSurface>& pieces);
 
 const Vec3 unknown_colour = Vec3::Constant(-1);
 
-/// Fills the unknown colours ring by ring along the edges of crack faces: each is the mean of those of its
-/// neighbours that were known before; what cannot be reached gets `otherwise`.
+/// Fills the unknown colours ring by ring along the edges of crack faces: each vertex takes the mean of its
+/// neighbours that had a colour before its ring. Vertices that no ring reaches get `otherwise`.
 void spreadColours(const std::vector<FragmentSurface>& pieces, const SharedVertices& shared,
                    const Vec3& otherwise, std::vector<Vec3>& colours);
 

@@ -11,8 +11,8 @@ namespace sherd {
 
 namespace {
 
-// Crossings nearer than this (relative to the triangle or edge) to a vertex or an edge would leave needles
-// behind.
+// Least distance of a crossing from a vertex or an edge, relative to the triangle or edge: nearer ones would
+// leave needles.
 constexpr double smallest_share = 1e-6;
 
 class Crossing {
@@ -139,7 +139,7 @@ class Crossing {
     const CrackComplex& crack_;
     const EdgeTable& crack_edges_;
     SurfaceCrossing result_;
-    // Look-up only: points are numbered in the order in which triangles are visited.
+    // For look-up only: points are numbered in the order in which triangles are visited.
     std::unordered_map<std::uint64_t, int> body_edge_points_, crack_edge_points_;
 };
 

@@ -13,7 +13,7 @@ constexpr double largest_cell_count = 2e6;
 
 template <class Visit>
 void TriangleGrid::forEachCell(const Vec3& low, const Vec3& high, Visit visit) const {
-    // Truncation rounds down what is not negative; what ends below the grid is never asked for.
+    // Values are clamped to be positive, so that truncation rounds down.
     const Vec3 top = size_.cast<double>() - Vec3::Ones();
     const Eigen::Vector3i first = ((low - origin_) * cells_per_m_).cwiseMax(0).cwiseMin(top).cast<int>();
     const Eigen::Vector3i last = ((high - origin_) * cells_per_m_).cwiseMax(0).cwiseMin(top).cast<int>();

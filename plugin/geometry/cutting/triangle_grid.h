@@ -8,12 +8,12 @@
 
 namespace sherd {
 
-/// Triangles sorted into the cells of a grid by their boxes, to find those near a box.
+/// Finds triangles near a box: their bounding boxes are sorted into the cells of a grid.
 class TriangleGrid {
   public:
     TriangleGrid(const std::vector<Vec3>& points, const std::vector<Triangle>& triangles);
 
-    /// Appends the triangles whose boxes meet the box [low, high], each once, in ascending order.
+    /// Appends the triangles whose bounding boxes meet the box [low, high], each once, in ascending order.
     void findNear(const Vec3& low, const Vec3& high, std::vector<int>& found) const;
 
   private:

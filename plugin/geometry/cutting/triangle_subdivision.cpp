@@ -28,8 +28,8 @@ Kernel::Point_2 project(const Vec3& x, const Vec3& normal) {
     return normal[axis] > 0 ? Kernel::Point_2(u, v) : Kernel::Point_2(v, u);
 }
 
-// The most common case by far, one segment that cuts off one corner, needs no triangulation to be built.
-// Gives three triangles, Delaunay like the others; false if it is another case, or rounding has turned one
+// The most common case by far, one segment that cuts off one corner, without building a triangulation:
+// appends three triangles, Delaunay too. False if it is another case, or if rounding has turned a triangle
 // over.
 bool cutOffCorner(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
                   const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out) {
@@ -76,7 +76,8 @@ struct TriangleSubdivision::Impl {
         return cdt.is_edge(a, b);
     }
 
-    // Between the hull and the loop there may be slivers, since points on an edge are rounded off it.
+    // Marks the faces outside of the loop: rounding moves points off the edge that they lie on, which leaves
+    // slivers between the loop and its convex hull.
     void markOutside() {
         for (auto f : cdt.all_face_handles()) f->info() = true;
         std::vector<Triangulation::Face_handle> front = {cdt.infinite_face()};

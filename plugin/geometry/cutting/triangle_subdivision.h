@@ -10,8 +10,8 @@
 
 namespace sherd {
 
-/// Splits triangles along segments: constrained Delaunay triangulation in the triangle's plane, without new
-/// points.
+/// Splits triangles along segments by constrained Delaunay triangulation in the triangle's plane, without
+/// adding points.
 class TriangleSubdivision {
   public:
     TriangleSubdivision();

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/clustering/affordable_clusters.h"
 #include "core/clustering/penalty_distance.h"
 
 namespace {
@@ -130,7 +131,7 @@ TEST(PenaltyDistance, IsEquation18) {
     GuideField grain;
     grain.kind = GuideField::Kind::constant;
     grain.direction = Vec3(0, 0, 5);
-    grain.penalty = 0.2;
+    grain.cost_along = 0.2;
     const Vec3 a(1, 2, 3), b(4, 6, 8);
     BlowAxis contact;
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14);
@@ -139,10 +140,10 @@ TEST(PenaltyDistance, IsEquation18) {
         grain.direction = Vec3(0, 0, length);
         EXPECT_NEAR(penaltyDistance(a, b, grain, contact), Vec3(3, 4, 0.2 * 5).norm(), 1e-14) << length;
     }
-    grain.penalty = 1;
+    grain.cost_along = 1;
     EXPECT_NEAR(penaltyDistance(a, b, grain, contact), (b - a).norm(), 1e-14);
     grain.kind = GuideField::Kind::radial;
-    grain.penalty = 0;
+    grain.cost_along = 0;
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(3, 0, 0), grain, contact), 0, 1e-14);
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 0), Vec3(0, 1, 0), grain, contact), 1, 1e-14);
     EXPECT_NEAR(penaltyDistance(Vec3(1, 0, 2), Vec3(3, 0, 5), grain, contact), 1 / std::hypot(1, 2), 1e-13)
@@ -200,7 +201,7 @@ TEST(Clusters, ARadialFieldMakesSectors) {
     const BlowAxis contact{Vec3(20, 20, 0), Vec3::Zero()};
     GuideField radial;
     radial.kind = GuideField::Kind::radial;
-    radial.penalty = 0.1;
+    radial.cost_along = 0.1;
     const auto spreadOf = [&](const GuideField& guide) {
         const FragmentLabels labels = fragmentLabels(solid, damage, 16, 0, 1, guide, contact);
         double along = 0, across = 0;

@@ -64,7 +64,7 @@ TEST(SamplingErrors, EmptyAndImpossibleInput) {
     EXPECT_TRUE(contains(sentence(bad, 0.1), "does not exist"));
     SamplingSettings settings;
     settings.cells_per_spacing = 5;
-    EXPECT_TRUE(contains(sentence(box, 0.1, settings), "from 1 to 4"));
+    EXPECT_TRUE(contains(sentence(box, 0.1, settings), "cells_per_spacing is 5 but must be between 1 and 4"));
 }
 
 TEST(SamplingErrors, FlatSurfaceHasNoSolid) {

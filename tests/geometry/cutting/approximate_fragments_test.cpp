@@ -6,8 +6,8 @@
 #include <set>
 
 #include "geometry/cutting/cut_checks.h"
+#include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_feet.h"
 #include "support/shapes.h"

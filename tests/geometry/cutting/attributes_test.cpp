@@ -6,8 +6,8 @@
 #include <map>
 
 #include "geometry/cutting/cut_checks.h"
+#include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/cutting/fragment_surfaces.h"
 #include "geometry/merge_vertices.h"
 #include "io/obj_file.h"
 #include "support/shapes.h"

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "geometry/cutting/cut_checks.h"
+#include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/cutting/fragment_surfaces.h"
 #include "support/shapes.h"
 
 namespace sherd {

@@ -5,8 +5,8 @@
 
 #include "core/sampling/sample_solid.h"
 #include "geometry/cutting/cut_checks.h"
+#include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "geometry/cutting/fragment_surfaces.h"
 #include "support/shapes.h"
 
 namespace sherd {

@@ -1,4 +1,4 @@
-#include "geometry/cutting/fragment_surfaces.h"
+#include "geometry/cutting/cut_fragments.h"
 
 #include <gtest/gtest.h>
 

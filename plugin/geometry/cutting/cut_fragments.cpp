@@ -1,4 +1,4 @@
-#include "geometry/cutting/fragment_surfaces.h"
+#include "geometry/cutting/cut_fragments.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,13 @@
 
 #include "geometry/cutting/approximate_fragments.h"
 #include "geometry/cutting/carry_attributes.h"
+#include "geometry/cutting/crack_nudging.h"
+#include "geometry/cutting/crack_roughness.h"
+#include "geometry/cutting/crack_smoothing.h"
 #include "geometry/cutting/cut_faces.h"
+#include "geometry/cutting/lattice_building.h"
+#include "geometry/cutting/lattice_spacing.h"
+#include "geometry/cutting/marching_tetrahedra.h"
 #include "geometry/cutting/pieces.h"
 
 namespace sherd {
@@ -16,7 +22,7 @@ namespace {
 
 constexpr double largest_lattice = 2e6;  // nodes
 constexpr double volume_tolerance = 1e-9;
-constexpr int nudges = 8;  // of single crack triangles, before the whole lattice is drawn anew
+constexpr int most_nudges = 8;  // rounds of moving single crack triangles before another lattice is tried
 
 Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Discretisation& solid,
                   const FragmentLabels& labels) {
@@ -34,11 +40,12 @@ Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Dis
     return success();
 }
 
-// Cracks that pass too near to a vertex or an edge of the surface are moved a little until none does.
+// Cuts; as long as cracks pass too near to a vertex or an edge of the surface, moves them a little and cuts
+// again.
 CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, const LabelLattice& lattice,
                          CrackComplex& crack, std::uint64_t seed) {
     CutAttempt attempt = cutFaces(surface, edges, lattice, crack);
-    for (int nudge = 0; nudge < nudges && !attempt.troubled.empty(); ++nudge) {
+    for (int nudge = 0; nudge < most_nudges && !attempt.troubled.empty(); ++nudge) {
         for (int triangle : attempt.troubled) nudgeTriangle(crack, lattice, triangle, seed, nudge);
         attempt = cutFaces(surface, edges, lattice, crack);
     }
@@ -74,7 +81,8 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
     const double spacing = latticeSpacing(surface, solid, labels, largest_lattice);
     std::string why = "no lattice was tried";
     for (int k = 0; k < settings.lattices; ++k) {
-        // Another lattice each time, and from the third on a coarser one, whose faces are larger and fewer.
+        // Another jitter each time, and from the third lattice on a coarser one, whose faces are larger and
+        // fewer.
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
         LatticeSettings lattice;
         lattice.spacing = spacing * coarser;

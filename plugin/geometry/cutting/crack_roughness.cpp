@@ -1,0 +1,23 @@
+#include "geometry/cutting/crack_roughness.h"
+
+#include <algorithm>
+
+#include "core/numerics/hashed_random.h"
+
+namespace sherd {
+
+void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed) {
+    for (std::size_t p = 0; p < complex.origins.size(); ++p) {
+        CrackPoint& origin = complex.origins[p];
+        if (!origin.isOnEdge() || origin.fixed) continue;
+        const double length = (lattice.nodes[origin.nodes[1]] - lattice.nodes[origin.nodes[0]]).norm();
+        constexpr std::uint64_t component = 3;  // 0 to 2 move the lattice's nodes
+        const double random = hashedRandom(seed, p, component);
+        // The move is scaled to the room there is. Were it clamped, points would gather at the ends.
+        const double room = random > 0 ? 1 - smallest_edge_place - origin.t : origin.t - smallest_edge_place;
+        origin.t = clampToEdge(origin.t + random * std::min(room, amplitude / length));
+    }
+    placePoints(complex, lattice);
+}
+
+}  // namespace sherd

@@ -1,0 +1,83 @@
+#include "geometry/cutting/crack_smoothing.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+namespace {
+
+// Of each of the three points that a point on a face lies between, before the weights are scaled to sum 1.
+constexpr double smallest_weight = 0.1;
+
+// Sums over the neighbours of every point. Of a point on a line where sheets meet only those on the line
+// count.
+struct NeighbourSums {
+    std::vector<Vec3> position;
+    std::vector<int> count;
+};
+
+NeighbourSums sumNeighbours(const CrackComplex& complex) {
+    NeighbourSums sums = {std::vector<Vec3>(complex.points.size(), Vec3::Zero()),
+                          std::vector<int>(complex.points.size(), 0)};
+    const auto is_on_line = [&](int p) { return !complex.origins[p].isOnEdge(); };
+    for (const Triangle& t : complex.triangles)
+        for (int i = 0; i < 3; ++i)
+            for (int other : {t[(i + 1) % 3], t[(i + 2) % 3]}) {
+                if (is_on_line(t[i]) && !is_on_line(other)) continue;
+                sums.position[t[i]] += complex.points[other];
+                ++sums.count[t[i]];
+            }
+    return sums;
+}
+
+double placeOnEdge(const CrackPoint& origin, const LabelLattice& lattice, const Vec3& wanted) {
+    const Vec3 a = lattice.nodes[origin.nodes[0]], edge = lattice.nodes[origin.nodes[1]] - a;
+    return clampToEdge((wanted - a).dot(edge) / edge.squaredNorm());
+}
+
+// The weights of the point of a lattice face that is nearest to the wanted one. All stay positive, so that
+// the point stays inside the triangle of the points on the face's edges: there the sheets of one tetrahedron
+// cannot cross.
+std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex& complex,
+                                    const Vec3& wanted) {
+    const Vec3 &a = complex.points[origin.between[0]], &b = complex.points[origin.between[1]],
+               &c = complex.points[origin.between[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    std::array<double, 4> w = {normal.dot((b - wanted).cross(c - wanted)),
+                               normal.dot((c - wanted).cross(a - wanted)),
+                               normal.dot((a - wanted).cross(b - wanted)), 0};
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += w[i] = std::max(smallest_weight, w[i] / normal.squaredNorm());
+    for (double& weight : w) weight /= sum;
+    return w;
+}
+
+// Whether a point lies between two labels whose crack the particles' shares place already.
+bool isSharp(const CrackPoint& point, const LabelLattice& lattice) {
+    return point.isOnEdge() && lattice.isSharp(point.nodes[0]) && lattice.isSharp(point.nodes[1]);
+}
+
+// Moves every point half the way toward the mean of its neighbours, within the edge or face that it belongs
+// to. Sharp points move only `with_sharp`, points inside tetrahedra never.
+void smoothOnce(CrackComplex& complex, const LabelLattice& lattice, bool with_sharp) {
+    const NeighbourSums sums = sumNeighbours(complex);
+    for (std::size_t p = 0; p < complex.points.size(); ++p) {
+        CrackPoint& origin = complex.origins[p];
+        if (sums.count[p] == 0 || origin.isInTetrahedron() || origin.fixed) continue;
+        if (!with_sharp && isSharp(origin, lattice)) continue;
+        const Vec3 wanted = 0.5 * (complex.points[p] + sums.position[p] / sums.count[p]);
+        if (origin.isOnEdge())
+            origin.t = placeOnEdge(origin, lattice, wanted);
+        else
+            origin.weights = weightsInFace(origin, complex, wanted);
+    }
+    placePoints(complex, lattice);
+}
+
+}  // namespace
+
+void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps) {
+    for (int step = 0; step < steps; ++step) smoothOnce(complex, lattice, step == 0);
+}
+
+}  // namespace sherd

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/cutting/split_surface.h"
+
+namespace sherd {
+
+/// Values on the two sides of a segment: of the triangle that runs along it from source to target, and of the
+/// other one.
+struct SideValues {
+    int left, right;
+};
+
+/// A value for each triangle of a split surface, and the connected set that it belongs to.
+struct SpreadValues {
+    std::vector<int> value;  ///< #triangles; -1 where no segment bounds the set
+    std::vector<int> set;    ///< #triangles; equal within a set, else different
+};
+
+/// Spreads the values beside the segments (`values`: #segments) over the triangles that are connected without
+/// crossing a segment. Nothing if two segments disagree about a set, or one is no edge between two triangles.
+std::optional<SpreadValues> spreadFromSegments(const CrossedSurface& surface, const SplitSurface& split,
+                                               int point_count, const std::vector<CutSegment>& segments,
+                                               const std::vector<SideValues>& values);
+
+}  // namespace sherd

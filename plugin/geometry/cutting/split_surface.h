@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "geometry/cutting/surface_crossing.h"
+
+namespace sherd {
+
+/// Segments sorted by the triangle that they lie in.
+struct SegmentGroups {
+    std::vector<int> first;     ///< #T + 1, offsets into `segments`
+    std::vector<int> segments;  ///< those of triangle t are entries first[t] to first[t + 1] - 1
+
+    bool isEmpty(int t) const { return first[t] == first[t + 1]; }
+};
+
+/// `triangle`: the member that says which of `count` triangles a segment lies in.
+SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegment::*triangle,
+                            std::size_t count);
+
+/// One of two surfaces that cross, with points numbered as in `SurfaceCrossing`.
+struct CrossedSurface {
+    std::vector<Triangle> triangles;
+    const EdgeTable& edges;
+    const std::vector<EdgeCrossing>& on_edges;
+    SegmentGroups groups;
+};
+
+/// The triangles of a crossed surface, the crossed ones split along their segments.
+struct SplitSurface {
+    std::vector<Triangle> triangles;
+    std::vector<int> parents;     ///< #triangles, the triangle before splitting
+    std::vector<int> first_part;  ///< #parents + 1, of the parts of each triangle before splitting
+};
+
+/// Splits by constrained Delaunay triangulation. Where that fails the crack triangles to blame are appended
+/// to `troubled`.
+SplitSurface splitSurface(const CrossedSurface& surface, const SurfaceCrossing& crossing,
+                          std::vector<int>& troubled);
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <vector>
+
+#include "core/clustering/fragment_labels.h"
+#include "core/sampling/discretisation.h"
+#include "geometry/cutting/piece_shells.h"
+
+namespace sherd {
+
+/// Merges stray pieces, the smallest first, each into the neighbour with which it shares most crack area; the
+/// crack faces between the two vanish. A piece is a stray if it has less than a twentieth of a particle's
+/// volume, or if it holds no particle of its label and is not the largest piece of it: there the smoothed
+/// labels reached across a gap.
+void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+                      const Discretisation& solid, const FragmentLabels& labels,
+                      std::vector<PieceShell>& shells);
+
+}  // namespace sherd
