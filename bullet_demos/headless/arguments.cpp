@@ -1,22 +1,13 @@
 #include "headless/arguments.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <vector>
 
-#include "headless/scene_keys.h"
+#include "scenes/scene_changes.h"
 #include "scenes/scene_file.h"
 #include "scenes/scenes.h"
 
 namespace demo {
-namespace {
-
-/// bodies[0].position_m=... is the path of a key in the scene file, spacing=... one of the short keys.
-bool isByPath(const std::string& assignment) {
-    return assignment.substr(0, assignment.find('=')).find_first_of(".[") != std::string::npos;
-}
-
-}  // namespace
 
 sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
@@ -38,7 +29,7 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     app.add_option("--scenes", arguments.scenes, "Folder of the scenes")->type_name("DIR");
     app.add_option("--meshes", arguments.meshes, "Folder that keeps generated meshes")->type_name("DIR");
     app.add_flag("--progress-line", one_line, "Keep the progress on one line of a terminal");
-    app.footer("\n" + describeKeys());
+    app.footer("\n" + describeChanges());
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
@@ -51,19 +42,11 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     if (one_line) arguments.progress = Progress::Style::one_line;
     if (arguments.show_list) return arguments;
     if (!seed.empty()) assignments.push_back("seed=" + seed);
-    const auto first_key = std::stable_partition(assignments.begin(), assignments.end(), isByPath);
-    const std::vector<std::string> by_path(assignments.begin(), first_key),
-        keys(first_key, assignments.end());
-
     const auto file = sceneFile(scene, arguments.scenes);
     if (!file) return sherd::Error{file.error()};
-    auto read = readScene(file.value(), preset, by_path);
+    auto read = readScene(file.value(), preset, assignments);
     if (!read) return sherd::Error{read.error()};
     arguments.scene = std::move(read).value();
-    for (const std::string& key : keys) {
-        const sherd::Status applied = applyKey(arguments.scene, key);
-        if (!applied) return sherd::Error{applied.error()};
-    }
     return arguments;
 }
 

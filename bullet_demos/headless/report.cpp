@@ -76,18 +76,6 @@ ordered_json firstBreakMilliseconds(const SceneRun& run) {
     return nullptr;
 }
 
-/// The materials of the bodies, each once, and by which criterion they fail.
-ordered_json materials(const std::vector<sherd::BreakableAsset>& assets) {
-    ordered_json list = ordered_json::array();
-    for (const sherd::BreakableAsset& asset : assets) {
-        const sherd::Material& material = asset.material();
-        const ordered_json entry = {{"name", material.name},
-                                    {"failure_criterion", material.failure_criterion}};
-        if (std::find(list.begin(), list.end(), entry) == list.end()) list.push_back(entry);
-    }
-    return list;
-}
-
 ordered_json milliseconds(const SceneRun& run, const FurtherBlows& further_blows) {
     ordered_json ms;
     for (const StageTotal& stage : stageTotals(run)) ms[stage.name] = stage.total_ms;
@@ -128,7 +116,10 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     ordered_json report;
     report["scene"] = scene.name;
     report["seed"] = scene.bodies.empty() ? 0 : scene.bodies.front().settings.fracture.seed;
-    report["materials"] = materials(assets);
+    report["bodies"] = ordered_json::array();
+    for (const BreakableBody& body : scene.bodies)
+        report["bodies"].push_back({{"material", ordered_json::parse(body.material.toJson())},
+                                    {"settings", ordered_json::parse(body.settings.toJson())}});
     int particles = 0;
     for (const sherd::BreakableAsset& asset : assets) particles += asset.particleCount();
     report["particles"] = particles;

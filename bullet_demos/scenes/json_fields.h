@@ -1,27 +1,22 @@
 #pragma once
 
+#include <sherd/fields.h>
 #include <sherd/types.h>
 
-#include <initializer_list>
-#include <limits>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace demo {
+
+using sherd::Field;
+using sherd::Range;
 
 /// A key or a value of a scene file that cannot be taken, as a sentence that begins with the path of the key.
 /// Thrown by what reads the parts of a scene, caught in `readScene`.
 struct BadKey {
     std::string sentence;
-};
-
-/// The numbers that a key takes.
-struct Range {
-    double least = -std::numeric_limits<double>::infinity();
-    double most = std::numeric_limits<double>::infinity();
-    const char* unit = "";
 };
 
 /// An object of a scene file. Every `read` takes over what the object says and leaves the value alone where
@@ -34,24 +29,20 @@ class Fields {
     std::string pathOf(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
     const std::string& path() const { return path_; }
 
-    void read(const char* name, double& value, const Range& range = {});
-    void read(const char* name, int& value, const Range& range = {});
-    void read(const char* name, bool& value);
-    void read(const char* name, std::string& value);
-    void read(const char* name, sherd::Vec3& value, const Range& range = {});
+    /// A number, a text, three numbers, the name of an enum's value, or an object with the fields of a struct
+    /// (`visitFields`).
+    template <class Value>
+    void read(const Field& field, Value& value) {
+        if constexpr (sherd::has_fields<Value>)
+            object(field.name, [&](Fields& part) { part.readAll(value); });
+        else
+            readValue(field, value);
+    }
 
-    /// One of a few words.
-    template <class Choice>
-    void read(const char* name, Choice& value,
-              std::initializer_list<std::pair<const char*, Choice>> choices) {
-        std::string word, words;
-        read(name, word);
-        for (const auto& [known, choice] : choices) {
-            if (word == known) value = choice;
-            if (has(name) && word == known) return;
-            words += (words.empty() ? "" : ", ") + std::string(known);
-        }
-        if (has(name)) fail(name, "is \"" + word + "\"; choose one of: " + words);
+    /// All fields of a struct.
+    template <class Struct>
+    void readAll(Struct& fields) {
+        visitFields(fields, [&](const Field& field, auto& value) { read(field, value); });
     }
 
     /// Calls `read_part(Fields&)` on the object of that name, if there is one.
@@ -85,7 +76,22 @@ class Fields {
     [[noreturn]] void fail(const std::string& name, const std::string& what) const;
 
   private:
+    void readValue(const Field& field, double& value);
+    void readValue(const Field& field, int& value);
+    void readValue(const Field& field, std::uint64_t& value);
+    void readValue(const Field& field, std::string& value);
+    void readValue(const Field& field, sherd::Vec3& value);
+    template <class Enum>
+    std::enable_if_t<std::is_enum_v<Enum>> readValue(const Field& field, Enum& value) {
+        std::string name = sherd::nameOf(value);
+        readValue(field, name);
+        const auto named = sherd::valueNamed<Enum>(name);
+        if (!named)
+            fail(field.name, "is \"" + name + "\"; choose one of: " + sherd::possibleValues(field, value));
+        value = *named;
+    }
     void refuseUnknown() const;
+    void requireWithin(const std::string& name, const nlohmann::json& number, const Range& range) const;
 
     const nlohmann::json& object_;
     std::string path_;

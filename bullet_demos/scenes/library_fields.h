@@ -3,16 +3,17 @@
 #include <sherd/material.h>
 #include <sherd/settings.h>
 
+#include <cstdint>
+#include <string>
+
 #include "scenes/json_fields.h"
 
 namespace demo {
 
-/// The key `material`: the name of one of the library's materials, or an object with the constants; `like`
-/// names the library's material that gives those left out.
-void readMaterial(Fields& body, sherd::Material& material);
+/// The key `material`: what sherd::Material::fromJsonText takes; files are relative to `folder`.
+void readMaterial(Fields& body, sherd::Material& material, const std::string& folder);
 
-/// The key `settings`: an object with the parts of sherd::Settings and their members by name; `quality` says
-/// from which of `Settings::forQuality` it starts.
-void readSettings(Fields& body, sherd::Settings& settings);
+/// The key `settings`: what sherd::Settings::fromJsonText takes. `seed` is that of settings without one.
+void readSettings(Fields& body, sherd::Settings& settings, std::uint64_t seed);
 
 }  // namespace demo

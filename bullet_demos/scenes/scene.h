@@ -55,13 +55,13 @@ struct BreakableBody {
     Shape shape;
     sherd::Material material;
     sherd::Settings settings;
-    std::optional<PaintedStrength>
-        painted_strength;  ///< none: the mesh's colours say nothing about its strength
+    /// None: the mesh's colours say nothing about its strength.
+    std::optional<PaintedStrength> painted_strength;
     Touch touch;
     Look look;
     Vec3 turn_deg = Vec3::Zero();  ///< about the world's x, then y, then z axis
-    Vec3 position =
-        Vec3::Zero();  ///< x and y of the shape's origin; z: height of its lowest point over the floor, m
+    /// x and y of the shape's origin; z: height of its lowest point over the floor, m.
+    Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();  ///< m/s
     Vec3 spin = Vec3::Zero();      ///< rad/s, about the world's axes
 };

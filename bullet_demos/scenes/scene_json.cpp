@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
-#include <sstream>
 #include <vector>
 
 #include "scenes/json_fields.h"
@@ -31,25 +30,6 @@ class Strict {
     static constexpr int deepest = 100;
     std::vector<std::set<std::string>> keys_;
 };
-
-/// "bodies[0].shape" as the steps bodies, 0, shape; a number is one that stood in brackets.
-std::vector<json> steps(const std::string& path) {
-    std::vector<json> parts;
-    std::istringstream keys(path);
-    for (std::string key; std::getline(keys, key, '.');) {
-        std::istringstream pieces(key);
-        std::string piece;
-        std::getline(pieces, piece, '[');
-        parts.emplace_back(piece);
-        while (std::getline(pieces, piece, '[')) {
-            const bool is_index = piece.size() > 1 && piece.size() < 8 && piece.back() == ']' &&
-                                  piece.find_first_not_of("0123456789") == piece.size() - 1;
-            if (!is_index) throw BadKey{"'" + path + "' is not a path as bodies[0].position_m."};
-            parts.emplace_back(std::stoul(piece));
-        }
-    }
-    return parts;
-}
 
 }  // namespace
 
@@ -81,28 +61,9 @@ void layOver(json& scene, const json& changes) {
     }
 }
 
-void setByPath(json& scene, const std::string& assignment) {
-    const std::size_t equals = assignment.find('=');
-    const std::string path = assignment.substr(0, equals);
-    if (equals == std::string::npos)
-        throw BadKey{"'" + path + "' is not KEY=VALUE; the scene goes before --set."};
-    json* at = &scene;
-    for (const json& step : steps(path)) {
-        if (step.is_string()) {
-            if (!at->is_object() && !at->is_null())
-                throw BadKey{path + " leads through a value that has no keys."};
-            at = &(*at)[step.get<std::string>()];
-        } else {
-            const auto index = step.get<std::size_t>();
-            if (!at->is_array() || index >= at->size())
-                throw BadKey{path + " leads to an item that is not there; its list has " +
-                             std::to_string(at->is_array() ? at->size() : 0) + "."};
-            at = &(*at)[index];
-        }
-    }
-    const std::string value = assignment.substr(equals + 1);
-    json parsed = json::parse(value, Strict(), false);
-    *at = parsed.is_discarded() ? json(value) : std::move(parsed);
+json parseSceneValue(const std::string& text) {
+    json parsed = json::parse(text, Strict(), false);
+    return parsed.is_discarded() ? json(text) : parsed;
 }
 
 }  // namespace demo

@@ -3,8 +3,6 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "scenes/scene.h"
-
 namespace demo {
 
 // The text of a scene file before it becomes a scene. All throw BadKey.
@@ -15,8 +13,7 @@ nlohmann::json parseSceneFile(const std::string& path);
 /// Lays one scene over another: objects key by key, lists item by item, null takes a key away.
 void layOver(nlohmann::json& scene, const nlohmann::json& changes);
 
-/// Sets one value by its path. `assignment` is as bodies[0].position_m=[0,0,2]; what is no JSON counts as
-/// text.
-void setByPath(nlohmann::json& scene, const std::string& assignment);
+/// A value from the command line; what is no JSON counts as text.
+nlohmann::json parseSceneValue(const std::string& text);
 
 }  // namespace demo

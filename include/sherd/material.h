@@ -4,28 +4,33 @@
 
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace sherd {
 
 /// A brittle, isotropic, linearly elastic material. SI units. A user's own material is one of these.
+/// `sherd/fields.h` lists the fields with their ranges.
 struct Material {
     std::string name = "material";
     double youngs_modulus_pa = 5e9;
-    double poisson_ratio = 0.2;  ///< 0 <= nu <= 0.499; above 0.47 results come with a warning
+    /// From 0 to 0.499; above 0.47 results come with a warning.
+    double poisson_ratio = 0.2;
     double density_kg_m3 = 2000;
-    double tensile_strength_pa = 3e6;  ///< under tension in one direction
-    double strength_scatter =
-        0.1;  ///< standard deviation of the strength over its mean, particle by particle
-    double fracture_energy_j_m2 =
-        10;  ///< energy to open a unit of crack area; sets how many fragments a blow can pay for
-    /// Strength under compression in one direction; infinite: never crushed. Scatters as the tensile strength
-    /// does.
+    /// Strength under tension in one direction.
+    double tensile_strength_pa = 3e6;
+    /// Standard deviation of the strength, from particle to particle, over its mean.
+    double strength_scatter = 0.1;
+    /// Energy that a unit of crack area costs; it decides how many fragments a blow can pay for.
+    double fracture_energy_j_m2 = 10;
+    /// Strength under compression in one direction; infinity: it is never crushed. Scatters as the tensile
+    /// strength does.
     double compressive_strength_pa = std::numeric_limits<double>::infinity();
-    /// Weibull's modulus m; 0: strength scatters normally, as above, and does not depend on size. Otherwise
-    /// the mean strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that
-    /// large pieces are weaker.
+    /// Weibull's modulus m. At 0 the strength scatters normally, as above, whatever the size of a body.
+    /// Otherwise the mean strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so
+    /// that large pieces are weaker.
     double weibull_modulus = 0;
-    double weibull_volume_m3 = 1e-6;  ///< of the specimens that the tensile strength is the mean of
+    /// Volume of the specimens whose mean strength is `tensile_strength_pa`.
+    double weibull_volume_m3 = 1e-6;
     /// How stresses in several directions are compared with the two strengths:
     /// - "largest_principal_stress": the largest tension with the one, the largest compression with the other
     ///   (Rankine);
@@ -40,19 +45,33 @@ struct Material {
     static Material brick();  ///< burnt clay
     static Material stone();  ///< limestone
     static Material ice();
-    static Material
-    wood();  ///< pine, its strength that across the grain; the grain is FractureSettings::guide
+    /// Pine, with the strength that it has across the grain. GuideField gives the grain's direction.
+    static Material wood();
 
-    /// One of the above by its name; the error lists them.
+    /// One of the above by its name. The error lists the names.
     static Result<Material> named(const std::string& name);
 
-    /// Reads a file of this struct's fields, `{"name": "tile", "youngs_modulus_pa": 5e10, ...}`. Fields that
-    /// are not given are those of the material that `"like"` names; without it all but the scatter, the
-    /// compressive strength, Weibull's and the criterion are needed.
+    /// Reads a JSON file with the fields of this struct, `{"name": "tile", "youngs_modulus_pa": 5e10, ...}`.
+    /// Fields that are left out are those of the material that `"like"` names (one of the above, or another
+    /// file, relative to this one). Without `"like"` the file has to give Young's modulus, Poisson's ratio,
+    /// the density, the tensile strength and the fracture energy; the rest keep their defaults. Infinity is
+    /// written `"infinity"`. The error names the file and the field, and says what is possible there.
     static Result<Material> fromJson(const std::string& path);
 
-    /// Says which constant is out of range, and which values are possible.
+    /// Reads the same from text. The text may also be just the name of a material or of a file, in quotes;
+    /// files are relative to `folder`. `path` is where the value stands in a larger file
+    /// ("bodies[0].material"), for the error.
+    static Result<Material> fromJsonText(const std::string& text, const std::string& path = "",
+                                         const std::string& folder = "");
+
+    /// All fields as a JSON object, which `fromJsonText` reads back bit for bit.
+    std::string toJson() const;
+
+    /// The error says which field is out of range, and which values are possible.
     Status validate() const;
 };
+
+/// What `Material::failure_criterion` may be, the default first.
+std::vector<std::string> failureCriterionNames();
 
 }  // namespace sherd

@@ -5,47 +5,71 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace sherd {
 
+// The defaults suit most bodies. `sherd/fields.h` lists the fields with their ranges, `sherd/enum_names.h`
+// the names of the choices. "Asset frame" means the coordinates that a body's surface is given in. "Paper" is
+// N. Liu, X. He, S. Li, G. Wang, Meshless simulation of brittle fracture, Computer Animation and Virtual
+// Worlds 22 (2011).
+
 /// How finely a solid is sampled.
 struct SamplingSettings {
-    double spacing_m = 0;  ///< distance between particles; 0: from the wall thickness and the limits below
-    double layers_across_wall = 4;  ///< particles across a wall, at most, when the spacing is chosen
-    int smallest_count = 600;       ///< particles of a compact body, at least, when the spacing is chosen
-    int largest_count = 20000;      ///< about this many particles at most, when the spacing is chosen
-    /// Millions of numbers that the factor of the stiffness matrix may store, when the spacing is chosen:
-    /// each takes 8 bytes, and a solve reads all of them twice. Splines only.
+    /// Distance between particles. At 0 it is chosen from the wall thickness, within the limits below.
+    double spacing_m = 0;
+    /// Particles across a wall, at most. This limit and the next four hold where the spacing is chosen.
+    double layers_across_wall = 4;
+    /// Particles of a compact body, at least.
+    int smallest_count = 600;
+    /// Particles at most, about.
+    int largest_count = 20000;
+    /// How many millions of numbers the factor of the stiffness matrix may store: each takes 8 bytes, and a
+    /// solve reads all of them twice. Spline trial functions only.
     double largest_factor_millions = 9;
-    double largest_factor_if_thin_millions =
-        14;                     ///< the same where walls would get less than one particle across
-    int cells_per_spacing = 2;  ///< integration cells per particle spacing and direction, 1 to 4
-    int moment_order = 4;  ///< of the cells' moments; an asset sets it to twice the degree of its splines
-    double smallest_fill = 0.25;  ///< a cell filled by less gets no particle of its own
+    /// The same limit where walls would otherwise get less than one particle across.
+    double largest_factor_if_thin_millions = 14;
+    /// Integration cells per particle spacing and direction, 1 to 4.
+    int cells_per_spacing = 2;
+    /// Order of the moments that cut cells are integrated with: 0, 2, 4 or 6. The library sets it to twice
+    /// the degree of the splines.
+    int moment_order = 4;
+    /// A grid cell of which a smaller share is solid gets no particle of its own; its material goes to a
+    /// neighbour's.
+    double smallest_fill = 0.25;
 
     Status validate() const;
 };
 
-/// Test function of the local weak form (paper, Eq. 5).
+/// Test function of the local weak form (paper, Eq. 5). MLPG: the meshless local Petrov-Galerkin method.
 enum class TestFunction {
-    heaviside,  ///< MLPG5, the paper: flux over the faces of sub-domains, which tile the solid; unsymmetric
-    heaviside_paper,  ///< MLPG5 to the letter, to compare with: whole cubes, 96 Gauss points a particle; slow
-    galerkin,         ///< the trial functions themselves: symmetric, and moments balance as well as forces
+    /// MLPG5, as in the paper: the flux over the faces of sub-domains, here ones that tile the solid. The
+    /// matrix is unsymmetric.
+    heaviside,
+    /// MLPG5 to the letter, to compare with: whole cubes, 96 Gauss points a particle. Slow.
+    heaviside_paper,
+    /// The trial functions themselves. The matrix is symmetric, and moments balance as well as forces.
+    galerkin,
 };
 
-/// What a particle carries.
+/// Trial functions of the displacement.
 enum class TrialFunction {
-    mls,     ///< moving least squares, paper Eq. 6-10: 3 unknowns a particle
-    gmls,    ///< generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a
-             ///< particle
-    spline,  ///< moving least squares with B-splines as weights on a complete lattice (Eq. 6-10): the shape
-             ///< functions are the B-splines themselves; degree 1, 2, 3 for basis linear, quadratic, cubic
+    /// Moving least squares, paper Eq. 6-10: 3 unknowns a particle.
+    mls,
+    /// Generalised moving least squares, paper Eq. 11, with gradients as unknowns: 12 unknowns a particle.
+    gmls,
+    /// Moving least squares with B-splines as weights on a complete lattice: the shape functions are the
+    /// B-splines themselves, of degree 1, 2 or 3 for a linear, quadratic or cubic basis.
+    spline,
 };
 
+/// Polynomials that the trial functions reproduce.
 enum class Basis { linear, quadratic, cubic };
-inline int splineDegree(Basis basis) {
+constexpr int splineDegree(Basis basis) {
     return 1 + static_cast<int>(basis);
 }
+constexpr int largest_spline_degree = splineDegree(Basis::cubic);
 
 /// How the stress problem is discretised.
 struct StressSettings {
@@ -53,24 +77,29 @@ struct StressSettings {
     TrialFunction trial_function = TrialFunction::spline;
     Basis basis = Basis::quadratic;
     /// How often the grid is made finer around loads that it is too coarse for (paper, section 5), 0 to 4.
-    /// Splines only.
+    /// Spline trial functions only.
     int resampling_rounds = 2;
-    double resampling_margin =
-        2;  ///< of the finer grid beyond the loads, in cells of the coarser one, at least
-    double support_radius =
-        0;  ///< in particle spacings; 0: the form's own default (gmls 1.4, mls 2.2, quadratic 2.8)
+    /// How far a finer grid reaches beyond the loads, at least, in cells of the coarser grid.
+    double resampling_margin = 2;
+    /// Radius of the supports of mls and gmls, in particle spacings. At 0 it is 1.4 for gmls, 2.2 for mls
+    /// with a linear basis and 2.8 with a quadratic one.
+    double support_radius = 0;
 
     Status validate() const;
 };
 
-/// How impulses become loads.
+/// How impulses become loads: by a Hertz contact, with these limits.
 struct ContactSettings {
-    double partner_youngs_modulus_pa = 5e10;  ///< of whatever strikes and is not breakable (stone)
+    /// Of whatever strikes and is not breakable itself: stone.
+    double partner_youngs_modulus_pa = 5e10;
     double partner_poisson_ratio = 0.25;
+    /// Duration of a contact, at least and at most.
     double shortest_contact_s = 2e-5;
     double longest_contact_s = 1e-2;
-    double smallest_patch = 0.25;  ///< radius of the load patch, at least this fraction of the wall thickness
-    double largest_patch = 0.5;    ///< radius of the load patch, at most this fraction of the body's radius
+    /// Radius of the loaded patch, at least this fraction of the wall thickness.
+    double smallest_patch = 0.25;
+    /// Radius of the loaded patch, at most this fraction of the body's radius.
+    double largest_patch = 0.5;
 
     Status validate() const;
 };
@@ -80,16 +109,18 @@ struct GuideField {
     enum class Kind {
         none,      ///< no direction is preferred
         constant,  ///< `direction`: the grain of wood
-        radial,    ///< away from the axis of the blow: glass. Cracks go straight through, along the axis, too
-        custom,    ///< what `custom` returns
+        /// Away from the axis of the blow, as in glass. Cracks go straight through, along the axis, too.
+        radial,
+        custom,  ///< what the function `custom` returns
     };
     Kind kind = Kind::none;
     Vec3 direction = Vec3::UnitZ();  ///< of any length
     /// The direction at x (m) after a blow at `contact` (m), of any length; zero: none is preferred there.
     std::function<Vec3(const Vec3& x, const Vec3& contact)> custom;
-    /// Lambda of Eq. 18, 0 to 1: what a distance along the field counts for, against one across it. At 0
-    /// fragments run through the whole damaged part; at 1 the field does nothing.
-    double penalty = 0.2;
+    /// Cost of a distance along the field relative to the same distance across it, 0 to 1 (lambda of Eq. 18).
+    /// A particle belongs to the fragment whose seed it reaches at the least cost: at 0 fragments run through
+    /// the whole damaged part along the field; at 1 the field does nothing.
+    double cost_along = 0.2;
 
     Status validate() const;
 };
@@ -97,21 +128,25 @@ struct GuideField {
 /// What becomes of pieces below `FractureSettings::smallest_fragment_m3`.
 enum class Debris {
     unbreakable,  ///< bodies as the others, that never break again
-    merged,       ///< parts of the neighbour that they share most with
-    dropped,      ///< out of the world at once; the event says how much mass went with them
+    merged,       ///< parts of the neighbour that they share most surface with
+    dropped,      ///< removed from the world at once; the event says how much mass went with them
 };
 
 /// What stands for a body in collisions: for bodies of `FractureWorld::add` and for all fragments. A body
 /// that `makeBreakable` is given keeps the shape that it has; its fragments get what is set here.
 enum class CollisionShape {
-    boxes,  ///< filled cells of the sampling, merged: hollows stay open, surfaces are stairs of about half a
-            ///< particle spacing
-    hull,   ///< one convex hull, the quickest: hollows are closed, so nothing falls into a cup
-    convex_parts,  ///< hulls of up to 24 parts that follow the surface: hollows stay open, faces are smooth
+    /// Filled cells of the sampling, merged: hollows stay open, surfaces are stairs of about half a particle
+    /// spacing.
+    boxes,
+    /// One convex hull, the quickest: hollows are closed, so nothing falls into a cup.
+    hull,
+    /// Hulls of up to 24 parts that follow the surface: hollows stay open, faces are smooth.
+    convex_parts,
 };
 
 /// How damaged material becomes fragments.
 struct FractureSettings {
+    /// Another seed, another break; the same seed, the same break bit for bit.
     std::uint64_t seed = 1;
     /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's
     /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
@@ -121,28 +156,31 @@ struct FractureSettings {
     /// any place of the body is skipped; the field itself is asked only once a blow is solved. A field that
     /// is found below it fails the blow with a sentence.
     double strength_field_minimum = 0;
-    /// How often the stress is solved at most, each time without the particles that are damaged by then,
-    /// until no more are (paper, section 6.1). Splines only. 1: the damage of the first solve counts, which
-    /// is the default since every further wave takes as long as a first blow, and leaves the blow's energy to
-    /// more damaged material, in fewer pieces: the cup of the demo breaks into 17, 9 and 5 with 1, 2 and 4
-    /// waves, in 2, 3.5 and 6 s; on walls little changes.
+    /// How often the stress of a blow is solved at most, each time without the particles that are damaged by
+    /// then, until no more are (paper, section 6.1). Spline trial functions only. By default the damage of
+    /// the first solve counts: every further wave takes as long as a first blow, and leaves the blow's energy
+    /// to more damaged material, in fewer pieces. The cup of the demo breaks into 17, 9 and 5 pieces with 1,
+    /// 2 and 4 waves, in 2, 3.5 and 6 s; on walls little changes.
     int damage_waves = 1;
     /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens
     /// the stress right at the contact only, and takes longer than the rest of a blow.
     bool resample_contacts = false;
-    int fragment_count =
-        0;  ///< clusters that the damaged part is split into; 0: what the strain energy pays for
-    double energy_into_cracks = 0.05;  ///< fraction of the strain energy that goes into crack faces, 0 to 1
+    /// Pieces that the damaged part is split into. At 0 it is as many as the strain energy pays for.
+    int fragment_count = 0;
+    /// Fraction of the strain energy that goes into crack faces, above 0 and at most 1.
+    double energy_into_cracks = 0.05;
     int largest_fragment_count = 36;
-    double smallest_fragment_m3 = 0;  ///< smaller pieces are debris; 0: 1/200 of the first body
+    /// Smaller pieces are debris. At 0 it is 1/200 of the first body.
+    double smallest_fragment_m3 = 0;
     Debris debris = Debris::unbreakable;
     GuideField guide;
-    double crack_roughness =
-        0;  ///< of crack faces, as a fraction of the particle spacing, 0 to 0.5; same on both sides
-    /// Hulls and convex parts of neighbouring fragments may overlap: such pairs collide, but are not pushed
-    /// apart by more than what they go deeper into each other later.
+    /// Roughness of crack faces as a fraction of the particle spacing, 0 to 0.5. Both sides of a crack fit.
+    double crack_roughness = 0;
+    /// Hulls and convex parts of neighbouring fragments may overlap when they are made. Such pairs collide,
+    /// but only what they sink deeper into each other later pushes them apart.
     CollisionShape collision_shape = CollisionShape::boxes;
-    double rest_after_break_s = 0.01;  ///< fragments are unbreakable for so long after their birth
+    /// For so long after they were made fragments cannot break.
+    double rest_after_break_s = 0.01;
 
     Status validate() const;
 };
@@ -154,15 +192,34 @@ enum class Quality {
     film,     ///< as right as fine finite elements
 };
 
+/// Everything that can be chosen about how a body breaks.
 struct Settings {
     /// The defaults with the sampling and the stress solve of a quality.
     static Settings forQuality(Quality quality);
+
+    /// Reads a JSON file with the fields of these structs by name, `{"sampling": {"spacing_m": 0.02}}`; the
+    /// rest are those of the quality that `"quality"` names, `game` without it. Functions cannot be given.
+    /// The error names the file and the field, and says what is possible there.
+    static Result<Settings> fromJson(const std::string& path);
+
+    /// Reads the same from text. `path` is where it stands in a larger file ("bodies[0].settings"), for the
+    /// error.
+    static Result<Settings> fromJsonText(const std::string& text, const std::string& path = "");
+
+    /// All fields as a JSON object, but functions and what the library sets itself. `fromJsonText` reads it
+    /// back bit for bit.
+    std::string toJson() const;
+
+    /// Sets fields by their paths: "sampling.spacing_m=0.02", "stress.basis=cubic". The error says which
+    /// path or value is not possible, and what is; then no field is changed.
+    Status set(const std::vector<std::string>& assignments);
 
     SamplingSettings sampling;
     StressSettings stress;
     ContactSettings contact;
     FractureSettings fracture;
 
+    /// The error says which field is out of range, and which values are possible.
     Status validate() const;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <sherd/breakable_asset.h>
+#include <sherd/enum_names.h>
 #include <sherd/events.h>
+#include <sherd/fields.h>
 #include <sherd/fracture_world.h>
 #include <sherd/material.h>
 #include <sherd/result.h>

@@ -15,23 +15,25 @@ namespace sherd {
 
 class BreakableSolid;  // internal: the sampled solid
 
-/// What preparing a body took and gave.
+/// What it took to prepare a body for solves, and what came out.
 struct StressModelReport {
     int particles = 0;
     int surface_points = 0;
     int unknowns = 0;
-    long long factor_entries = 0;     ///< stored entries of the factor; a solve streams them once a triangle
-    long long factor_bytes = 0;       ///< memory of the factor's values
-    double reciprocal_condition = 0;  ///< of the stiffness matrix, estimated from the factor's diagonal
-    double spacing_m = 0;             ///< between particles
-    double wall_thickness_m = 0;      ///< of the thinnest walls
+    /// Numbers that the factor of the stiffness matrix stores; a solve reads all of them twice.
+    long long factor_entries = 0;
+    long long factor_bytes = 0;  ///< memory that these take
+    /// Of the stiffness matrix, estimated from the factor's diagonal. Near 1e-16 the solve is worth nothing.
+    double reciprocal_condition = 0;
+    double spacing_m = 0;         ///< between particles
+    double wall_thickness_m = 0;  ///< of the thinnest walls
     double sample_ms = 0, assemble_ms = 0, factor_ms = 0;
     std::vector<std::string> warnings;  ///< what limits trust in the stresses, with the remedy
 };
 
 /// The stress in a body under any loads, without breaking it: sampled, assembled and factored once, then two
-/// triangular solves a load case. The same stress problem that a blow in a FractureWorld solves. Cheap to
-/// copy.
+/// triangular solves for each set of loads. The same stress problem that a blow in a FractureWorld solves.
+/// Cheap to copy.
 class StressModel {
   public:
     /// Checks the surface, samples the solid, and factors its stress problem. Where `supports` name parts of
@@ -42,9 +44,9 @@ class StressModel {
                                     const std::vector<SurfaceRegion>& supports = {});
 
     /// Stress at the particles, at the surface points, and at `points` (m, in or on the solid) under `loads`
-    /// and the inertia loads of a steady spin about the centre of mass. On the surface it carries the
-    /// traction that acts there, none where nothing does. The error says which region touches no surface, or
-    /// which figure is not finite.
+    /// and the inertia loads of a steady spin about the centre of mass. The stress at surface points agrees
+    /// with the traction that acts there, which is zero away from the loads. The error says which region
+    /// touches no surface, or which figure is not finite.
     Result<StressField> solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points = {},
                               const Vec3& spin_rad_s = Vec3::Zero()) const;
 
@@ -55,8 +57,8 @@ class StressModel {
     std::vector<Vec3> particlePositions() const;  ///< #particles, m
     std::vector<double> particleVolumes() const;  ///< #particles, m^3; they add up to the body's
     std::vector<Vec3> surfacePositions() const;   ///< #surface points, m
-    std::vector<Vec3> surfaceNormals()
-        const;  ///< #surface points, unit, outward; zero where curved within a cell
+    /// #surface points, of unit length, outward; zero where the surface bends within a cell.
+    std::vector<Vec3> surfaceNormals() const;
 
   private:
     explicit StressModel(std::shared_ptr<const BreakableSolid> body) : solid_(std::move(body)) {}

@@ -13,10 +13,10 @@ struct SphereRegion {
     double radius_m = 0;
 };
 
-/// The surface inside an axis-parallel box, which may be flat: then a face that lies in it.
+/// The surface inside a box whose edges are parallel to the axes. A flat box takes the face that lies in it.
 struct BoxRegion {
-    Vec3 lo = Vec3::Zero();  ///< m
-    Vec3 hi = Vec3::Zero();  ///< m
+    Vec3 lo = Vec3::Zero();  ///< the corner of least x, y and z, m
+    Vec3 hi = Vec3::Zero();  ///< the opposite corner, m
 };
 
 /// The triangles that lie on an endless cylinder: a bore or a shaft.
@@ -26,17 +26,17 @@ struct CylinderRegion {
     double radius_m = 0;
 };
 
-/// A part of a body's surface. Asset frame.
+/// A part of a body's surface, in the coordinates that the surface is given in.
 using SurfaceRegion = std::variant<SphereRegion, BoxRegion, CylinderRegion>;
 
 /// What a region is, for sentences: "the sphere about (0, 0, 0.5) m of radius 0.08 m".
 std::string describe(const SurfaceRegion& region);
 
-/// A traction on a part of the surface: the total force and the pressure add up.
+/// A traction on a part of the surface: that of a force plus that of a pressure.
 struct SurfaceLoad {
     SurfaceRegion region;
     Vec3 force_n = Vec3::Zero();  ///< total, spread over the region's area as one traction vector
-    double pressure_pa = 0;       ///< along the inward normal
+    double pressure_pa = 0;       ///< pushes along the inward normal
 };
 
 }  // namespace sherd

@@ -14,13 +14,14 @@ namespace sherd {
 enum class SurfaceKind : std::uint8_t { original, crack };
 
 /// A triangle surface. For a breakable body it is closed, oriented outward and free of self-intersection.
+/// Below, #V is the number of vertices, #T that of triangles.
 struct TriangleMesh {
     std::vector<Vec3> vertices;                 ///< #V points, m
-    std::vector<std::array<int, 3>> triangles;  ///< #T, counter-clockwise seen from outside
-    std::vector<SurfaceKind> kinds;             ///< #T, or empty: all original
+    std::vector<std::array<int, 3>> triangles;  ///< #T, three vertices, counter-clockwise seen from outside
+    std::vector<SurfaceKind> kinds;             ///< #T; empty: all are original
 
-    // What a renderer wants to know. Each is empty where a mesh has none of it, and goes through breaking:
-    // triangles that no crack crosses keep theirs, parts of crossed ones have them interpolated.
+    // What a renderer wants to know. Each is empty where a mesh has none of it. Fragments keep it: triangles
+    // that no crack crosses have what they had, parts of crossed ones have it interpolated.
     std::vector<std::array<Vec2, 3>> texture_coordinates;  ///< #T, at the corners; on crack faces in m
     std::vector<std::array<Vec3, 3>> normals;  ///< #T, at the corners; zero where the mesh gives none
     std::vector<int> material;                 ///< #T, index into `materials`

@@ -8,10 +8,12 @@ using Vec2 = Eigen::Vector2d;
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// Symmetric tensor as (xx, yy, zz, xy, yz, zx); shear components are those of the tensor, not doubled.
+/// A symmetric tensor as (xx, yy, zz, xy, yz, zx), for stresses. Shear components are those of the tensor,
+/// not doubled.
 using Voigt = Eigen::Matrix<double, 6, 1>;
 
-/// A force at a point of a body: one quadrature point of a traction. Asset frame; position in m, force in N.
+/// A force at a point of a body: a traction on a piece of its surface, taken together. In the
+/// coordinates of the body's surface; position in m, force in N.
 struct PointForce {
     Vec3 position = Vec3::Zero();
     Vec3 force = Vec3::Zero();

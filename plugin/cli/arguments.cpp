@@ -1,9 +1,12 @@
 #include "cli/arguments.h"
 
-#include <CLI/CLI.hpp>
-#include <optional>
+#include <sherd/fields.h>
 
-#include "cli/form_names.h"
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cctype>
+#include <optional>
+#include <vector>
 
 namespace sherd::cli {
 
@@ -11,59 +14,72 @@ namespace {
 
 constexpr double unlimited_millions = 1e6;  // of factor entries: what is asked for is done
 
-template <class Choice>
-std::vector<std::string> wordsOf(const Names<Choice>& choices) {
-    std::vector<std::string> names;
-    for (const auto& choice : choices) names.push_back(choice.first);
-    return names;
+/// An option that stands for the path of a setting.
+struct ShortOption {
+    const char* name;
+    const char* path;
+    const char* type;
+};
+constexpr std::array<ShortOption, 7> short_options = {{
+    {"--spacing", "sampling.spacing_m", "M"},
+    {"--basis", "stress.basis", "NAME"},
+    {"--trial", "stress.trial_function", "NAME"},
+    {"--test-function", "stress.test_function", "NAME"},
+    {"--integration", "sampling.cells_per_spacing", "N"},
+    {"--rounds", "stress.resampling_rounds", "N"},
+    {"--support-radius", "stress.support_radius", "R"},
+}};
+
+/// Meaning and possible values of the setting with that path.
+std::string describe(const std::string& path) {
+    const Settings settings;
+    std::string words;
+    visitPaths(settings, [&](const std::string& visited, const Field& field, const auto& value) {
+        if (visited == path) words = field.meaning + (" [" + possibleValues(field, value) + "]");
+    });
+    words[0] = static_cast<char>(std::toupper(words[0]));
+    return words;
 }
 
 /// The options that change single settings; those not given leave what the quality says.
 struct Overrides {
-    std::optional<double> spacing_m, support_radius;
-    std::optional<int> particles, integration, rounds;
-    std::optional<std::string> basis, trial, test_function;
+    std::array<std::optional<std::string>, short_options.size()> values;
+    std::vector<std::string> assignments;
+    std::optional<int> particles;
 
     void addTo(CLI::App& app) {
-        auto* spacing = app.add_option("--spacing", spacing_m, "Distance between particles")
-                            ->check(CLI::PositiveNumber)
-                            ->type_name("M");
+        for (std::size_t i = 0; i < short_options.size(); ++i)
+            app.add_option(short_options[i].name, values[i], describe(short_options[i].path))
+                ->type_name(short_options[i].type);
         app.add_option("--particles", particles, "About how many particles, instead of --spacing")
             ->check(CLI::PositiveNumber)
             ->type_name("N")
-            ->excludes(spacing);
-        app.add_option("--basis", basis, "Polynomials that the trial functions reproduce")
-            ->check(CLI::IsMember(wordsOf(basis_names)));
-        app.add_option("--trial", trial, "Trial functions; gmls has gradients as unknowns")
-            ->check(CLI::IsMember(wordsOf(trial_names)));
-        app.add_option("--test-function", test_function, "Test function of the weak form")
-            ->check(CLI::IsMember(wordsOf(test_names)));
-        app.add_option("--integration", integration, "Integration cells per spacing and direction")
-            ->check(CLI::Range(1, 4))
-            ->type_name("N");
-        app.add_option("--rounds", rounds, "How often the grid is made finer around loads")
-            ->check(CLI::Range(0, 4))
-            ->type_name("N");
-        app.add_option("--support-radius", support_radius, "Radius of the supports, in spacings")
-            ->check(CLI::PositiveNumber)
-            ->type_name("R");
+            ->excludes(app.get_option("--spacing"));
+        app.add_option("--set", assignments, "Change settings by their paths, see below")
+            ->type_name("PATH=VALUE ...");
+        app.footer("\nPaths for --set:\n" + listFields(SamplingSettings(), "sampling.") +
+                   listFields(StressSettings(), "stress."));
     }
 
-    void applyTo(Settings& settings) const {
+    Status applyTo(Settings& settings) const {
         SamplingSettings& sampling = settings.sampling;
-        if (spacing_m) sampling.spacing_m = *spacing_m;
         if (particles) {
             sampling.spacing_m = 0;
             sampling.smallest_count = sampling.largest_count = *particles;
             sampling.largest_factor_millions = sampling.largest_factor_if_thin_millions = unlimited_millions;
         }
-        if (integration) sampling.cells_per_spacing = *integration;
-        StressSettings& stress = settings.stress;
-        if (basis) stress.basis = choiceOf(basis_names, *basis);
-        if (trial) stress.trial_function = choiceOf(trial_names, *trial);
-        if (test_function) stress.test_function = choiceOf(test_names, *test_function);
-        if (rounds) stress.resampling_rounds = *rounds;
-        if (support_radius) stress.support_radius = *support_radius;
+        std::vector<std::string> changes;
+        for (std::size_t i = 0; i < short_options.size(); ++i)
+            if (values[i]) changes.push_back(short_options[i].path + ("=" + *values[i]));
+        for (const std::string& assignment : assignments) {
+            if (assignment.rfind("contact", 0) == 0 || assignment.rfind("fracture", 0) == 0)
+                return Error{
+                    "'" + assignment +
+                    "' changes nothing here: the stress under given loads has settings in sampling and "
+                    "stress alone."};
+            changes.push_back(assignment);
+        }
+        return settings.set(changes);
     }
 };
 
@@ -91,8 +107,8 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     stress->add_option("--vtk", arguments.vtk, "Particles and surface with their stress, for ParaView")
         ->check(checkVtkName)
         ->type_name("FILE.vtk|.vtu");
-    stress->add_option("--quality", arguments.quality, "Preset that the other options change")
-        ->check(CLI::IsMember(wordsOf(quality_names)))
+    stress->add_option("--quality", arguments.quality, "Preset that the options below change")
+        ->check(CLI::IsMember(namesInFiles<Quality>()))
         ->capture_default_str();
     overrides.addTo(*stress);
     try {
@@ -103,8 +119,9 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     } catch (const CLI::ParseError& error) {
         return Error{std::string(error.what()) + " (see --help)"};
     }
-    arguments.settings = Settings::forQuality(choiceOf(quality_names, arguments.quality));
-    overrides.applyTo(arguments.settings);
+    arguments.settings = Settings::forQuality(*valueNamed<Quality>(arguments.quality));
+    if (const Status applied = overrides.applyTo(arguments.settings); !applied)
+        return Error{applied.error() + " (see --help)"};
     return arguments;
 }
 

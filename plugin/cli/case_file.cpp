@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/json_entry.h"
+#include "io/material_entry.h"
 
 namespace sherd::cli {
 
@@ -43,15 +43,6 @@ SurfaceRegion support(const JsonEntry& entry) {
     return region(entry["region"]);
 }
 
-Material material(const JsonEntry& entry) {
-    Material material;
-    material.youngs_modulus_pa = entry["youngs_modulus_pa"].number();
-    material.poisson_ratio = entry["poisson_ratio"].number();
-    material.density_kg_m3 = entry["density_kg_m3"].number();
-    if (const Status valid = material.validate(); !valid) throw BadEntry{valid.error()};
-    return material;
-}
-
 StressCase stressCase(const JsonEntry& entry, const std::filesystem::path& folder) {
     StressCase read;
     // These four are for people.
@@ -59,7 +50,7 @@ StressCase stressCase(const JsonEntry& entry, const std::filesystem::path& folde
                                           "mesh", "material", "loads", "supports", "spin_rad_s"});
     if (entry.has("name")) read.name = entry["name"].text();
     read.mesh = (folder / entry["mesh"].text()).string();
-    read.material = material(entry["material"]);
+    read.material = materialOf(entry["material"], folder.string(), Missing::but_needed);
     for (const JsonEntry& item : entry["loads"].list()) read.loads.push_back(load(item));
     if (entry.has("supports"))
         for (const JsonEntry& item : entry["supports"].list()) read.supports.push_back(support(item));

@@ -3,102 +3,90 @@
 #include <sherd/result.h>
 #include <sherd/types.h>
 
-#include <algorithm>
-#include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <initializer_list>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 namespace sherd {
 
-/// A file that cannot be used, thrown by JsonEntry.
+/// A value that cannot be used, as a sentence. Thrown by JsonEntry, caught by readJson.
 struct BadEntry {
     std::string sentence;
 };
 
-/// A value of the file and the key it has there: "loads[1].region.sphere".
+/// A JSON value and its path: "loads[1].region.sphere". What cannot be used is thrown as BadEntry, in a
+/// sentence that begins with the path.
 class JsonEntry {
   public:
-    JsonEntry(const nlohmann::json& value, std::string key) : value_(value), key_(std::move(key)) {}
+    /// An empty path: the whole, which sentences call "the JSON". The value has to outlive the entry.
+    JsonEntry(const nlohmann::json& value, std::string path) : value_(value), path_(std::move(path)) {}
 
-    [[noreturn]] void fail(const std::string& what) const {
-        throw BadEntry{(key_.empty() ? "the file" : "\"" + key_ + "\"") + " " + what + "."};
-    }
+    /// `what` goes on from the path and has no full stop.
+    [[noreturn]] void fail(const std::string& what) const;
 
+    const std::string& path() const { return path_; }
+    std::string pathOf(const std::string& name) const { return path_.empty() ? name : path_ + "." + name; }
     bool has(const char* name) const { return value_.contains(name); }
+    bool isText() const { return value_.is_string(); }
 
-    JsonEntry operator[](const char* name) const {
-        if (!value_.is_object()) fail("must be an object");
-        const auto found = value_.find(name);
-        if (found == value_.end()) fail(std::string("lacks the key \"") + name + "\"");
-        return {*found, key_.empty() ? name : key_ + "." + name};
-    }
+    /// Refuses what is no object.
+    void requireObject() const;
 
-    std::vector<std::string> keysBeside(std::initializer_list<const char*> names) const {
-        if (!value_.is_object()) fail("must be an object");
-        std::vector<std::string> keys;
-        for (const auto& item : value_.items())
-            if (std::find(names.begin(), names.end(), item.key()) == names.end()) keys.push_back(item.key());
-        return keys;
-    }
+    JsonEntry operator[](const char* name) const;
 
-    void allowOnly(std::initializer_list<const char*> names) const {
-        std::string list;
-        for (const char* name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-        for (const std::string& key : keysBeside(names))
-            fail("has the unknown key \"" + key + "\"; known are " + list);
-    }
+    /// The keys of an object that are not among `names`.
+    std::vector<std::string> keysBeside(const std::vector<std::string>& names) const;
 
-    double number() const {
-        if (!value_.is_number()) fail("must be a number");
-        const double number = value_.get<double>();
-        if (!std::isfinite(number)) fail("must be finite");
-        return number;
-    }
+    /// Refuses other keys than these.
+    void allowOnly(const std::vector<std::string>& names) const;
 
-    std::string text() const {
-        if (!value_.is_string()) fail("must be a string");
-        return value_.get<std::string>();
-    }
+    double number() const;
+    int wholeNumber() const;
+    std::uint64_t naturalNumber() const;
+    bool truth() const;
+    std::string text() const;
+    Vec3 vector() const;
+    std::vector<JsonEntry> list() const;
 
-    Vec3 vector() const {
-        if (!value_.is_array() || value_.size() != 3) fail("must be a list of three numbers");
-        Vec3 v;
-        for (int i = 0; i < 3; ++i) v[i] = JsonEntry(value_[i], item(i)).number();
-        return v;
-    }
-
-    std::vector<JsonEntry> list() const {
-        if (!value_.is_array()) fail("must be a list");
-        std::vector<JsonEntry> entries;
-        for (std::size_t i = 0; i < value_.size(); ++i) entries.emplace_back(value_[i], item(i));
-        return entries;
-    }
+    /// The value as sentences show it.
+    std::string shown() const;
 
   private:
-    std::string item(std::size_t i) const { return key_ + "[" + std::to_string(i) + "]"; }
+    std::string item(std::size_t i) const { return path_ + "[" + std::to_string(i) + "]"; }
 
     const nlohmann::json& value_;
-    std::string key_;
+    std::string path_;
 };
+
+/// The JSON of a file or of a text; comments (`//`, `/* */`) are allowed. Throws BadEntry.
+nlohmann::json parseJsonFile(const std::string& path);
+nlohmann::json parseJsonText(const std::string& text);
+
+/// The text of a value; bytes that are not UTF-8 are replaced rather than thrown for.
+template <class Json>
+std::string writtenJson(const Json& value, int indent) {
+    return value.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+/// Calls `make`, which may throw BadEntry, and sets `before` in front of its sentence.
+template <class Make>
+auto resultOf(const std::string& before, const Make& make) -> Result<decltype(make())> {
+    try {
+        return make();
+    } catch (const BadEntry& bad) {
+        return Error{before + bad.sentence};
+    }
+}
 
 /// Reads a JSON file with `make`, which takes its root as JsonEntry. The error names the file, the key and
 /// what is wrong.
 template <class Value, class Make>
 Result<Value> readJson(const std::string& path, const Make& make) {
-    std::ifstream in(path);
-    if (!in || std::filesystem::is_directory(path)) return Error{path + ": the file cannot be opened."};
-    try {
-        const nlohmann::json root = nlohmann::json::parse(in);
+    return resultOf(path + ": ", [&]() -> Value {
+        const nlohmann::json root = parseJsonFile(path);
         return make(JsonEntry(root, ""));
-    } catch (const BadEntry& bad) {
-        return Error{path + ": " + bad.sentence};
-    } catch (const nlohmann::json::exception& error) {
-        return Error{path + ": this is not JSON: " + error.what()};
-    }
+    });
 }
 
 }  // namespace sherd

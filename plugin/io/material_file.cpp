@@ -1,47 +1,78 @@
-#include <sherd/material.h>
+#include <algorithm>
+#include <filesystem>
 
-#include "io/json_entry.h"
+#include "core/parameters/faults.h"
+#include "io/material_entry.h"
 
 namespace sherd {
 
 namespace {
 
-Material materialOf(const JsonEntry& entry) {
-    entry.allowOnly({"name", "like", "youngs_modulus_pa", "poisson_ratio", "density_kg_m3",
-                     "tensile_strength_pa", "fracture_energy_j_m2", "strength_scatter",
-                     "compressive_strength_pa", "weibull_modulus", "weibull_volume_m3", "failure_criterion"});
-    Material material;
+namespace fs = std::filesystem;
+
+/// Where names of files start from, and the files that are being read, to see one that is like itself.
+struct Place {
+    std::string folder;
+    std::vector<std::string> files = {};
+};
+
+Material describedBy(const JsonEntry& entry, const Place& place, Missing missing);
+
+Material ofFile(const std::string& path, Place place, Missing missing) {
+    if (std::find(place.files.begin(), place.files.end(), path) != place.files.end())
+        throw BadEntry{path + " is \"like\" itself; give its fields, or another material."};
+    place.files.push_back(path);
+    place.folder = fs::path(path).parent_path().string();
+    auto read =
+        readJson<Material>(path, [&](const JsonEntry& entry) { return describedBy(entry, place, missing); });
+    if (!read) throw BadEntry{read.error()};
+    return std::move(read).value();
+}
+
+Material called(const JsonEntry& entry, const Place& place, Missing missing) {
+    const std::string name = entry.text();
+    if (fs::path(name).extension() == ".json")
+        return ofFile((fs::path(place.folder) / name).lexically_normal().string(), place, missing);
+    const Result<Material> known = Material::named(name);
+    if (known) return known.value();
+    throw BadEntry{entry.path() + ": " + known.error() +
+                   " Or give the constants in braces, or a file of them that ends in .json."};
+}
+
+Material describedBy(const JsonEntry& entry, const Place& place, Missing missing) {
     const bool complete = entry.has("like");
-    if (complete) {
-        const Result<Material> like = Material::named(entry["like"].text());
-        if (!like) throw BadEntry{like.error()};
-        material = like.value();
-    }
-    if (entry.has("name")) material.name = entry["name"].text();
-    const auto read = [&](const char* key, double& value, bool needed) {
-        if (needed && !entry.has(key))
-            entry.fail(std::string("lacks the key \"") + key +
-                       "\"; give it, or the material that gives it as \"like\"");
-        if (needed || entry.has(key)) value = entry[key].number();
-    };
-    read("youngs_modulus_pa", material.youngs_modulus_pa, !complete);
-    read("poisson_ratio", material.poisson_ratio, !complete);
-    read("density_kg_m3", material.density_kg_m3, !complete);
-    read("tensile_strength_pa", material.tensile_strength_pa, !complete);
-    read("fracture_energy_j_m2", material.fracture_energy_j_m2, !complete);
-    read("strength_scatter", material.strength_scatter, false);
-    read("compressive_strength_pa", material.compressive_strength_pa, false);
-    read("weibull_modulus", material.weibull_modulus, false);
-    read("weibull_volume_m3", material.weibull_volume_m3, false);
-    if (entry.has("failure_criterion")) material.failure_criterion = entry["failure_criterion"].text();
-    if (const Status valid = material.validate(); !valid) throw BadEntry{valid.error()};
+    Material material = complete ? called(entry["like"], place, missing) : Material();
+    FieldReader reader(entry, complete ? Missing::any : missing,
+                       ", or the material that gives it as \"like\"");
+    visitFields(material, reader);
+    std::vector<std::string> keys = reader.names();
+    keys.insert(keys.begin(), "like");
+    entry.allowOnly(keys);
+    const std::string fault = faultOf(material);
+    if (!fault.empty()) throw BadEntry{entry.pathOf(fault) + "."};
     return material;
 }
 
 }  // namespace
 
+Material materialOf(const JsonEntry& entry, const std::string& folder, Missing missing) {
+    return entry.isText() ? called(entry, {folder}, missing) : describedBy(entry, {folder}, missing);
+}
+
 Result<Material> Material::fromJson(const std::string& path) {
-    return readJson<Material>(path, materialOf);
+    return resultOf("", [&] { return ofFile(path, {}, Missing::but_to_break); });
+}
+
+Result<Material> Material::fromJsonText(const std::string& text, const std::string& path,
+                                        const std::string& folder) {
+    return resultOf("", [&] {
+        const nlohmann::json value = parseJsonText(text);
+        return materialOf(JsonEntry(value, path), folder, Missing::but_to_break);
+    });
+}
+
+std::string Material::toJson() const {
+    return writtenJson(jsonOf(*this), 2);
 }
 
 }  // namespace sherd

@@ -67,7 +67,7 @@ int main(int argc, char** argv) {
     damage.overstress.assign(solid.value().particles.size(), 1.0);
     GuideField straight;  // lambda 1: Eq. 18 is the straight distance
     straight.kind = GuideField::Kind::constant;
-    straight.penalty = 1;
+    straight.cost_along = 1;
     const double along = medianMilliseconds(
         [&](std::uint64_t seed) { fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed); });
     const double direct = medianMilliseconds([&](std::uint64_t seed) {

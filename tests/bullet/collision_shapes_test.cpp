@@ -287,7 +287,7 @@ TEST(CollisionShapes, SameBlowGivesTheSameBits) {
 TEST(MakeShape, FlatHullsGiveWayToBoxes) {
     const auto sheet = shaped(shapes::slab(Vec3(1, 1, 1e-8)), CollisionShape::hull, unbreakable(), 0.5);
     const OwnedShape owned =
-        makeShape(*sheet.body(), {{Vec3::Zero(), Vec3(0.5, 0.5, 0.01)}}, btTransform::getIdentity());
+        makeShape(*sheet.solid(), {{Vec3::Zero(), Vec3(0.5, 0.5, 0.01)}}, btTransform::getIdentity());
     EXPECT_TRUE(owned.disjoint);
     EXPECT_TRUE(owned.shape->isCompound());
 }

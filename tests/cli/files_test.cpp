@@ -47,20 +47,22 @@ TEST(CaseFile, NamesFileAndKeyOfWhatIsWrong) {
     const std::string sphere = R"("region": {"sphere": {"centre": [0, 0, 0], "radius": 1}})";
     const std::pair<std::string, std::string> wrong[] = {
         {"{", "not JSON"},
-        {"[]", "the file must be an object"},
-        {"{}", "lacks the key \"mesh\""},
-        {caseWith("3"), "\"loads\" must be a list"},
+        {"[]", "the JSON must be an object in braces, not []"},
+        {"{}", "mesh is missing"},
+        {caseWith("3"), "loads must be a list in brackets, not 3"},
         {caseWith("[]"), "nothing loads the body"},
-        {caseWith("[{" + sphere + "}]"), "\"loads[0]\" must have either force_n"},
-        {caseWith("[{" + sphere + ", \"force\": [1, 2, 3]}]"), "unknown key \"force\""},
-        {caseWith("[{" + sphere + ", \"force_n\": [1, 2]}]"), "\"loads[0].force_n\" must be a list of three"},
+        {caseWith("[{" + sphere + "}]"), "loads[0] must have either force_n"},
+        {caseWith("[{" + sphere + ", \"force\": [1, 2, 3]}]"),
+         "loads[0].force is not a key; choose one of: region, force_n"},
+        {caseWith("[{" + sphere + ", \"force_n\": [1, 2]}]"),
+         "loads[0].force_n must be a list of three numbers, not [1,2]"},
         {caseWith("[{" + sphere + ", \"force_n\": [1, 2, \"3\"]}]"),
-         "\"loads[0].force_n[2]\" must be a number"},
+         "loads[0].force_n[2] must be a number, not \"3\""},
         {caseWith("[{" + sphere + ", \"pressure_pa\": 1, \"force_n\": [1, 2, 3]}]"), "either"},
-        {caseWith(R"([{"region": {"ball": 1}, "pressure_pa": 1}])"), "unknown key \"ball\""},
+        {caseWith(R"([{"region": {"ball": 1}, "pressure_pa": 1}])"), "loads[0].region.ball is not a key"},
         {caseWith(R"([{"region": {}, "pressure_pa": 1}])"), "one of sphere, box and cylinder"},
         {caseWith(R"([{"region": {"sphere": {"centre": [0, 0, 0]}}, "pressure_pa": 1}])"),
-         "\"loads[0].region.sphere\" lacks the key \"radius\""},
+         "loads[0].region.sphere.radius is missing"},
     };
     for (const auto& [text, sentence] : wrong) {
         const std::string error = readCase(written("wrong.json", text)).error();

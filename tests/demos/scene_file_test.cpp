@@ -64,7 +64,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
             "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"}, "look": {"gloss": 0.5},
             "settings": {"quality": "film", "sampling": {"smallest_count": 3000}, "stress": {"resampling_rounds": 1},
                          "contact": {"smallest_patch": 0.3},
-                         "fracture": {"fragment_count": 7, "guide": {"kind": "radial", "penalty": 0.1}}}})")));
+                         "fracture": {"fragment_count": 7, "guide": {"kind": "radial", "cost_along": 0.1}}}})")));
     ASSERT_TRUE(read) << read.error();
     const demo::Scene& scene = read.value();
     const demo::BreakableBody& thing = scene.bodies.at(0);
@@ -103,9 +103,8 @@ TEST(SceneFiles, PresetsChangeWhatTheyNameAndTakeAwayNull) {
 
 TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
     EXPECT_EQ(fault(scene(R"(, "durration_s": 1)")),
-              "durration_s is not a key; choose one of: summary, bodies, balls, floor, camera, gravity_m_s2, "
-              "duration_s, after_picture_s, "
-              "time_step_s, seed.");
+              "durration_s is not a key; choose one of: summary, floor, camera, gravity_m_s2, duration_s, "
+              "after_picture_s, time_step_s, seed, bodies, balls.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"sphere": 1}, "material": "plaster"})")),
               "bodies[0].shape must have one of obj, box and generator.");
     EXPECT_EQ(fault(scene("", body(R"(, "look": {"colour": [1, 1, 1]})"))),
@@ -117,10 +116,11 @@ TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
         "bodies[0].settings.fracture.collision_shape is \"mesh\"; choose one of: boxes, hull, convex_parts.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"generator": "teapot"}, "material": "ice"})")),
               "bodies[0].shape.generator is \"teapot\"; choose one of: coffee_cup, coffee_plate, plane.");
-    EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": "jelly"})")),
-              "bodies[0].material: There is no material 'jelly'; there are ceramic, plaster, glass, "
-              "concrete, brick, "
-              "stone, ice, wood. Or give the constants in braces.");
+    EXPECT_EQ(
+        fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": "jelly"})")),
+        "bodies[0].material: There is no material 'jelly'; there are ceramic, plaster, glass, "
+        "concrete, brick, stone, ice, wood. Or give the constants in braces, or a file of them that ends "
+        "in .json.");
 }
 
 TEST(SceneFiles, PaintedStrengthIsOfTheBody) {
@@ -131,6 +131,27 @@ TEST(SceneFiles, PaintedStrengthIsOfTheBody) {
     EXPECT_FALSE(demo::readScene(written(scene(""))).value().bodies[0].painted_strength);
     EXPECT_EQ(fault(scene("", body(R"(, "painted_strength": {"black": 0})"))),
               "bodies[0].painted_strength.black is 0 but must be between 0.001 and 1000.");
+}
+
+TEST(SceneFiles, AMaterialMayHaveAFileOfItsOwn) {
+    const std::string path = written(scene("", R"({"shape": {"obj": "a.obj"}, "material": "tile.json"})"));
+    std::ofstream(fs::path(path).parent_path() / "tile.json")
+        << R"({"like": "ceramic", "density_kg_m3": 2222})";
+    const auto tile = demo::readScene(path);
+    ASSERT_TRUE(tile) << tile.error();
+    EXPECT_EQ(tile.value().bodies[0].material.density_kg_m3, 2222);
+    std::ofstream(fs::path(path).parent_path() / "tile.json")
+        << R"({"like": "ceramic", "density_kg_m3": -1})";
+    EXPECT_NE(demo::readScene(path).error().find("tile.json: density_kg_m3 is -1 but must be positive"),
+              std::string::npos);
+}
+
+TEST(SceneFiles, ABodyMayHaveASeedOfItsOwn) {
+    const auto read = demo::readScene(
+        written(scene(R"(, "seed": 5)", body() + "," + body(R"(, "settings": {"fracture": {"seed": 8}})"))));
+    ASSERT_TRUE(read) << read.error();
+    EXPECT_EQ(read.value().bodies[0].settings.fracture.seed, 5u);
+    EXPECT_EQ(read.value().bodies[1].settings.fracture.seed, 8u);
 }
 
 TEST(SceneFiles, GuidesWithoutAKindAreRefused) {
@@ -162,9 +183,9 @@ TEST(SceneFiles, ImpossibleValuesSayWhatIsPossible) {
     EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": {)" + constants +
                                   R"(, "fracture_energy_j_m2": 10, "density_kg_m3": -5}})")),
               "bodies[0].material.density_kg_m3 is -5 but must be positive, in kg/m^3.");
-    EXPECT_EQ(fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": {)" + constants + "}}")),
-              "bodies[0].material.density_kg_m3 is missing; give it, or the library's material that gives it "
-              "as \"like\".");
+    EXPECT_EQ(
+        fault(scene("", R"({"shape": {"obj": "a.obj"}, "material": {)" + constants + "}}")),
+        "bodies[0].material.density_kg_m3 is missing; give it, or the material that gives it as \"like\".");
     EXPECT_EQ(fault(scene("", body(R"(, "settings": {"sampling": {"spacing_m": -1}})"))),
               "bodies[0].settings.sampling.spacing_m is -1 but must be 0 (chosen from the wall thickness) or "
               "positive, in m.");

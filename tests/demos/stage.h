@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "headless/scene_keys.h"
 #include "headless/scene_world.h"
 #include "scenes/scene_file.h"
 
@@ -17,11 +16,10 @@ using namespace demo;
 
 /// A scene of the tree; where it makes its mesh, a coarse one.
 inline Scene named(const std::string& name) {
-    auto read = readScene(SHERD_SCENES "/" + name + ".json");
+    std::vector<std::string> changes;
+    if (name == "coffee_plate" || name == "plane") changes.push_back("triangles=8000");
+    auto read = readScene(SHERD_SCENES "/" + name + ".json", "", changes);
     EXPECT_TRUE(read) << read.error();
-    if (name == "coffee_plate" || name == "plane") {
-        EXPECT_TRUE(applyKey(read.value(), "triangles=8000"));
-    }
     return read.value();
 }
 

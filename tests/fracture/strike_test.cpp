@@ -229,7 +229,7 @@ TEST(Strike, AWeakBlowSamplesNoSolidWithAStrengthField) {
     Settings settings;
     settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 100.0 : 200.0; };
     Material strong = Material::plaster();
-    strong.tensile_strength_pa = 1e8;
+    strong.tensile_strength_pa = 1e7;
     const Blow blow = blowInTheMiddle(1, 0.5);
     for (const double minimum : {0.0, 1.0, 100.0}) {
         settings.fracture.strength_field_minimum = minimum;
@@ -351,7 +351,7 @@ TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
     Settings settings;
     settings.sampling.smallest_count = 300;
     settings.fracture.guide.kind = GuideField::Kind::radial;
-    settings.fracture.guide.penalty = 0;  // sectors that are a point at the contact
+    settings.fracture.guide.cost_along = 0;  // sectors that are a point at the contact
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
     ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
     EXPECT_LE(static_cast<int>(out.fragments.size()), settings.fracture.largest_fragment_count);

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 #include <sherd/material.h>
 
+#include <filesystem>
 #include <fstream>
 
+#include "support/altered_fields.h"
 #include "support/temporary_path.h"
 
 namespace {
@@ -51,19 +53,59 @@ TEST(MaterialFile, TakesTheRestFromTheMaterialItIsLike) {
     EXPECT_EQ(weak.value().compressive_strength_pa, Material::glass().compressive_strength_pa);
 }
 
+TEST(MaterialFile, ReadsBackWhatItWrites) {
+    Material altered = Material::glass();
+    alterFields(altered);
+    EXPECT_NE(valuesOf(altered), valuesOf(Material::glass()));
+    for (const Material& written : {altered, Material::plaster()}) {
+        const auto read_back = Material::fromJsonText(written.toJson());
+        ASSERT_TRUE(read_back.ok()) << read_back.error();
+        EXPECT_EQ(valuesOf(read_back.value()), valuesOf(written));
+    }
+}
+
+TEST(MaterialFile, TakesANameOrAFileFromText) {
+    EXPECT_EQ(Material::fromJsonText("\"ice\"").value().name, "ice");
+    const std::string path = temporaryPath("tile.json");
+    std::ofstream(path) << R"({"like": "ceramic", "name": "tile"}  // comments are allowed)";
+    const std::string folder = std::filesystem::path(path).parent_path().string(),
+                      file = std::filesystem::path(path).filename().string();
+    const auto tile = Material::fromJsonText("\"" + file + "\"", "material", folder);
+    ASSERT_TRUE(tile.ok()) << tile.error();
+    EXPECT_EQ(tile.value().name, "tile");
+    const auto heavy =
+        Material::fromJsonText(R"({"density_kg_m3": 9000, "like": ")" + file + "\"}", "material", folder);
+    ASSERT_TRUE(heavy.ok()) << heavy.error();
+    EXPECT_EQ(heavy.value().youngs_modulus_pa, Material::ceramic().youngs_modulus_pa);
+    EXPECT_EQ(heavy.value().density_kg_m3, 9000);
+    EXPECT_EQ(
+        Material::fromJsonText("\"plastic\"", "bodies[0].material").error(),
+        "bodies[0].material: There is no material 'plastic'; there are ceramic, plaster, glass, concrete, "
+        "brick, stone, ice, wood. Or give the constants in braces, or a file of them that ends in .json.");
+}
+
+TEST(MaterialFile, ThatIsLikeItselfIsRefused) {
+    const std::string path = temporaryPath("circle.json");
+    std::ofstream(path) << "{\"like\": \"" << std::filesystem::path(path).filename().string() << "\"}";
+    EXPECT_NE(Material::fromJson(path).error().find("is \"like\" itself"), std::string::npos)
+        << Material::fromJson(path).error();
+}
+
 TEST(MaterialFile, WhatIsWrongIsNamed) {
     EXPECT_NE(Material::fromJson("nowhere.json").error().find("nowhere.json: the file cannot be opened"),
               std::string::npos);
     expectError("{", "this is not JSON");
-    expectError("[]", "the file must be an object");
+    expectError("[]", "material.json: the JSON must be an object in braces, not [].");
     expectError(R"({"like": "glas"})", "There is no material 'glas'");
-    expectError(R"({"like": "glass", "density": 3})", "unknown key \"density\"; known are name, like,");
+    expectError(R"({"like": "glass", "density": 3})",
+                "density is not a key; choose one of: like, name, youngs_modulus_pa,");
     expectError(R"({"density_kg_m3": 3})",
-                "lacks the key \"youngs_modulus_pa\"; give it, or the material that gives it as \"like\"");
-    expectError(R"({"like": "glass", "poisson_ratio": "high"})", "\"poisson_ratio\" must be a number");
+                "youngs_modulus_pa is missing; give it, or the material that gives it as \"like\".");
+    expectError(R"({"like": "glass", "poisson_ratio": "high"})",
+                "poisson_ratio must be a number, not \"high\".");
     expectError(R"({"like": "glass", "poisson_ratio": 0.5})", "poisson_ratio is 0.5 but must be between");
     expectError(R"({"like": "glass", "failure_criterion": "none"})",
-                "but must be one of largest_principal_stress,");
+                "failure_criterion is \"none\"; choose one of: largest_principal_stress, mohr_coulomb.");
 }
 
 }  // namespace

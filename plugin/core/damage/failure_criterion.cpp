@@ -21,10 +21,9 @@ const FailureCriterion* failureCriterion(const std::string& name) {
     return nullptr;
 }
 
-std::string failureCriterionNames() {
-    std::string names;
-    for (const FailureCriterion* criterion : failureCriteria())
-        names += (names.empty() ? "" : ", ") + std::string(criterion->name);
+std::vector<std::string> failureCriterionNames() {
+    std::vector<std::string> names;
+    for (const FailureCriterion* criterion : failureCriteria()) names.emplace_back(criterion->name);
     return names;
 }
 

@@ -31,7 +31,4 @@ const std::vector<const FailureCriterion*>& failureCriteria();
 /// The criterion of a name; nullptr if there is none.
 const FailureCriterion* failureCriterion(const std::string& name);
 
-/// The names of all criteria, for a sentence: "a, b, c".
-std::string failureCriterionNames();
-
 }  // namespace sherd

@@ -1,0 +1,45 @@
+#include "cli/arguments.h"
+
+#include <gtest/gtest.h>
+
+namespace sherd::cli {
+namespace {
+
+Result<Arguments> parsed(std::vector<const char*> line) {
+    line.insert(line.begin(), {"sherd", "stress", "case.json", "--out", "o.csv"});
+    return parseArguments(static_cast<int>(line.size()), line.data());
+}
+
+TEST(Arguments, ShortOptionsAndPathsChangeTheQuality) {
+    const auto read = parsed({"--quality", "film", "--basis", "linear", "--rounds", "0", "--set",
+                              "stress.resampling_margin=4", "sampling.smallest_fill=0.3"});
+    ASSERT_TRUE(read.ok()) << read.error();
+    const Settings& settings = read.value().settings;
+    EXPECT_EQ(settings.sampling.smallest_count, Settings::forQuality(Quality::film).sampling.smallest_count);
+    EXPECT_EQ(settings.stress.basis, Basis::linear);
+    EXPECT_EQ(settings.stress.resampling_rounds, 0);
+    EXPECT_EQ(settings.stress.resampling_margin, 4);
+    EXPECT_EQ(settings.sampling.smallest_fill, 0.3);
+}
+
+TEST(Arguments, WhatIsNotPossibleIsNamedWithWhatIs) {
+    const std::pair<std::vector<const char*>, std::string> wrong[] = {
+        {{"--rounds", "5"}, "stress.resampling_rounds is 5 but must be between 0 and 4."},
+        {{"--basis", "quintic"}, "stress.basis is \"quintic\"; choose one of: linear, quadratic, cubic."},
+        {{"--set", "stress.radius=2"}, "stress.radius is not a key; choose one of: test_function,"},
+        {{"--set", "fracture.seed=2"}, "'fracture.seed=2' changes nothing here"},
+    };
+    for (const auto& [line, sentence] : wrong)
+        EXPECT_EQ(parsed(line).error().find(sentence), 0u) << parsed(line).error();
+}
+
+TEST(Arguments, HelpListsThePaths) {
+    const auto help = parsed({"--help"});
+    ASSERT_TRUE(help.ok());
+    EXPECT_NE(help.value().help.find("sampling.spacing_m"), std::string::npos);
+    EXPECT_NE(help.value().help.find("linear, quadratic, cubic"), std::string::npos);
+    EXPECT_EQ(help.value().help.find("moment_order"), std::string::npos) << "the library sets it";
+}
+
+}  // namespace
+}  // namespace sherd::cli
