@@ -25,20 +25,19 @@ class FractureWorld {
     /// Adds a body to the world: a btRigidBody with the shape that its settings ask for (a btCompoundShape,
     /// or a btConvexHullShape for `CollisionShape::hull`), owned by this object. `start` places the origin of
     /// the asset's own coordinates. Returns nullptr while the world is inside a step, or when the asset's
-    /// solid cannot be sampled
-    /// (`lastError` says which).
+    /// solid cannot be sampled; `lastError` says which.
     btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
 
     /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The
-    /// app goes on owning it; after a break it is out of the world. Its mass stays what it was. Take it out
-    /// of the world before you delete it.
+    /// app goes on owning it; when it breaks it is removed from the world. Its mass stays what it was. Remove
+    /// it from the world before you delete it.
     Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {});
 
     /// Takes a body that was made here (or a fragment) out of the world and deletes it.
     void remove(btRigidBody* body);
 
-    /// What happened since the last call, in order. Ask after every step or so: until then events pile up,
-    /// and with them the bodies that broke.
+    /// Takes the blows that were solved since the last call, in order. Call it after every step or so: events
+    /// that are not taken are kept, and with them the bodies that broke.
     std::vector<BreakEvent> events();
 
     BlowCounts counts() const;
