@@ -17,7 +17,7 @@ Value valueOf(sherd::Result<Value> result) {
 void readMaterial(Fields& body, sherd::Material& material, const std::string& folder) {
     const nlohmann::json* found = body.find("material");
     if (!found) body.fail("material", "is missing; give the name of one, or its constants in braces");
-    material = valueOf(sherd::Material::fromJsonText(found->dump(), body.pathOf("material"), folder));
+    material = valueOf(sherd::Material::fromJson(found->dump(), body.pathOf("material"), folder));
 }
 
 void readSettings(Fields& body, sherd::Settings& settings, std::uint64_t seed) {
@@ -28,7 +28,7 @@ void readSettings(Fields& body, sherd::Settings& settings, std::uint64_t seed) {
         if (fracture.is_null()) fracture = nlohmann::json::object();
         if (fracture.is_object()) fracture.emplace("seed", seed);
     }
-    settings = valueOf(sherd::Settings::fromJsonText(given.dump(), body.pathOf("settings")));
+    settings = valueOf(sherd::Settings::fromJson(given.dump(), body.pathOf("settings")));
 }
 
 }  // namespace demo

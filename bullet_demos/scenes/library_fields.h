@@ -10,10 +10,10 @@
 
 namespace demo {
 
-/// The key `material`: what sherd::Material::fromJsonText takes; files are relative to `folder`.
+/// The key `material`: what sherd::Material::fromJson takes; files are relative to `folder`.
 void readMaterial(Fields& body, sherd::Material& material, const std::string& folder);
 
-/// The key `settings`: what sherd::Settings::fromJsonText takes. `seed` is that of settings without one.
+/// The key `settings`: what sherd::Settings::fromJson takes. `seed` is that of settings without one.
 void readSettings(Fields& body, sherd::Settings& settings, std::uint64_t seed);
 
 }  // namespace demo

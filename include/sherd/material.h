@@ -56,15 +56,15 @@ struct Material {
     /// file, relative to this one). Without `"like"` the file has to give Young's modulus, Poisson's ratio,
     /// the density, the tensile strength and the fracture energy; the rest keep their defaults. Infinity is
     /// written `"infinity"`. The error names the file and the field, and says what is possible there.
-    static Result<Material> fromJson(const std::string& path);
+    static Result<Material> fromJsonFile(const std::string& path);
 
     /// Reads the same from text. The text may also be just the name of a material or of a file, in quotes;
     /// files are relative to `folder`. `path` is where the value stands in a larger file
     /// ("bodies[0].material"), for the error.
-    static Result<Material> fromJsonText(const std::string& text, const std::string& path = "",
-                                         const std::string& folder = "");
+    static Result<Material> fromJson(const std::string& text, const std::string& path = "",
+                                     const std::string& folder = "");
 
-    /// All fields as a JSON object, which `fromJsonText` reads back bit for bit.
+    /// All fields as a JSON object, which `fromJson` reads back bit for bit.
     std::string toJson() const;
 
     /// The error says which field is out of range, and which values are possible.

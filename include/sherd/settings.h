@@ -200,13 +200,13 @@ struct Settings {
     /// Reads a JSON file with the fields of these structs by name, `{"sampling": {"spacing_m": 0.02}}`; the
     /// rest are those of the quality that `"quality"` names, `game` without it. Functions cannot be given.
     /// The error names the file and the field, and says what is possible there.
-    static Result<Settings> fromJson(const std::string& path);
+    static Result<Settings> fromJsonFile(const std::string& path);
 
     /// Reads the same from text. `path` is where it stands in a larger file ("bodies[0].settings"), for the
     /// error.
-    static Result<Settings> fromJsonText(const std::string& text, const std::string& path = "");
+    static Result<Settings> fromJson(const std::string& text, const std::string& path = "");
 
-    /// All fields as a JSON object, but functions and what the library sets itself. `fromJsonText` reads it
+    /// All fields as a JSON object, but functions and what the library sets itself. `fromJson` reads it
     /// back bit for bit.
     std::string toJson() const;
 

@@ -13,10 +13,10 @@ Result<std::vector<Vec3>> readPoints(const std::string& path);
 
 /// Stress at points, and what kind of point each is.
 struct StressTable {
-    std::vector<Vec3> positions;     ///< m
-    std::vector<Voigt> stresses;     ///< Pa
-    std::vector<const char*> kinds;  ///< of each row, or empty: no such column
-    std::vector<double> spacings;    ///< of the particles there, m, or empty: no such column
+    std::vector<Vec3> positions;            ///< m
+    std::vector<SymmetricTensor> stresses;  ///< Pa
+    std::vector<const char*> kinds;         ///< of each row, or empty: no such column
+    std::vector<double> spacings;           ///< of the particles there, m, or empty: no such column
 };
 
 /// Writes x,y,z,s_xx,s_yy,s_zz,s_xy,s_yz,s_zx,s_max_principal and, if known, spacing_m and kind; numbers have

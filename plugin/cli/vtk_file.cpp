@@ -25,7 +25,7 @@ struct Grid {
     std::vector<PointData> data;
 };
 
-double vonMises(const Voigt& s) {
+double vonMises(const SymmetricTensor& s) {
     const double direct = std::pow(s[0] - s[1], 2) + std::pow(s[1] - s[2], 2) + std::pow(s[2] - s[0], 2);
     return std::sqrt(0.5 * direct + 3 * s.tail<3>().squaredNorm());
 }
@@ -39,10 +39,10 @@ Grid gridOf(const StressPicture& picture) {
     for (const auto& t : picture.surface.triangles)
         grid.cells.push_back({particles + t[0], particles + t[1], particles + t[2]});
 
-    std::vector<Voigt> stresses = picture.particle_stresses;
+    std::vector<SymmetricTensor> stresses = picture.particle_stresses;
     stresses.insert(stresses.end(), picture.vertex_stresses.begin(), picture.vertex_stresses.end());
     PointData stress{"stress", 9, {}}, principal{"max_principal", 1, {}}, mises{"von_mises", 1, {}};
-    for (const Voigt& s : stresses) {
+    for (const SymmetricTensor& s : stresses) {
         for (const int component : {0, 3, 5, 3, 1, 4, 5, 4, 2}) stress.values.push_back(s[component]);
         principal.values.push_back(largestPrincipal(s));
         mises.values.push_back(vonMises(s));

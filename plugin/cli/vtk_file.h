@@ -10,11 +10,11 @@ namespace sherd::cli {
 
 /// Particles and the surface around them, with their stress.
 struct StressPicture {
-    std::vector<Vec3> particles;           ///< m
-    std::vector<double> particle_volumes;  ///< m^3
-    std::vector<Voigt> particle_stresses;  ///< Pa
+    std::vector<Vec3> particles;                     ///< m
+    std::vector<double> particle_volumes;            ///< m^3
+    std::vector<SymmetricTensor> particle_stresses;  ///< Pa
     TriangleMesh surface;
-    std::vector<Voigt> vertex_stresses;  ///< Pa, at the vertices of the surface
+    std::vector<SymmetricTensor> vertex_stresses;  ///< Pa, at the vertices of the surface
 };
 
 /// Writes one unstructured grid for ParaView: a vertex cell a particle, a triangle a triangle of the surface.

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-Result<StressField> unitStress(const StruckSolid& struck, const StressSolver& solver,
+Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms) {
     Result<StressField> stress = solver.solve(unit_loads);
     if (!stress) return stress;
@@ -15,7 +15,7 @@ Result<StressField> unitStress(const StruckSolid& struck, const StressSolver& so
     return stress;
 }
 
-Result<BlowStress> blowStress(const StruckSolid& struck, const StressSolver& solver,
+Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver,
                               const ContactLoads& loads, StageTimes& ms) {
     Result<StressField> unit = unitStress(struck, solver, loads.unit, ms);
     if (!unit) return Error{unit.error()};

@@ -9,7 +9,7 @@
 #include "core/loads/contact_loads.h"
 #include "core/loads/contact_pulse.h"
 #include "core/mlpg/stress_solver.h"
-#include "fracture/struck_solid.h"
+#include "fracture/strike_context.h"
 
 namespace sherd {
 
@@ -21,11 +21,11 @@ struct BlowStress {
 };
 
 /// Stress under loads of 1 N in total, with free surfaces free of traction. Adds the times to `ms`.
-Result<StressField> unitStress(const StruckSolid& struck, const StressSolver& solver,
+Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms);
 
 /// The same, and the pulse that body and contact make of the blow together.
-Result<BlowStress> blowStress(const StruckSolid& struck, const StressSolver& solver,
+Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver,
                               const ContactLoads& loads, StageTimes& ms);
 
 }  // namespace sherd

@@ -59,7 +59,7 @@ Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh 
     solid->supports_ = std::move(supports);
     solid->settings_.sampling.moment_order = momentOrder(settings.stress);
     solid->wall_thickness_ = sherd::wallThickness(solid->surface_);
-    const Result<double> spacing = chosenSpacing(solid->surface_, settings, volume, solid->wall_thickness_);
+    const Result<double> spacing = spacingOfSolid(solid->surface_, settings, volume, solid->wall_thickness_);
     if (!spacing) return Error{spacing.error()};
     solid->spacing_ = spacing.value();
     const double given = settings.fracture.smallest_fragment_m3;

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-int clusterCount(const StruckSolid& struck, const Damage& damage, double strain_energy_j) {
+int clusterCount(const StrikeContext& struck, const Damage& damage, double strain_energy_j) {
     const FractureSettings& fracture = struck.fracture;
     if (fracture.fragment_count > 0) return fracture.fragment_count;
     double damaged_volume = 0;

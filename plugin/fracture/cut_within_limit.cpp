@@ -7,7 +7,7 @@
 
 namespace sherd {
 
-Result<FragmentSurfaces> cutWithinLimit(const StruckSolid& struck, FragmentLabels& labels) {
+Result<FragmentSurfaces> cutWithinLimit(const StrikeContext& struck, FragmentLabels& labels) {
     const CutSettings cut{struck.seed, struck.fracture.crack_roughness};
     while (true) {
         Result<FragmentSurfaces> surfaces =

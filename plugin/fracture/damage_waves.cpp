@@ -18,7 +18,7 @@ void keepLargest(const Damage& before, Damage& damage) {
 
 }  // namespace
 
-Result<Damage> furtherWaves(const StruckSolid& struck, const std::vector<PointForce>& unit_loads,
+Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<PointForce>& unit_loads,
                             double peak_force_n, const Strength& strength, Damage damage, StageTimes& ms) {
     for (int wave = 1; wave < struck.fracture.damage_waves; ++wave) {
         const auto solver = struck.solid.stressSolverWithout(damage.damaged);

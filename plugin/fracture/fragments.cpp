@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-std::vector<Fragment> makeFragments(const StruckSolid& struck, const FragmentLabels& labels,
+std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     const FragmentSurfaces& surfaces) {
     const Discretisation& sampling = struck.sampling;
     const std::vector<int> owner = voxelOwners(sampling, labels, surfaces);

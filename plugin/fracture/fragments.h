@@ -7,7 +7,7 @@
 
 #include "core/clustering/fragment_labels.h"
 #include "core/sampling/voxel_boxes.h"
-#include "fracture/struck_solid.h"
+#include "fracture/strike_context.h"
 #include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
@@ -20,7 +20,7 @@ struct Fragment {
 };
 
 /// Makes a solid of every cut surface, and the boxes that stand for it in collisions.
-std::vector<Fragment> makeFragments(const StruckSolid& struck, const FragmentLabels& labels,
+std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     const FragmentSurfaces& surfaces);
 
 /// Boxes that stand for the whole solid in collisions: filled voxels, merged.

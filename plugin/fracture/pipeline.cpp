@@ -10,8 +10,8 @@
 #include "fracture/cut_within_limit.h"
 #include "fracture/damage_waves.h"
 #include "fracture/debris.h"
-#include "fracture/error_guard.h"
-#include "fracture/label_fragments.h"
+#include "fracture/failed_if_thrown.h"
+#include "fracture/label_particles.h"
 #include "fracture/stage.h"
 
 namespace sherd {
@@ -28,7 +28,7 @@ double normalImpulse(const Blow& blow) {
 /// The factored stress problem. What it took to make is told by the blow that it was made for.
 const StressSolver& preparedSolver(const BreakableSolid& solid, StageTimes& ms) {
     const bool known = solid.prepared();
-    const StressSolver& solver = *require(solid.stressSolver());
+    const StressSolver& solver = *valueOrFail(solid.stressSolver());
     if (!known) {
         ms.sample = solid.sampleMilliseconds();
         ms.assemble = solver.report().assemble_ms;
@@ -38,7 +38,7 @@ const StressSolver& preparedSolver(const BreakableSolid& solid, StageTimes& ms) 
 }
 
 ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid) {
-    const StruckBody body{solid.surface(), solid.material(), solid.wallThickness(), solid.boundingRadius()};
+    const ContactBody body{solid.surface(), solid.material(), solid.wallThickness(), solid.boundingRadius()};
     return contactLoads(body, blow, solid.settings().contact);
 }
 
@@ -47,11 +47,11 @@ ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid) {
 void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed, BlowOutcome& out) {
     out.impulse_n_s = normalImpulse(blow);
     const StressSolver& solver = preparedSolver(solid, out.ms);
-    const Discretisation& sampling = *require(solid.discretisation());
-    const StruckSolid struck{solid, sampling, solid.settings().fracture, seed};
+    const Discretisation& sampling = *valueOrFail(solid.discretisation());
+    const StrikeContext struck{solid, sampling, solid.settings().fracture, seed};
 
     const ContactLoads loads = loadsOf(blow, solid);
-    const BlowStress stress = require(blowStress(struck, solver, loads, out.ms));
+    const BlowStress stress = valueOrFail(blowStress(struck, solver, loads, out.ms));
     const double peak_force_n = stress.pulse.peak_force_n;
     out.peak_force_n = peak_force_n;
     out.contact_time_s = stress.pulse.duration_s;
@@ -63,16 +63,16 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
     out.largest_stress_pa = damage.largest_stress_pa;
     out.damaged_particles = damage.count;
     if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid, struck.fracture)) return;
-    damage = require(furtherWaves(struck, loads.unit, peak_force_n, strength, std::move(damage), out.ms));
+    damage = valueOrFail(furtherWaves(struck, loads.unit, peak_force_n, strength, std::move(damage), out.ms));
     out.damaged_particles = damage.count;
 
     FragmentLabels labels = timed(out.ms.cluster, [&] {
-        return labelFragments(struck, damage, stress.strain_energy_j, axisOf(loads.unit));
+        return labelParticles(struck, damage, stress.strain_energy_j, axisOf(loads.unit));
     });
     if (labels.count < 2) return;
 
     const FragmentSurfaces surfaces =
-        require(timed(out.ms.surface, [&] { return cutWithinLimit(struck, labels); }));
+        valueOrFail(timed(out.ms.surface, [&] { return cutWithinLimit(struck, labels); }));
     for (const std::string& note : surfaces.notes) out.message += (out.message.empty() ? "" : " ") + note;
     if (surfaces.pieces.size() < 2) return;
 
@@ -87,7 +87,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
 }  // namespace
 
 BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed) {
-    return heldOnFailure([&](BlowOutcome& out) { runStages(solid, blow, seed, out); });
+    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, seed, out); });
 }
 
 }  // namespace sherd

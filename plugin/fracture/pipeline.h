@@ -5,7 +5,7 @@
 #include "core/loads/blow.h"
 #include "fracture/blow_outcome.h"
 #include "fracture/breakable_solid.h"
-#include "fracture/gate.h"
+#include "fracture/can_break.h"
 
 namespace sherd {
 

@@ -17,8 +17,8 @@ double spacingFor(double particles, double volume_m3) {
 
 }  // namespace
 
-Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume_m3,
-                             double wall_thickness_m) {
+Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& settings, double volume_m3,
+                              double wall_thickness_m) {
     const SamplingSettings& sampling = settings.sampling;
     if (sampling.spacing_m > 0) return std::min(sampling.spacing_m, spacingFor(1, volume_m3));
     const double wished = std::max(std::min(wall_thickness_m / sampling.layers_across_wall,

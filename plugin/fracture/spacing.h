@@ -8,8 +8,8 @@ namespace sherd {
 
 /// Particle spacing of a solid, m: the one given, or what the wall thickness and the limits on counts ask
 /// for, made coarser until the factor of the stiffness matrix is as small as the settings wish.
-Result<double> chosenSpacing(const TriangleMesh& surface, const Settings& settings, double volume_m3,
-                             double wall_thickness_m);
+Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& settings, double volume_m3,
+                              double wall_thickness_m);
 
 /// Of a fragment: as fine as the whole, or finer where that would leave it too few particles.
 double fragmentSpacing(double spacing_of_whole_m, double volume_m3);

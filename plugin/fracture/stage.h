@@ -9,14 +9,14 @@
 
 namespace sherd {
 
-/// Thrown from the stages of a blow, caught by heldOnFailure: the stage could not be done, and why.
+/// Thrown from the stages of a blow, caught by failedIfThrown: the stage could not be done, and why.
 struct StageFailed {
     std::string message;
 };
 
 /// The value of a stage that was done.
 template <class T>
-T require(Result<T> result) {
+T valueOrFail(Result<T> result) {
     if (!result) throw StageFailed{result.error()};
     return std::move(result).value();
 }

@@ -59,12 +59,12 @@ Material materialOf(const JsonEntry& entry, const std::string& folder, Missing m
     return entry.isText() ? called(entry, {folder}, missing) : describedBy(entry, {folder}, missing);
 }
 
-Result<Material> Material::fromJson(const std::string& path) {
+Result<Material> Material::fromJsonFile(const std::string& path) {
     return resultOf("", [&] { return ofFile(path, {}, Missing::but_to_break); });
 }
 
-Result<Material> Material::fromJsonText(const std::string& text, const std::string& path,
-                                        const std::string& folder) {
+Result<Material> Material::fromJson(const std::string& text, const std::string& path,
+                                    const std::string& folder) {
     return resultOf("", [&] {
         const nlohmann::json value = parseJsonText(text);
         return materialOf(JsonEntry(value, path), folder, Missing::but_to_break);

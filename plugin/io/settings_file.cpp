@@ -52,11 +52,11 @@ void assign(json& object, const std::string& assignment) {
 
 }  // namespace
 
-Result<Settings> Settings::fromJson(const std::string& path) {
+Result<Settings> Settings::fromJsonFile(const std::string& path) {
     return readJson<Settings>(path, settingsOf);
 }
 
-Result<Settings> Settings::fromJsonText(const std::string& text, const std::string& path) {
+Result<Settings> Settings::fromJson(const std::string& text, const std::string& path) {
     return resultOf("", [&] {
         const json value = parseJsonText(text);
         return settingsOf(JsonEntry(value, path));

@@ -117,7 +117,7 @@ Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, co
         const SurfaceFoot& foot = shallow.feet[i];
         const double depth = traction_depth * field.point_spacing_m[shallow.index[i]];
         if (foot.distance > depth) continue;
-        const Voigt& raw = field.points[points.size() + i];
+        const SymmetricTensor& raw = field.points[points.size() + i];
         field.points[shallow.index[i]] +=
             (1 - foot.distance / depth) * (tractions.imposedOn(raw, foot) - raw);
     }

@@ -13,7 +13,7 @@ SurfaceTractions::SurfaceTractions(const BreakableSolid& body, const std::vector
         support_regions_.emplace_back(body.surface(), support);
 }
 
-Voigt SurfaceTractions::imposedOn(const Voigt& raw, const SurfaceFoot& foot) const {
+SymmetricTensor SurfaceTractions::imposedOn(const SymmetricTensor& raw, const SurfaceFoot& foot) const {
     const auto isOn = [&](const RegionOnSurface& region) {
         return region.holds(foot.triangle, foot.position);
     };
@@ -28,7 +28,7 @@ Voigt SurfaceTractions::imposedOn(const Voigt& raw, const SurfaceFoot& foot) con
     return withTraction(raw, foot.normal, traction, elasticity_);
 }
 
-void SurfaceTractions::imposeOnSurface(std::vector<Voigt>& surface) const {
+void SurfaceTractions::imposeOnSurface(std::vector<SymmetricTensor>& surface) const {
     const Discretisation& solid = *solid_.discretisation().value();
     // Most points lie far from all that acts; only the others need to know their triangle.
     std::vector<std::size_t> near;

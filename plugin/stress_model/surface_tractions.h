@@ -25,10 +25,10 @@ class SurfaceTractions {
 
     /// The stress at a foot on the surface, made to carry the traction there; `raw` where there is no normal,
     /// and on supports.
-    Voigt imposedOn(const Voigt& raw, const SurfaceFoot& foot) const;
+    SymmetricTensor imposedOn(const SymmetricTensor& raw, const SurfaceFoot& foot) const;
 
     /// Imposes them on the stresses at the surface points of the body's sampling.
-    void imposeOnSurface(std::vector<Voigt>& surface) const;
+    void imposeOnSurface(std::vector<SymmetricTensor>& surface) const;
 
   private:
     const BreakableSolid& solid_;

@@ -69,9 +69,9 @@ int main(int argc, char** argv) {
     straight.kind = GuideField::Kind::constant;
     straight.cost_along = 1;
     const double along = medianMilliseconds(
-        [&](std::uint64_t seed) { fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed); });
+        [&](std::uint64_t seed) { clusterParticles(solid.value(), damage, clusters, 2 * spacing, seed); });
     const double direct = medianMilliseconds([&](std::uint64_t seed) {
-        fragmentLabels(solid.value(), damage, clusters, 2 * spacing, seed, straight);
+        clusterParticles(solid.value(), damage, clusters, 2 * spacing, seed, straight);
     });
     const double bare =
         medianMilliseconds([&](std::uint64_t seed) { bareClusters(solid.value(), clusters, seed); });

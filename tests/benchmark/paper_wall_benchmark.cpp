@@ -122,7 +122,7 @@ double assembleAndFactor(const StressProblem& problem, TestFunction test) {
     return millisecondsOf([&] { valueOrExit(makeHeavisideForm(problem, test, factor_ms, warnings)); });
 }
 
-double chosenSpacing(const Wall& wall, const Settings& settings) {
+double spacingOfSolid(const Wall& wall, const Settings& settings) {
     if (settings.sampling.spacing_m > 0) return settings.sampling.spacing_m;
     return valueOrExit(StressModel::make(wall.surface, wall.material, settings)).report().spacing_m;
 }
@@ -130,7 +130,7 @@ double chosenSpacing(const Wall& wall, const Settings& settings) {
 Row measure(const char* form, const Wall& wall, const Settings& settings) {
     const StressSettings& stress = settings.stress;
     const auto solid = std::make_shared<const Discretisation>(
-        valueOrExit(sampleSolid(wall.surface, chosenSpacing(wall, settings), settings.sampling)));
+        valueOrExit(sampleSolid(wall.surface, spacingOfSolid(wall, settings), settings.sampling)));
     Row row{form};
     row.particles = solid->particles.size();
     for (int repeat = 0; repeat < repeats; ++repeat) {

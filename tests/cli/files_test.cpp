@@ -97,7 +97,7 @@ TEST(CsvFile, NamesFileAndLineOfWhatIsWrong) {
 TEST(CsvFile, NumbersComeBackBitByBit) {
     StressTable table;
     table.positions = {{0.1, 1.0 / 3, -1e-300}};
-    table.stresses = {Voigt::Constant(1e7 / 3)};
+    table.stresses = {SymmetricTensor::Constant(1e7 / 3)};
     const std::string path = written("stress.csv", "");
     ASSERT_TRUE(writeStress(table, path));
     const auto points = readPoints(path);

@@ -14,7 +14,7 @@ using namespace sherd;
 Result<Material> read(const std::string& text) {
     const std::string path = temporaryPath("material.json");
     std::ofstream(path) << text;
-    return Material::fromJson(path);
+    return Material::fromJsonFile(path);
 }
 
 void expectError(const std::string& text, const std::string& sentence) {
@@ -58,28 +58,28 @@ TEST(MaterialFile, ReadsBackWhatItWrites) {
     alterFields(altered);
     EXPECT_NE(valuesOf(altered), valuesOf(Material::glass()));
     for (const Material& written : {altered, Material::plaster()}) {
-        const auto read_back = Material::fromJsonText(written.toJson());
+        const auto read_back = Material::fromJson(written.toJson());
         ASSERT_TRUE(read_back.ok()) << read_back.error();
         EXPECT_EQ(valuesOf(read_back.value()), valuesOf(written));
     }
 }
 
 TEST(MaterialFile, TakesANameOrAFileFromText) {
-    EXPECT_EQ(Material::fromJsonText("\"ice\"").value().name, "ice");
+    EXPECT_EQ(Material::fromJson("\"ice\"").value().name, "ice");
     const std::string path = temporaryPath("tile.json");
     std::ofstream(path) << R"({"like": "ceramic", "name": "tile"}  // comments are allowed)";
     const std::string folder = std::filesystem::path(path).parent_path().string(),
                       file = std::filesystem::path(path).filename().string();
-    const auto tile = Material::fromJsonText("\"" + file + "\"", "material", folder);
+    const auto tile = Material::fromJson("\"" + file + "\"", "material", folder);
     ASSERT_TRUE(tile.ok()) << tile.error();
     EXPECT_EQ(tile.value().name, "tile");
     const auto heavy =
-        Material::fromJsonText(R"({"density_kg_m3": 9000, "like": ")" + file + "\"}", "material", folder);
+        Material::fromJson(R"({"density_kg_m3": 9000, "like": ")" + file + "\"}", "material", folder);
     ASSERT_TRUE(heavy.ok()) << heavy.error();
     EXPECT_EQ(heavy.value().youngs_modulus_pa, Material::ceramic().youngs_modulus_pa);
     EXPECT_EQ(heavy.value().density_kg_m3, 9000);
     EXPECT_EQ(
-        Material::fromJsonText("\"plastic\"", "bodies[0].material").error(),
+        Material::fromJson("\"plastic\"", "bodies[0].material").error(),
         "bodies[0].material: There is no material 'plastic'; there are ceramic, plaster, glass, concrete, "
         "brick, stone, ice, wood. Or give the constants in braces, or a file of them that ends in .json.");
 }
@@ -87,12 +87,12 @@ TEST(MaterialFile, TakesANameOrAFileFromText) {
 TEST(MaterialFile, ThatIsLikeItselfIsRefused) {
     const std::string path = temporaryPath("circle.json");
     std::ofstream(path) << "{\"like\": \"" << std::filesystem::path(path).filename().string() << "\"}";
-    EXPECT_NE(Material::fromJson(path).error().find("is \"like\" itself"), std::string::npos)
-        << Material::fromJson(path).error();
+    EXPECT_NE(Material::fromJsonFile(path).error().find("is \"like\" itself"), std::string::npos)
+        << Material::fromJsonFile(path).error();
 }
 
 TEST(MaterialFile, WhatIsWrongIsNamed) {
-    EXPECT_NE(Material::fromJson("nowhere.json").error().find("nowhere.json: the file cannot be opened"),
+    EXPECT_NE(Material::fromJsonFile("nowhere.json").error().find("nowhere.json: the file cannot be opened"),
               std::string::npos);
     expectError("{", "this is not JSON");
     expectError("[]", "material.json: the JSON must be an object in braces, not [].");

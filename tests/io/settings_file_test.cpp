@@ -14,7 +14,7 @@ TEST(SettingsFile, StartsFromAQualityAndChangesWhatItGives) {
     const std::string path = temporaryPath("settings.json");
     std::ofstream(path) << R"({"quality": "film", "stress": {"resampling_rounds": 1},
         "fracture": {"guide": {"kind": "constant", "direction": [1, 0, 0]}, "debris": "merged", "seed": 9}})";
-    const auto read = Settings::fromJson(path);
+    const auto read = Settings::fromJsonFile(path);
     ASSERT_TRUE(read.ok()) << read.error();
     EXPECT_EQ(read.value().stress.basis, Basis::cubic);
     EXPECT_EQ(read.value().stress.resampling_rounds, 1);
@@ -28,7 +28,7 @@ TEST(SettingsFile, ReadsBackWhatItWrites) {
     alterFields(altered);
     ASSERT_EQ(altered.validate().error(), "");
     for (const Settings& written : {altered, Settings()}) {
-        const auto read_back = Settings::fromJsonText(written.toJson());
+        const auto read_back = Settings::fromJson(written.toJson());
         ASSERT_TRUE(read_back.ok()) << read_back.error();
         EXPECT_EQ(valuesOf(read_back.value()), valuesOf(written));
     }
@@ -64,7 +64,7 @@ TEST(SettingsFile, WhatIsWrongIsNamed) {
          "body.settings.fracture.guide.cost_along is 2 but must be between 0 and 1."},
     };
     for (const auto& [text, sentence] : wrong) {
-        const std::string error = Settings::fromJsonText(text, "body.settings").error();
+        const std::string error = Settings::fromJson(text, "body.settings").error();
         EXPECT_EQ(error.find(sentence), 0u) << error << " (expected: " << sentence << ")";
     }
 }

@@ -65,7 +65,7 @@ Neck pulledNeck(double width, double spacing) {
     const StressSolver solver = build(solid, elasticMaterial(), quadratic_splines);
     const StressField field = valueOf(solver.solve(loads, section));
     Neck neck;
-    for (const Voigt& stress : field.points)
+    for (const SymmetricTensor& stress : field.points)
         neck.carried += stress[0] / 16 * width * width / (1e6 * 0.8 * 0.8);
     neck.reciprocal_condition = solver.report().reciprocal_condition;
     neck.warnings = field.warnings.size();

@@ -76,7 +76,7 @@ TEST(CutCells, GridShift) {
 /// Stress in a bar that is squeezed between two small patches on its ends: on its middle section, where it is
 /// F / A (Saint-Venant), and under a patch.
 struct SqueezedBar {
-    std::vector<Voigt> middle, near;
+    std::vector<SymmetricTensor> middle, near;
 };
 SqueezedBar squeezedBar(double spacing, int rounds) {
     const auto solid = sampledForSplines(shapes::slab({1.2, 0.2, 0.2}), spacing, Basis::quadratic);

@@ -34,7 +34,7 @@ double acrossFacet(double outer, double inner, int sides, double at) {
     const auto field = tube.solve({pressureOn(CylinderRegion{Vec3::Zero(), Vec3::UnitZ(), inner}, 1e6)},
                                   {Vec3(at * std::cos(half) * normal + 0.1 * outer * Vec3::UnitZ())});
     EXPECT_TRUE(field.ok()) << field.error();
-    const Voigt& v = field.value().points[0];
+    const SymmetricTensor& v = field.value().points[0];
     Mat3 stress;
     stress << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
     return normal.dot(stress * normal);
@@ -84,7 +84,7 @@ TEST(StressModel, SurfaceCarriesTheLoadsThatWerePlaced) {
     const auto field = model.solve({pressureOn(left, 1e6), pressureOn(missed, 1e6)},
                                    {Vec3(1, 0.1, 0.1), Vec3(0.999, 0.1, 0.1)});
     ASSERT_TRUE(field.ok()) << field.error();
-    for (const Voigt& stress : field.value().points) EXPECT_NEAR(stress[0], -1e6, 1e3);
+    for (const SymmetricTensor& stress : field.value().points) EXPECT_NEAR(stress[0], -1e6, 1e3);
 
     constexpr int sides = 12;
     EXPECT_NEAR(acrossFacet(0.2, 0.1, sides, 0.1), -1e6, 1);

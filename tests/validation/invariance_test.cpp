@@ -44,20 +44,21 @@ const std::vector<Vec3> tiltedPoints() {
                          Vec3(0.01 * (i - 30), 0.006 * (i % 7 - 3) * 10, 0.03 * (i % 5 - 2)));
     return points;
 }
-std::vector<Voigt> stressIn(const TriangleMesh& mesh, const Mat3& rotation, const Vec3& offset) {
+std::vector<SymmetricTensor> stressIn(const TriangleMesh& mesh, const Mat3& rotation, const Vec3& offset) {
     std::vector<Vec3> points = tiltedPoints();
     for (Vec3& x : points) x = rotation * x + offset;
     const auto solid = sampledForSplines(mesh, tilted_spacing, Basis::quadratic);
-    std::vector<Voigt> stresses = valueOf(build(solid, elasticMaterial(), splines(Basis::quadratic))
-                                              .solve(tiltedBlow(rotation, offset), points))
-                                      .points;
-    for (Voigt& stress : stresses) stress = toVoigt(rotation.transpose() * toMatrix(stress) * rotation);
+    std::vector<SymmetricTensor> stresses = valueOf(build(solid, elasticMaterial(), splines(Basis::quadratic))
+                                                        .solve(tiltedBlow(rotation, offset), points))
+                                                .points;
+    for (SymmetricTensor& stress : stresses)
+        stress = toSymmetricTensor(rotation.transpose() * toMatrix(stress) * rotation);
     return stresses;
 }
 
 // The grid of splines goes with the body's bounds: to another place, and by quarter turns.
 TEST(Invariance, SplinesGoWithTheBody) {
-    const std::vector<Voigt> here = stressIn(tiltedBlock(), Mat3::Identity(), Vec3::Zero());
+    const std::vector<SymmetricTensor> here = stressIn(tiltedBlock(), Mat3::Identity(), Vec3::Zero());
     const Vec3 offset(3, -5, 7);
     EXPECT_LT(largestDifference(
                   here, stressIn(shapes::translated(tiltedBlock(), offset), Mat3::Identity(), offset), 1),
@@ -83,10 +84,11 @@ TEST(Invariance, SplinesAtOtherAnglesDifferByTheirErrorOnly) {
             std::vector<Vec3> points;
             for (int i = 0; i < 25; ++i)
                 points.push_back(tilt * Vec3(0.04 * (i % 5 - 2), 0.04 * (i / 5 - 2), -0.05));
-            std::vector<Voigt> found =
+            std::vector<SymmetricTensor> found =
                 valueOf(build(solid, elasticMaterial(), splines(Basis::quadratic)).solve(loads, points))
                     .points;
-            for (Voigt& stress : found) stress = toVoigt(tilt.transpose() * toMatrix(stress) * tilt);
+            for (SymmetricTensor& stress : found)
+                stress = toSymmetricTensor(tilt.transpose() * toMatrix(stress) * tilt);
             return found;
         };
         return largestDifference(bending(Mat3::Identity()), bending(someRotation()), 1);
@@ -99,7 +101,7 @@ TEST(Invariance, SplinesAtOtherAnglesDifferByTheirErrorOnly) {
 // Vertices and triangles in another order: other sums, the same stress.
 TEST(Invariance, SplinesDoNotDependOnTheOrderOfTriangles) {
     TriangleMesh mesh = tiltedBlock();
-    const std::vector<Voigt> straight = stressIn(mesh, Mat3::Identity(), Vec3::Zero());
+    const std::vector<SymmetricTensor> straight = stressIn(mesh, Mat3::Identity(), Vec3::Zero());
     const int last = static_cast<int>(mesh.vertices.size()) - 1;
     std::reverse(mesh.vertices.begin(), mesh.vertices.end());
     std::reverse(mesh.triangles.begin(), mesh.triangles.end());

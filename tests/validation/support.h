@@ -91,9 +91,9 @@ T valueOf(Result<T> result) {
 }
 
 /// Largest difference of any of the stresses from one tensor, relative to it.
-inline double largestError(const std::vector<Voigt>& stresses, const Mat3& expected) {
+inline double largestError(const std::vector<SymmetricTensor>& stresses, const Mat3& expected) {
     double error = 0;
-    for (const Voigt& stress : stresses)
+    for (const SymmetricTensor& stress : stresses)
         error = std::max(error, (toMatrix(stress) - expected).norm() / expected.norm());
     return error;
 }

@@ -64,9 +64,9 @@ std::vector<int> labelWholeParts(const Discretisation& solid, const std::vector<
 
 }  // namespace
 
-FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
-                              const BlowAxis& blow) {
+FragmentLabels clusterParticles(const Discretisation& solid, const Damage& damage, int clusters,
+                                double wall_thickness_m, std::uint64_t seed, const GuideField& guide,
+                                const BlowAxis& blow) {
     const std::vector<Vec3> axes = wallAxes(solid);
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;

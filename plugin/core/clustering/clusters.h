@@ -19,8 +19,8 @@ namespace sherd {
 ///
 /// Distances are path lengths along the neighbour table, or with a guide field those of Eq. 18; then too
 /// clusters grow along the neighbour table, so that each is connected.
-FragmentLabels fragmentLabels(const Discretisation& solid, const Damage& damage, int clusters,
-                              double wall_thickness_m, std::uint64_t seed, const GuideField& guide = {},
-                              const BlowAxis& blow = {});
+FragmentLabels clusterParticles(const Discretisation& solid, const Damage& damage, int clusters,
+                                double wall_thickness_m, std::uint64_t seed, const GuideField& guide = {},
+                                const BlowAxis& blow = {});
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     const std::size_t n = sampling.particles.size();
     std::vector<double> equivalent(n);
     double tension = 0;
-    const auto include = [&](std::size_t particle, const Voigt& s) {
+    const auto include = [&](std::size_t particle, const SymmetricTensor& s) {
         const PrincipalStresses principal = principalStresses(s);
         equivalent[particle] = std::max(
             equivalent[particle], strength.criterion.equivalent_stress_pa(principal, strength.material));

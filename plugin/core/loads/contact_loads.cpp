@@ -16,7 +16,7 @@ namespace {
 constexpr double cap_height = 0.02;
 constexpr double cap_reach = 1.0;
 
-HertzContact hertzContact(const StruckBody& body, const ContactImpulse& contact, const SurfaceSpot& spot,
+HertzContact hertzContact(const ContactBody& body, const ContactImpulse& contact, const SurfaceSpot& spot,
                           const ContactSettings& settings) {
     const double wall = body.wall_thickness_m;
     const double own =
@@ -36,7 +36,7 @@ HertzContact hertzContact(const StruckBody& body, const ContactImpulse& contact,
 
 }  // namespace
 
-ContactLoads contactLoads(const StruckBody& body, const Blow& blow, const ContactSettings& settings) {
+ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
     ContactLoads loads;
     double pushed = 0, energy = 0;
     for (const ContactImpulse& c : blow.contacts) pushed += std::max(0.0, c.impulse.dot(c.normal));

@@ -11,7 +11,7 @@
 namespace sherd {
 
 /// What the loads need to know of the struck body.
-struct StruckBody {
+struct ContactBody {
     const TriangleMesh& surface;
     const Material& material;
     double wall_thickness_m = 0;
@@ -29,7 +29,7 @@ struct ContactLoads {
 /// Spreads each contact over its Hertz patch on the true surface, in proportion to the impulses. The radius
 /// of curvature is read off the surface and the partner, and kept between a fraction of the wall and the
 /// body's own radius (flat on flat).
-ContactLoads contactLoads(const StruckBody& body, const Blow& blow, const ContactSettings& settings);
+ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const ContactSettings& settings);
 
 /// Where forces act on the whole, their places weighted with their size, and the direction of their sum.
 BlowAxis axisOf(const std::vector<PointForce>& forces);

@@ -10,8 +10,8 @@
 namespace sherd {
 namespace {
 
-bool isFinite(const std::vector<Voigt>& stresses) {
-    for (const Voigt& stress : stresses)
+bool isFinite(const std::vector<SymmetricTensor>& stresses) {
+    for (const SymmetricTensor& stress : stresses)
         if (!stress.allFinite()) return false;
     return true;
 }

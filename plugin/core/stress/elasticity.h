@@ -33,13 +33,13 @@ struct Elasticity {
     }
 };
 
-inline Voigt toVoigt(const Mat3& s) {
-    Voigt v;
+inline SymmetricTensor toSymmetricTensor(const Mat3& s) {
+    SymmetricTensor v;
     v << s(0, 0), s(1, 1), s(2, 2), s(0, 1), s(1, 2), s(2, 0);
     return v;
 }
 
-inline Mat3 toMatrix(const Voigt& v) {
+inline Mat3 toMatrix(const SymmetricTensor& v) {
     Mat3 s;
     s << v[0], v[3], v[5], v[3], v[1], v[4], v[5], v[4], v[2];
     return s;

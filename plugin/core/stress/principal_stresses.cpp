@@ -8,7 +8,7 @@
 
 namespace sherd {
 
-double largestPrincipal(const Voigt& stress) {
+double largestPrincipal(const SymmetricTensor& stress) {
     // Scaled first: the closed form cubes its entries, which would overflow or vanish for extreme units.
     const double scale = stress.cwiseAbs().maxCoeff();
     if (!(scale > 0) || !std::isfinite(scale)) return scale;
@@ -17,7 +17,7 @@ double largestPrincipal(const Voigt& stress) {
     return scale * spectrum.eigenvalues()[2];
 }
 
-PrincipalStresses principalStresses(const Voigt& stress) {
+PrincipalStresses principalStresses(const SymmetricTensor& stress) {
     PrincipalStresses principal;
     principal.largest = largestPrincipal(stress);
     principal.smallest = -largestPrincipal(-stress);

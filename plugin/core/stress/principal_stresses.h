@@ -12,6 +12,6 @@ struct PrincipalStresses {
 
 /// Both ends are found in the same way, so that the values of -s are those of s mirrored, bit for bit:
 /// tension and compression are treated alike.
-PrincipalStresses principalStresses(const Voigt& stress);
+PrincipalStresses principalStresses(const SymmetricTensor& stress);
 
 }  // namespace sherd

@@ -2,21 +2,22 @@
 
 namespace sherd {
 
-Voigt withTraction(const Voigt& raw, const Vec3& normal, const Vec3& traction_pa,
-                   const Elasticity& elasticity) {
+SymmetricTensor withTraction(const SymmetricTensor& raw, const Vec3& normal, const Vec3& traction_pa,
+                             const Elasticity& elasticity) {
     const Mat3 within = Mat3::Identity() - normal * normal.transpose();
     const Mat3 stress = toMatrix(raw);
     const double along = traction_pa.dot(normal);
     const double coupling =
         elasticity.lambda_pa / (elasticity.lambda_pa + 2 * elasticity.mu_pa);  // nu / (1 - nu)
     const Vec3 tangential = traction_pa - along * normal;
-    return toVoigt(within * stress * within + coupling * (along - normal.dot(stress * normal)) * within +
-                   tangential * normal.transpose() + normal * tangential.transpose() +
-                   along * normal * normal.transpose());
+    return toSymmetricTensor(within * stress * within +
+                             coupling * (along - normal.dot(stress * normal)) * within +
+                             tangential * normal.transpose() + normal * tangential.transpose() +
+                             along * normal * normal.transpose());
 }
 
 void freeSurface(const Discretisation& solid, const std::vector<PointForce>& acting,
-                 const Elasticity& elasticity, std::vector<Voigt>& surface) {
+                 const Elasticity& elasticity, std::vector<SymmetricTensor>& surface) {
     Eigen::AlignedBox3d near;
     for (const PointForce& load : acting) near.extend(load.position);
     const double reach = solid.spacing;

@@ -61,7 +61,7 @@ bool connected(const Discretisation& solid, const FragmentLabels& labels, int la
 TEST(Clusters, ADamagedBandLeavesTwoWholePartsAndItsClusters) {
     const Discretisation solid = sheet(20);
     const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() > 7.5 && x.x() < 11.5; });
-    const FragmentLabels labels = fragmentLabels(solid, damage, 5, 0, 3);
+    const FragmentLabels labels = clusterParticles(solid, damage, 5, 0, 3);
     EXPECT_EQ(labels.count, 7);
     EXPECT_EQ(labels.of_particle[0], labels.of_particle[20 * 19]);
     EXPECT_NE(labels.of_particle[0], labels.of_particle[19]);
@@ -72,9 +72,9 @@ TEST(Clusters, ADamagedBandLeavesTwoWholePartsAndItsClusters) {
 TEST(Clusters, SeedChangesTheClustersAndNothingElseDoes) {
     const Discretisation solid = sheet(16);
     const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
-    const auto first = fragmentLabels(solid, damage, 6, 0, 1).of_particle;
-    EXPECT_EQ(first, fragmentLabels(solid, damage, 6, 0, 1).of_particle);
-    EXPECT_NE(first, fragmentLabels(solid, damage, 6, 0, 2).of_particle);
+    const auto first = clusterParticles(solid, damage, 6, 0, 1).of_particle;
+    EXPECT_EQ(first, clusterParticles(solid, damage, 6, 0, 1).of_particle);
+    EXPECT_NE(first, clusterParticles(solid, damage, 6, 0, 2).of_particle);
 }
 
 TEST(Clusters, DenserWhereTheStressIsHigher) {
@@ -82,7 +82,7 @@ TEST(Clusters, DenserWhereTheStressIsHigher) {
     Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
     for (std::size_t i = 0; i < solid.particles.size(); ++i)
         damage.overstress[i] = solid.particles[i].position.x() < 20 ? 16 : 1;
-    const FragmentLabels labels = fragmentLabels(solid, damage, 30, 0, 5);
+    const FragmentLabels labels = clusterParticles(solid, damage, 30, 0, 5);
     std::set<int> left, right;
     for (int i = 0; i < 1600; ++i) (i % 40 < 20 ? left : right).insert(labels.of_particle[i]);
     EXPECT_GT(left.size(), 2 * right.size());
@@ -92,9 +92,9 @@ TEST(Clusters, SpecksJoinWhatSurroundsThem) {
     const Discretisation solid = sheet(12);
     const Damage dots =
         damageWhere(solid, [](const Vec3& x) { return x.x() == 5 && (x.y() == 5 || x.y() == 6); });
-    EXPECT_EQ(fragmentLabels(solid, dots, 4, 0, 1).count, 1);
+    EXPECT_EQ(clusterParticles(solid, dots, 4, 0, 1).count, 1);
     const Damage all_but_one = damageWhere(solid, [](const Vec3& x) { return !(x.x() == 5 && x.y() == 5); });
-    EXPECT_EQ(fragmentLabels(solid, all_but_one, 4, 0, 1).count, 4);
+    EXPECT_EQ(clusterParticles(solid, all_but_one, 4, 0, 1).count, 4);
 }
 
 // Nothing says here which way a wall would go.
@@ -102,7 +102,7 @@ TEST(Clusters, DamageReachesTwoParticlesFurtherOrThreeQuartersOfTheWall) {
     const Discretisation solid = sheet(20);
     const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() < 2.5; });
     for (const double wall : {2.0, 4.0, 100.0}) {
-        const auto labels = fragmentLabels(solid, damage, 1, wall, 1).of_particle;
+        const auto labels = clusterParticles(solid, damage, 1, wall, 1).of_particle;
         const int last = wall < 3 ? 3 : 4;
         EXPECT_EQ(labels[0], labels[last]) << wall;
         EXPECT_NE(labels[0], labels[last + 1]) << wall;
@@ -112,7 +112,7 @@ TEST(Clusters, DamageReachesTwoParticlesFurtherOrThreeQuartersOfTheWall) {
 TEST(Clusters, SeparateDamagedPartsGetSeedsEvenIfFewAreWanted) {
     const Discretisation solid = sheet(20);
     const Damage damage = damageWhere(solid, [](const Vec3& x) { return x.x() < 4 || x.x() > 15; });
-    const FragmentLabels labels = fragmentLabels(solid, damage, 1, 0, 1);
+    const FragmentLabels labels = clusterParticles(solid, damage, 1, 0, 1);
     EXPECT_EQ(labels.count, 3);
 }
 
@@ -183,12 +183,12 @@ TEST(Clusters, GrowAlongTheGrainHoweverItLies) {
     const Discretisation solid = sheet(40);
     const Damage damage = damageWhere(solid, [](const Vec3&) { return true; });
     GuideField grain;
-    EXPECT_NEAR(meanElongation(solid, fragmentLabels(solid, damage, 16, 0, 1, grain), Vec3::UnitX()), 1,
+    EXPECT_NEAR(meanElongation(solid, clusterParticles(solid, damage, 16, 0, 1, grain), Vec3::UnitX()), 1,
                 0.25);
     grain.kind = GuideField::Kind::constant;
     for (const double angle : {0.0, 0.5, 0.8}) {
         grain.direction = Vec3(std::cos(angle), std::sin(angle), 0);
-        const FragmentLabels labels = fragmentLabels(solid, damage, 16, 0, 1, grain);
+        const FragmentLabels labels = clusterParticles(solid, damage, 16, 0, 1, grain);
         EXPECT_EQ(labels.count, 16);
         EXPECT_GT(meanElongation(solid, labels, grain.direction), 2.5) << angle;
     }
@@ -203,7 +203,7 @@ TEST(Clusters, ARadialFieldMakesSectors) {
     radial.kind = GuideField::Kind::radial;
     radial.cost_along = 0.1;
     const auto spreadOf = [&](const GuideField& guide) {
-        const FragmentLabels labels = fragmentLabels(solid, damage, 16, 0, 1, guide, contact);
+        const FragmentLabels labels = clusterParticles(solid, damage, 16, 0, 1, guide, contact);
         double along = 0, across = 0;
         for (std::size_t i = 0; i < solid.neighbours.size(); ++i)
             for (int j : solid.neighbours[i]) {

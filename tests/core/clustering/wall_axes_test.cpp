@@ -56,7 +56,7 @@ TEST(WallAxes, LeadDamageStraightThroughAWall) {
         const Vec3& x = particle.position;
         damage.damaged.push_back(x.z() > 0.05 && x.x() < 0);
     }
-    const FragmentLabels labels = fragmentLabels(solid, damage, 1, size.z(), 1);
+    const FragmentLabels labels = clusterParticles(solid, damage, 1, size.z(), 1);
     ASSERT_EQ(labels.count, 2);
     for (std::size_t i = 0; i < solid.particles.size(); ++i) {
         const Vec3& x = solid.particles[i].position;

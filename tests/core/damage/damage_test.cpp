@@ -29,8 +29,8 @@ TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes
     sampling.surface_points.resize(1);
     sampling.surface_points[0].cell = 3;
     StressField stress;
-    stress.particles.assign(4, Voigt::Zero());
-    stress.surface.assign(1, Voigt::Zero());
+    stress.particles.assign(4, SymmetricTensor::Zero());
+    stress.surface.assign(1, SymmetricTensor::Zero());
     stress.particles[0] << 0, 0, 3, 0, 0, 0;
     stress.particles[1] << -9, -9, -9, 0, 0, 0;
     stress.particles[2] << 0, 0, 0, 2.5, 0, 0;  // shear: tension at 45 degrees
@@ -51,7 +51,7 @@ TEST(Damage, IsWhatTheCriterionSays) {
     Discretisation sampling;
     sampling.particles.resize(1);
     StressField stress;
-    stress.particles.assign(1, Voigt::Zero());
+    stress.particles.assign(1, SymmetricTensor::Zero());
     stress.particles[0] << 0.6, 0, -1.8, 0, 0, 0;
     EXPECT_EQ(damageOf(stress, 1, sampling, 1, 3).count, 0);
     const Damage sheared = damageOf(stress, 1, sampling, 1, 3, {}, "mohr_coulomb");
@@ -64,7 +64,7 @@ TEST(Damage, WhatIsDamagedStaysSo) {
     Discretisation sampling;
     sampling.particles.resize(2);
     StressField stress;
-    stress.particles.assign(2, Voigt::Zero());
+    stress.particles.assign(2, SymmetricTensor::Zero());
     const Damage damage = damageOf(stress, 1, sampling, 1, never_crushed, {1, 0});
     EXPECT_EQ(damage.damaged, (std::vector<char>{1, 0}));
     EXPECT_EQ(damage.count, 1);

@@ -23,7 +23,7 @@ Material materialWith(double poisson_ratio, double compressive_over_tensile) {
 }
 
 /// Of any stress: ((1 + nu) s : s - nu tr(s)^2) / (2 E).
-double energyDensity(const Voigt& s, const Material& m) {
+double energyDensity(const SymmetricTensor& s, const Material& m) {
     const double trace = s.head<3>().sum(),
                  square = s.head<3>().squaredNorm() + 2 * s.tail<3>().squaredNorm();
     return ((1 + m.poisson_ratio) * square - m.poisson_ratio * trace * trace) / (2 * m.youngs_modulus_pa);
@@ -31,10 +31,10 @@ double energyDensity(const Voigt& s, const Material& m) {
 
 /// Energy density of the multiple of a stress that just fails, over the criterion's bound; infinite if none
 /// does.
-double energyOverBound(const Voigt& stress, const FailureCriterion& criterion, const Material& m) {
+double energyOverBound(const SymmetricTensor& stress, const FailureCriterion& criterion, const Material& m) {
     const double equivalent = criterion.equivalent_stress_pa(principalStresses(stress), m);
     if (!(equivalent > 0)) return never;
-    const Voigt failing = stress * (m.tensile_strength_pa / equivalent);
+    const SymmetricTensor failing = stress * (m.tensile_strength_pa / equivalent);
     return energyDensity(failing, m) / criterion.least_energy_density_j_m3(m.tensile_strength_pa, m);
 }
 
@@ -51,8 +51,8 @@ class AnyCriterion : public testing::TestWithParam<const FailureCriterion*> {
 
     std::mt19937_64 random_{5};
     double number(double low, double high) { return low + (high - low) * (random_() >> 11) * 0x1p-53; }
-    Voigt tensor() {
-        Voigt s;
+    SymmetricTensor tensor() {
+        SymmetricTensor s;
         for (double& component : s) component = number(-1, 1);
         return s;
     }
@@ -61,10 +61,11 @@ class AnyCriterion : public testing::TestWithParam<const FailureCriterion*> {
 TEST_P(AnyCriterion, NoStressFailsWithLessEnergyThanTheBound) {
     forMaterials([&](const Material& material) {
         for (int i = 0; i < 5000; ++i) {
-            Voigt stress = tensor();
+            SymmetricTensor stress = tensor();
             // From spread evenly to nearly hydrostatic, which costs next to nothing at nu near 0.5.
             if (i % 2)
-                stress = std::pow(10, -number(0, 4)) * stress + (Voigt() << 1, 1, 1, 0, 0, 0).finished();
+                stress =
+                    std::pow(10, -number(0, 4)) * stress + (SymmetricTensor() << 1, 1, 1, 0, 0, 0).finished();
             EXPECT_GE(energyOverBound(stress, *GetParam(), material), 1 - 1e-9) << stress.transpose();
         }
     });
@@ -72,11 +73,11 @@ TEST_P(AnyCriterion, NoStressFailsWithLessEnergyThanTheBound) {
 
 TEST_P(AnyCriterion, SomeStressFailsWithTheEnergyOfTheBound) {
     forMaterials([&](const Material& material) {
-        Voigt best = (Voigt() << 1, 0.1, 0.1, 0, 0, 0).finished();
+        SymmetricTensor best = (SymmetricTensor() << 1, 0.1, 0.1, 0, 0, 0).finished();
         double least = energyOverBound(best, *GetParam(), material);
         for (double step = 1; step > 1e-5; step *= 0.8)
             for (int i = 0; i < 100; ++i) {
-                const Voigt tried = best / best.norm() + step * tensor();
+                const SymmetricTensor tried = best / best.norm() + step * tensor();
                 const double energy = energyOverBound(tried, *GetParam(), material);
                 if (energy >= least) continue;
                 least = energy;
@@ -88,14 +89,14 @@ TEST_P(AnyCriterion, SomeStressFailsWithTheEnergyOfTheBound) {
 
 TEST_P(AnyCriterion, TensionInOneDirectionFailsAtTheTensileStrength) {
     forMaterials([&](const Material& material) {
-        const Voigt tension = (Voigt() << 0, 2e6, 0, 0, 0, 0).finished();
+        const SymmetricTensor tension = (SymmetricTensor() << 0, 2e6, 0, 0, 0, 0).finished();
         EXPECT_NEAR(GetParam()->equivalent_stress_pa(principalStresses(tension), material), 2e6, 1e-2);
     });
 }
 
 TEST_P(AnyCriterion, EquivalentStressIsProportionalToStress) {
     forMaterials([&](const Material& material) {
-        const Voigt stress = tensor();
+        const SymmetricTensor stress = tensor();
         const auto equivalent = [&](double factor) {
             return GetParam()->equivalent_stress_pa(principalStresses(factor * stress), material);
         };
@@ -113,7 +114,7 @@ INSTANTIATE_TEST_SUITE_P(FailureCriterion, AnyCriterion, testing::ValuesIn(failu
                          [](const auto& criterion) { return std::string(criterion.param->name); });
 
 double equivalentStress(const char* criterion, const Vec3& principal, double compressive_over_tensile) {
-    const Voigt stress = (Voigt() << principal, Vec3::Zero()).finished();
+    const SymmetricTensor stress = (SymmetricTensor() << principal, Vec3::Zero()).finished();
     return failureCriterion(criterion)->equivalent_stress_pa(principalStresses(stress),
                                                              materialWith(0.2, compressive_over_tensile));
 }
@@ -140,7 +141,7 @@ TEST(FailureCriterion, MohrCoulombIsRankinesIfNothingCrushes) {
                            &coulomb = *failureCriterion("mohr_coulomb");
     std::mt19937_64 random(3);
     for (int i = 0; i < 1000; ++i) {
-        Voigt s;
+        SymmetricTensor s;
         for (double& component : s) component = static_cast<double>(random() >> 11) * 0x1p-52 - 1;
         const double largest = largestPrincipal(s);
         EXPECT_EQ(coulomb.equivalent_stress_pa(principalStresses(s), material), largest);

@@ -10,21 +10,23 @@ namespace sherd {
 namespace {
 
 TEST(LargestPrincipal, ClosedForms) {
-    EXPECT_EQ(largestPrincipal(Voigt::Zero()), 0);
-    EXPECT_NEAR(largestPrincipal((Voigt() << -3, -1, -2, 0, 0, 0).finished()), -1, 1e-14);
-    EXPECT_NEAR(largestPrincipal((Voigt() << 0, 0, 0, 5, 0, 0).finished()), 5, 1e-13);  // pure shear
-    EXPECT_NEAR(largestPrincipal((Voigt() << 7, 7, 7, 0, 0, 0).finished()), 7, 1e-14);  // hydrostatic
-    EXPECT_NEAR(largestPrincipal((Voigt() << 1, 2, 3, 0.4, -0.5, 0.6).finished() * 1e200) / 1e200,
-                largestPrincipal((Voigt() << 1, 2, 3, 0.4, -0.5, 0.6).finished()), 1e-13);
+    EXPECT_EQ(largestPrincipal(SymmetricTensor::Zero()), 0);
+    EXPECT_NEAR(largestPrincipal((SymmetricTensor() << -3, -1, -2, 0, 0, 0).finished()), -1, 1e-14);
+    EXPECT_NEAR(largestPrincipal((SymmetricTensor() << 0, 0, 0, 5, 0, 0).finished()), 5,
+                1e-13);  // pure shear
+    EXPECT_NEAR(largestPrincipal((SymmetricTensor() << 7, 7, 7, 0, 0, 0).finished()), 7,
+                1e-14);  // hydrostatic
+    EXPECT_NEAR(largestPrincipal((SymmetricTensor() << 1, 2, 3, 0.4, -0.5, 0.6).finished() * 1e200) / 1e200,
+                largestPrincipal((SymmetricTensor() << 1, 2, 3, 0.4, -0.5, 0.6).finished()), 1e-13);
 }
 
 // xy, yz, zx each in its place: against the full eigenvalue solver.
 TEST(LargestPrincipal, MatchesTheIterativeSolver) {
-    const Voigt stress = (Voigt() << 1, -2, 3, 0.7, -1.5, 2.6).finished();
+    const SymmetricTensor stress = (SymmetricTensor() << 1, -2, 3, 0.7, -1.5, 2.6).finished();
     Mat3 tensor;
     tensor << 1, 0.7, 2.6, 0.7, -2, -1.5, 2.6, -1.5, 3;
     EXPECT_EQ(toMatrix(stress), tensor);
-    EXPECT_EQ(toVoigt(tensor), stress);
+    EXPECT_EQ(toSymmetricTensor(tensor), stress);
     const Eigen::SelfAdjointEigenSolver<Mat3> spectrum(tensor);
     EXPECT_NEAR(largestPrincipal(stress), spectrum.eigenvalues()[2], 1e-12);
     const PrincipalStresses principal = principalStresses(stress), mirrored = principalStresses(-stress);

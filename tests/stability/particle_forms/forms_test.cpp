@@ -237,7 +237,7 @@ TEST(Equation12, LosesLinearFieldsWhenTakenLiterally) {
         const StressField rotated =
             solver.stressOf([&](const Vec3& p) { return Vec3(spin * p); }, [&](const Vec3&) { return spin; });
         double largest = 0;
-        for (const Voigt& stress : rotated.particles) largest = std::max(largest, stress.norm());
+        for (const SymmetricTensor& stress : rotated.particles) largest = std::max(largest, stress.norm());
         const double gmls = largest / (5e9 * spin.norm());
         table.row("%.2f | %.1f | %.0e | %.2f | %.0e", spacing, radius, plain, literal, gmls);
         EXPECT_LT(plain, 1e-6);

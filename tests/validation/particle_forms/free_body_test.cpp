@@ -38,7 +38,7 @@ TEST(FreeBody, PulledRodCarriesItsOwnInertia) {
 TEST(FreeBody, NoLoadNoStress) {
     const auto solid = sampled(shapes::slab({1, 1, 0.5}), 0.25);
     const StressField field = valueOf(build(solid, elasticMaterial(), galerkin_gmls).solve({}));
-    for (const Voigt& stress : field.particles) EXPECT_EQ(stress.norm(), 0);
+    for (const SymmetricTensor& stress : field.particles) EXPECT_EQ(stress.norm(), 0);
     EXPECT_EQ(field.strain_energy_j, 0);
 }
 
@@ -57,7 +57,7 @@ TEST(FreeBody, PartsAreBalancedOneByOne) {
         const StressField single = valueOf(build(alone, elasticMaterial(), settings).solve(loadsOn(*alone)));
         const StressField pair = valueOf(build(both, elasticMaterial(), settings).solve(loadsOn(*both)));
         double peak = 0;
-        for (const Voigt& stress : single.particles) peak = std::max(peak, stress.norm());
+        for (const SymmetricTensor& stress : single.particles) peak = std::max(peak, stress.norm());
         for (size_t i = 0; i < both->particles.size(); ++i)
             if (both->particles[i].position.z() > 0.3) {
                 EXPECT_LT(pair.particles[i].norm(), 1e-9 * peak);

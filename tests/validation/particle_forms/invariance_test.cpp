@@ -55,8 +55,8 @@ TEST(Invariance, ParticleOrderAndRigidMotion) {
         other = valueOf(build(std::make_shared<Discretisation>(carried(*solid, rotation, offset)),
                               elasticMaterial(), settings)
                             .solve(carried_loads));
-        for (Voigt& stress : other.particles)
-            stress = toVoigt(rotation.transpose() * toMatrix(stress) * rotation);
+        for (SymmetricTensor& stress : other.particles)
+            stress = toSymmetricTensor(rotation.transpose() * toMatrix(stress) * rotation);
         EXPECT_LT(largestDifference(field.particles, other.particles, 1), 1e-8);
     }
 }

@@ -85,8 +85,8 @@ TEST(Patch, RigidMotionMakesNoStress) {
                 build(sampled(mesh, 0.12), material, settings)
                     .stressOf([&](const Vec3& x) { return Vec3(rotation * x + Vec3(5, -7, 9)); },
                               [&](const Vec3&) { return rotation; });
-            for (const std::vector<Voigt>* stresses : {&field.particles, &field.surface})
-                for (const Voigt& stress : *stresses)
+            for (const std::vector<SymmetricTensor>* stresses : {&field.particles, &field.surface})
+                for (const SymmetricTensor& stress : *stresses)
                     ASSERT_LT(stress.norm(), 1e-9 * material.youngs_modulus_pa * rotation.norm());
         }
 }

@@ -20,7 +20,7 @@ Errors lameErrors(const StressSettings& settings, double spacing) {
                                    : Vec3(Vec3::Zero());
                     }));
     double error[2] = {0, 0}, norm[2] = {0, 0};
-    const auto compare = [&](int kind, const Vec3& x, const Voigt& stress) {
+    const auto compare = [&](int kind, const Vec3& x, const SymmetricTensor& stress) {
         const double radius = std::max(inner, x.head<2>().norm());
         const double hoop = pressure * inner * inner / (outer * outer - inner * inner) *
                             (1 + outer * outer / (radius * radius));

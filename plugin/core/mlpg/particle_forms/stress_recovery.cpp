@@ -66,26 +66,26 @@ void StressRecovery::fit(const Vec3& x, int owner, std::vector<Term>& terms) con
     }
 }
 
-Voigt StressRecovery::recoverAt(const std::vector<Mat3>& cells, const Vec3& x, int owner) const {
+SymmetricTensor StressRecovery::recoverAt(const std::vector<Mat3>& cells, const Vec3& x, int owner) const {
     std::vector<Term> terms;
     fit(x, owner, terms);
-    Voigt stress = Voigt::Zero();
-    for (const Term& term : terms) stress += term.factor * toVoigt(cells[term.cell]);
+    SymmetricTensor stress = SymmetricTensor::Zero();
+    for (const Term& term : terms) stress += term.factor * toSymmetricTensor(cells[term.cell]);
     return stress;
 }
 
-void StressRecovery::recover(const std::vector<Mat3>& cells, std::vector<Voigt>& particles,
-                             std::vector<Voigt>& surface) const {
-    std::vector<Voigt> stresses(cells.size());
-    for (size_t cell = 0; cell < cells.size(); ++cell) stresses[cell] = toVoigt(cells[cell]);
-    particles.assign(solid_->particles.size(), Voigt::Zero());
-    surface.assign(solid_->surface_points.size(), Voigt::Zero());
+void StressRecovery::recover(const std::vector<Mat3>& cells, std::vector<SymmetricTensor>& particles,
+                             std::vector<SymmetricTensor>& surface) const {
+    std::vector<SymmetricTensor> stresses(cells.size());
+    for (size_t cell = 0; cell < cells.size(); ++cell) stresses[cell] = toSymmetricTensor(cells[cell]);
+    particles.assign(solid_->particles.size(), SymmetricTensor::Zero());
+    surface.assign(solid_->surface_points.size(), SymmetricTensor::Zero());
     const int count = static_cast<int>(particles.size());
     const int points = static_cast<int>(starts_.size()) - 1;
     forEachChunk(chunk_count, [&](int chunk) {
         const int end = chunkBegin(chunk + 1, chunk_count, points);
         for (int point = chunkBegin(chunk, chunk_count, points); point < end; ++point) {
-            Voigt& stress = point < count ? particles[point] : surface[point - count];
+            SymmetricTensor& stress = point < count ? particles[point] : surface[point - count];
             for (int n = starts_[point]; n < starts_[point + 1]; ++n)
                 stress += terms_[n].factor * stresses[terms_[n].cell];
         }

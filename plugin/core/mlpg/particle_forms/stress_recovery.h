@@ -16,11 +16,11 @@ class StressRecovery {
 
     /// `cells`: symmetric stresses of the #cells cells, Pa. Fills `particles` (#particles) and `surface`
     /// (#surface points).
-    void recover(const std::vector<Mat3>& cells, std::vector<Voigt>& particles,
-                 std::vector<Voigt>& surface) const;
+    void recover(const std::vector<Mat3>& cells, std::vector<SymmetricTensor>& particles,
+                 std::vector<SymmetricTensor>& surface) const;
 
     /// At any point of the sub-domain of particle `owner`.
-    Voigt recoverAt(const std::vector<Mat3>& cells, const Vec3& x, int owner) const;
+    SymmetricTensor recoverAt(const std::vector<Mat3>& cells, const Vec3& x, int owner) const;
 
   private:
     /// Factor of a cell's stress in the stress at a point.

@@ -14,18 +14,18 @@ std::vector<GridPoint> locateSamples(const Discretisation& solid) {
 void readStress(const SplineProblem& problem, const std::vector<GridPoint>& samples, const SplineField& whole,
                 const std::vector<Zoom>& zooms, const std::vector<Vec3>& points, StressField& field) {
     double spacing = 0;  // of the grid that was read last
-    const auto stress_at = [&](const Vec3& x, const GridPoint& on_whole) -> Voigt {
+    const auto stress_at = [&](const Vec3& x, const GridPoint& on_whole) -> SymmetricTensor {
         Mat3 gradient;
         for (size_t z = zooms.size(); z-- > 0;)
             if (displacementGradient(zooms[z], x, gradient)) {
                 spacing = zooms[z].field.parts->edges.maxCoeff();
-                return toVoigt(problem.elasticity.stress(gradient));
+                return toSymmetricTensor(problem.elasticity.stress(gradient));
             }
         spacing = whole.parts->edges.maxCoeff();
-        if (on_whole.part < 0) return Voigt::Zero();
-        const Voigt stress =
-            toVoigt(problem.elasticity.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
-        return problem.shares.empty() ? stress : Voigt(problem.shares[on_whole.part] * stress);
+        if (on_whole.part < 0) return SymmetricTensor::Zero();
+        const SymmetricTensor stress =
+            toSymmetricTensor(problem.elasticity.stress(gradientOn(whole, on_whole.part, on_whole.xi)));
+        return problem.shares.empty() ? stress : SymmetricTensor(problem.shares[on_whole.part] * stress);
     };
     const Discretisation& solid = *problem.solid;
     field.particles.reserve(solid.particles.size());

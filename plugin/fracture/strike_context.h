@@ -7,7 +7,7 @@
 namespace sherd {
 
 /// A solid under a blow: what the stages work with.
-struct StruckSolid {
+struct StrikeContext {
     const BreakableSolid& solid;
     const Discretisation& sampling;    ///< of the solid
     const FractureSettings& fracture;  ///< how it breaks

@@ -1,4 +1,4 @@
-#include "fracture/gate.h"
+#include "fracture/can_break.h"
 
 #include <algorithm>
 #include <cmath>

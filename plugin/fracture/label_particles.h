@@ -3,13 +3,13 @@
 #include "core/clustering/fragment_labels.h"
 #include "core/damage/damage.h"
 #include "core/loads/blow.h"
-#include "fracture/struck_solid.h"
+#include "fracture/strike_context.h"
 
 namespace sherd {
 
 /// The fragment of every particle: undamaged parts and clusters of damaged ones, merged until they are as few
 /// and as large as the settings say.
-FragmentLabels labelFragments(const StruckSolid& struck, const Damage& damage, double strain_energy_j,
+FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, double strain_energy_j,
                               const BlowAxis& axis);
 
 }  // namespace sherd

@@ -1,4 +1,4 @@
-#include "fracture/error_guard.h"
+#include "fracture/failed_if_thrown.h"
 
 #include <exception>
 
@@ -16,7 +16,7 @@ void fail(BlowOutcome& outcome, const std::string& message) {
 
 }  // namespace
 
-BlowOutcome heldOnFailure(const std::function<void(BlowOutcome&)>& stages) {
+BlowOutcome failedIfThrown(const std::function<void(BlowOutcome&)>& stages) {
     BlowOutcome outcome;
     try {
         stages(outcome);

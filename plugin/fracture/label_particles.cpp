@@ -1,4 +1,4 @@
-#include "fracture/label_fragments.h"
+#include "fracture/label_particles.h"
 
 #include "core/clustering/clusters.h"
 #include "core/clustering/merge_labels.h"
@@ -6,12 +6,12 @@
 
 namespace sherd {
 
-FragmentLabels labelFragments(const StruckSolid& struck, const Damage& damage, double strain_energy_j,
+FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, double strain_energy_j,
                               const BlowAxis& axis) {
     const FractureSettings& fracture = struck.fracture;
     const int clusters = clusterCount(struck, damage, strain_energy_j);
-    FragmentLabels labels = fragmentLabels(struck.sampling, damage, clusters, struck.solid.wallThickness(),
-                                           struck.seed, fracture.guide, axis);
+    FragmentLabels labels = clusterParticles(struck.sampling, damage, clusters, struck.solid.wallThickness(),
+                                             struck.seed, fracture.guide, axis);
     const double smallest_m3 = fracture.debris == Debris::merged ? struck.solid.smallestFragment() : 0;
     mergeSmallest(struck.sampling, smallest_m3, fracture.largest_fragment_count, labels);
     return labels;
