@@ -12,8 +12,9 @@ namespace sherd {
 
 class BreakableSolid;  // internal: the sampled solid behind an asset
 
-/// A solid that can break: a closed surface, what it is made of, and (once it was struck) its factored stress
-/// problem. Cheap to copy; copies share everything, and any number of bodies may be made from one asset.
+/// A solid that can break: a closed surface in metres, what it is made of, and (once it was struck) its
+/// factored stress problem. Cheap to copy; copies share everything, and any number of bodies may be made from
+/// one asset.
 class BreakableAsset {
   public:
     /// Reads a Wavefront OBJ and checks it. The error says what is wrong with the file or the surface, where,
@@ -28,12 +29,10 @@ class BreakableAsset {
     /// Samples the solid, and assembles and factors its stress problem, now rather than at the first blow.
     /// The error says why that cannot be; blows would say the same.
     ///
-    /// May be called from any thread (which holds a copy of the asset), also while a world steps with bodies
-    /// of this asset in it. No step waits for it, with one exception: a blow that needs the factor of this
-    /// very asset waits until it is made, since that takes less long than to make another. To have none of
-    /// that, make the bodies breakable once `prepared`. `particleCount` and FractureWorld::add need the
-    /// sampling, and wait for that. Functions of the settings (strength field, guide field) are not called
-    /// here, but in blows.
+    /// May be called from any thread while a world steps with bodies of this asset; the thread holds its own
+    /// copy of the asset. A blow that needs this asset's factor waits for it: to avoid that, add the bodies
+    /// only when `prepared`. FractureWorld::add and `particleCount` wait for the sampling only. Functions of
+    /// the settings (strength field, guide field) are not called here, but in blows.
     Status prepare() const;
 
     /// Whether that is done. Never waits; from any thread.
@@ -46,6 +45,7 @@ class BreakableAsset {
     double mass() const;        ///< kg
     double volume() const;      ///< m^3
 
+    // Internal.
     explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid) : solid_(std::move(solid)) {}
     const std::shared_ptr<const BreakableSolid>& solid() const { return solid_; }
 

@@ -18,16 +18,17 @@ struct Material {
     double density_kg_m3 = 2000;
     /// Strength under tension in one direction.
     double tensile_strength_pa = 3e6;
-    /// Standard deviation of the strength, from particle to particle, over its mean.
+    /// Coefficient of variation of the strength from particle to particle: standard deviation over mean.
     double strength_scatter = 0.1;
-    /// Energy that a unit of crack area costs; it decides how many fragments a blow can pay for.
+    /// Energy G_c that a unit of crack area costs (a crack has one area, though two faces); it decides how
+    /// many fragments a blow can pay for.
     double fracture_energy_j_m2 = 10;
-    /// Strength under compression in one direction; infinity: it is never crushed. Scatters as the tensile
-    /// strength does.
+    /// Strength under compression in one direction, not below the tensile one; infinity: it is never crushed.
+    /// Scatters as the tensile strength does.
     double compressive_strength_pa = std::numeric_limits<double>::infinity();
-    /// Weibull's modulus m. At 0 the strength scatters normally, as above, whatever the size of a body.
-    /// Otherwise the mean strength of a volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so
-    /// that large pieces are weaker.
+    /// Weibull's modulus m (W. Weibull, A statistical theory of the strength of materials, 1939). At 0 the
+    /// strength scatters normally, as above, whatever the size of a body. Otherwise the mean strength of a
+    /// volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that large pieces are weaker.
     double weibull_modulus = 0;
     /// Volume of the specimens whose mean strength is `tensile_strength_pa`.
     double weibull_volume_m3 = 1e-6;
@@ -42,10 +43,11 @@ struct Material {
     static Material plaster();  ///< hardened gypsum
     static Material glass();    ///< soda-lime
     static Material concrete();
-    static Material brick();  ///< burnt clay
+    static Material brick();  ///< fired clay
     static Material stone();  ///< limestone
     static Material ice();
-    /// Pine, with the strength that it has across the grain. GuideField gives the grain's direction.
+    /// Pine, with the strength that it has across the grain. It has no grain of its own:
+    /// set `settings.fracture.guide` to a constant direction.
     static Material wood();
 
     /// One of the above by its name. The error lists the names.
@@ -59,9 +61,9 @@ struct Material {
     static Result<Material> fromJsonFile(const std::string& path);
 
     /// Reads the same from text. The text may also be just the name of a material or of a file, in quotes;
-    /// files are relative to `folder`. `path` is where the value stands in a larger file
+    /// files are relative to `folder`. `key` is where the value stands in a larger file
     /// ("bodies[0].material"), for the error.
-    static Result<Material> fromJson(const std::string& text, const std::string& path = "",
+    static Result<Material> fromJson(const std::string& text, const std::string& key = "",
                                      const std::string& folder = "");
 
     /// All fields as a JSON object, which `fromJson` reads back bit for bit.

@@ -12,7 +12,7 @@ struct Error {
     std::string message;
 };
 
-/// A value, or the sentence that says why there is none. Nothing in Sherd throws through a Bullet step.
+/// A value, or the sentence that says why there is none.
 template <class T>
 class [[nodiscard]] Result {
   public:
@@ -22,7 +22,8 @@ class [[nodiscard]] Result {
     bool ok() const { return std::holds_alternative<T>(state_); }
     explicit operator bool() const { return ok(); }
 
-    /// The value; calling this on a failed result is a bug of the caller.
+    /// The value; calling this on a failed result is a bug of the caller. It asserts, and without asserts
+    /// throws std::bad_variant_access.
     T& value() & {
         assert(ok());
         return std::get<T>(state_);

@@ -19,16 +19,15 @@ namespace sherd {
 struct SamplingSettings {
     /// Distance between particles. At 0 it is chosen from the wall thickness, within the limits below.
     double spacing_m = 0;
-    /// Particles across a wall, at most. This limit and the next four hold where the spacing is chosen.
-    double layers_across_wall = 4;
-    /// Particles of a compact body, at least.
-    int smallest_count = 600;
-    /// Particles at most, about.
-    int largest_count = 20000;
+    // These five limits hold where the spacing is chosen. Where they cannot all hold, the factor's come
+    // first, then the largest count, the smallest count and the layers.
+    double layers_across_wall = 4;  ///< particles across a wall, about; the wall is StressModelReport's
+    int smallest_count = 600;       ///< particles; thick bodies get more than the layers ask for
+    int largest_count = 20000;      ///< particles, about
     /// How many millions of numbers the factor of the stiffness matrix may store: each takes 8 bytes, and a
     /// solve reads all of them twice. Spline trial functions only.
     double largest_factor_millions = 9;
-    /// The same limit where walls would otherwise get less than one particle across.
+    /// The same limit where walls would otherwise get less than one particle across; not below it.
     double largest_factor_if_thin_millions = 14;
     /// Integration cells per particle spacing and direction, 1 to 4.
     int cells_per_spacing = 2;
@@ -42,7 +41,8 @@ struct SamplingSettings {
     Status validate() const;
 };
 
-/// Test function of the local weak form (paper, Eq. 5). MLPG: the meshless local Petrov-Galerkin method.
+/// Test function of the local weak form (paper, Eq. 5). MLPG: the meshless local Petrov-Galerkin method. All
+/// three go with mls; gmls and spline go with galerkin alone, and mls has no cubic basis.
 enum class TestFunction {
     /// MLPG5, as in the paper: the flux over the faces of sub-domains, here ones that tile the solid. The
     /// matrix is unsymmetric.
@@ -90,15 +90,16 @@ struct StressSettings {
 
 /// How impulses become loads: by a Hertz contact, with these limits.
 struct ContactSettings {
-    /// Of whatever strikes and is not breakable itself: stone.
+    /// Elastic constants of a partner that is not breakable itself. The defaults suit rock.
     double partner_youngs_modulus_pa = 5e10;
     double partner_poisson_ratio = 0.25;
-    /// Duration of a contact, at least and at most.
+    /// Duration of a contact, at least and at most; in this order.
     double shortest_contact_s = 2e-5;
     double longest_contact_s = 1e-2;
     /// Radius of the loaded patch, at least this fraction of the wall thickness.
     double smallest_patch = 0.25;
-    /// Radius of the loaded patch, at most this fraction of the body's radius.
+    /// Radius of the loaded patch, at most this fraction of the radius of the sphere about the centre of mass
+    /// that holds the body.
     double largest_patch = 0.5;
 
     Status validate() const;
@@ -116,6 +117,7 @@ struct GuideField {
     Kind kind = Kind::none;
     Vec3 direction = Vec3::UnitZ();  ///< of any length
     /// The direction at x (m) after a blow at `contact` (m), of any length; zero: none is preferred there.
+    /// Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays whole.
     std::function<Vec3(const Vec3& x, const Vec3& contact)> custom;
     /// Cost of a distance along the field relative to the same distance across it, 0 to 1 (lambda of Eq. 18).
     /// A particle belongs to the fragment whose seed it reaches at the least cost: at 0 fragments run through
@@ -129,7 +131,8 @@ struct GuideField {
 enum class Debris {
     unbreakable,  ///< bodies as the others, that never break again
     merged,       ///< parts of the neighbour that they share most surface with
-    dropped,      ///< removed from the world at once; the event says how much mass went with them
+    dropped,  ///< never enter the world (the largest piece always does); the event says how much mass they
+              ///< had
 };
 
 /// What stands for a body in collisions: for bodies of `FractureWorld::add` and for all fragments. A body
@@ -150,36 +153,39 @@ struct FractureSettings {
     std::uint64_t seed = 1;
     /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's
     /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
-    /// mesh.
+    /// mesh. Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays
+    /// whole.
     std::function<double(const Vec3& x)> strength_field;
-    /// What `strength_field` is nowhere below; 0: not known. Where it is known, a blow that is too weak for
-    /// any place of the body is skipped; the field itself is asked only once a blow is solved. A field that
-    /// is found below it fails the blow with a sentence.
+    /// What `strength_field` is nowhere below; 0: not known, and then weak blows are solved too. Where it is
+    /// known, a blow that is too weak for any place of the body is skipped. A smaller value of the field
+    /// makes the blow fail.
     double strength_field_minimum = 0;
     /// How often the stress of a blow is solved at most, each time without the particles that are damaged by
     /// then, until no more are (paper, section 6.1). Spline trial functions only. By default the damage of
-    /// the first solve counts: every further wave takes as long as a first blow, and leaves the blow's energy
-    /// to more damaged material, in fewer pieces. The cup of the demo breaks into 17, 9 and 5 pieces with 1,
-    /// 2 and 4 waves, in 2, 3.5 and 6 s; on walls little changes.
+    /// the first solve counts: every further one takes as long as a first blow, and leaves the blow's energy
+    /// to more damaged material, in fewer pieces.
     int damage_waves = 1;
     /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens
     /// the stress right at the contact only, and takes longer than the rest of a blow.
     bool resample_contacts = false;
-    /// Pieces that the damaged part is split into. At 0 it is as many as the strain energy pays for.
+    /// Clusters that the damaged part is split into; each undamaged part is one piece more. At 0 they are as
+    /// many as the strain energy pays for.
     int fragment_count = 0;
     /// Fraction of the strain energy that goes into crack faces, above 0 and at most 1.
     double energy_into_cracks = 0.05;
+    /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it.
     int largest_fragment_count = 36;
-    /// Smaller pieces are debris. At 0 it is 1/200 of the first body.
+    /// Smaller pieces are debris. At 0 it is 1/200 of the body that was whole at first; fragments keep it.
     double smallest_fragment_m3 = 0;
     Debris debris = Debris::unbreakable;
     GuideField guide;
-    /// Roughness of crack faces as a fraction of the particle spacing, 0 to 0.5. Both sides of a crack fit.
+    /// How far crack faces are displaced at most, as a fraction of the particle spacing, 0 to 0.5. Both sides
+    /// of a crack fit.
     double crack_roughness = 0;
     /// Hulls and convex parts of neighbouring fragments may overlap when they are made. Such pairs collide,
     /// but only what they sink deeper into each other later pushes them apart.
     CollisionShape collision_shape = CollisionShape::boxes;
-    /// For so long after they were made fragments cannot break.
+    /// Fragments cannot break for this time after they were made.
     double rest_after_break_s = 0.01;
 
     Status validate() const;
@@ -198,19 +204,20 @@ struct Settings {
     static Settings forQuality(Quality quality);
 
     /// Reads a JSON file with the fields of these structs by name, `{"sampling": {"spacing_m": 0.02}}`; the
-    /// rest are those of the quality that `"quality"` names, `game` without it. Functions cannot be given.
-    /// The error names the file and the field, and says what is possible there.
+    /// rest of `sampling` and `stress` are those of the quality that `"quality"` names, `game` without it.
+    /// Functions cannot be given. The error names the file and the field, and says what is possible there.
     static Result<Settings> fromJsonFile(const std::string& path);
 
-    /// Reads the same from text. `path` is where it stands in a larger file ("bodies[0].settings"), for the
+    /// Reads the same from text. `key` is where it stands in a larger file ("bodies[0].settings"), for the
     /// error.
-    static Result<Settings> fromJson(const std::string& text, const std::string& path = "");
+    static Result<Settings> fromJson(const std::string& text, const std::string& key = "");
 
     /// All fields as a JSON object, but functions and what the library sets itself. `fromJson` reads it
-    /// back bit for bit.
+    /// back bit for bit, unless the guide field is `custom`, which only a program can set.
     std::string toJson() const;
 
-    /// Sets fields by their paths: "sampling.spacing_m=0.02", "stress.basis=cubic". The error says which
+    /// Sets fields by their paths: "sampling.spacing_m=0.02", "stress.basis=cubic",
+    /// "fracture.guide.direction=[0,1,0]". A value is JSON; what is no JSON is text. The error says which
     /// path or value is not possible, and what is; then no field is changed.
     Status set(const std::vector<std::string>& assignments);
 

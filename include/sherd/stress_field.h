@@ -7,13 +7,12 @@
 
 namespace sherd {
 
-/// The stress in a body under one set of loads: a blow, or what StressModel::solve is given. In Pa, in the
-/// coordinates of the body's surface. Tension is positive.
+/// The stress in a body under one set of loads, in Pa, in the asset frame. Tension is positive.
 struct StressField {
-    std::vector<SymmetricTensor> particles;  ///< #particles, at the particles
-    std::vector<SymmetricTensor> surface;    ///< #surface points, at the surface points of the sampling
-    std::vector<SymmetricTensor> points;     ///< #points, at the points that were asked for, in their order
-    std::vector<double> point_spacing_m;     ///< #points, between the particles there; finer around loads
+    std::vector<SymmetricTensor> particles;  ///< #particles, in the order of StressModel::particlePositions
+    std::vector<SymmetricTensor> surface;  ///< #surface points, in the order of StressModel::surfacePositions
+    std::vector<SymmetricTensor> points;   ///< #points, at the points that were asked for, in their order
+    std::vector<double> point_spacing_m;   ///< #points, between the particles there; finer around loads
     double strain_energy_j = 0;
     /// |K u - f| / |f| of the linear solve: stiffness matrix K, displacements u, load vector f.
     double residual_rel = 0;

@@ -26,18 +26,19 @@ struct StressModelReport {
     /// Of the stiffness matrix, estimated from the factor's diagonal. Near 1e-16 the solve is worth nothing.
     double reciprocal_condition = 0;
     double spacing_m = 0;         ///< between particles
-    double wall_thickness_m = 0;  ///< of the thinnest walls
+    double wall_thickness_m = 0;  ///< the tenth percentile of those that rays see from the surface inward
     double sample_ms = 0, assemble_ms = 0, factor_ms = 0;
     std::vector<std::string> warnings;  ///< what limits trust in the stresses, with the remedy
 };
 
 /// The stress in a body under any loads, without breaking it: sampled, assembled and factored once, then two
 /// triangular solves for each set of loads. The same stress problem that a blow in a FractureWorld solves.
-/// Cheap to copy.
+/// Cheap to copy; all members may be called from several threads at once.
 class StressModel {
   public:
     /// Checks the surface, samples the solid, and factors its stress problem. Where `supports` name parts of
-    /// the surface the displacement is zero; without any, loads are balanced by rigid acceleration. The error
+    /// the surface the displacement is zero; without any, loads are balanced by rigid acceleration.
+    /// Supports have to hold more than a point or a straight line. The error
     /// says what is wrong with the surface, a constant, a setting or a support, and what to do.
     static Result<StressModel> make(const TriangleMesh& surface, const Material& material,
                                     const Settings& settings = {},
@@ -51,7 +52,7 @@ class StressModel {
                               const Vec3& spin_rad_s = Vec3::Zero()) const;
 
     const TriangleMesh& surface() const;
-    const Settings& settings() const;
+    const Settings& settings() const;  ///< as used: loads are always resampled here
     StressModelReport report() const;
 
     std::vector<Vec3> particlePositions() const;  ///< #particles, m

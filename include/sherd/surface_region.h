@@ -7,6 +7,9 @@
 
 namespace sherd {
 
+// Regions are in the asset frame. A sphere and a box cut triangles at their own boundary; a cylinder takes
+// whole ones. A sphere or a box that reaches through a wall takes both of its faces.
+
 /// The surface inside a ball.
 struct SphereRegion {
     Vec3 centre = Vec3::Zero();  ///< m
@@ -26,7 +29,7 @@ struct CylinderRegion {
     double radius_m = 0;
 };
 
-/// A part of a body's surface, in the coordinates that the surface is given in.
+/// A part of a body's surface.
 using SurfaceRegion = std::variant<SphereRegion, BoxRegion, CylinderRegion>;
 
 /// What a region is, for sentences: "the sphere about (0, 0, 0.5) m of radius 0.08 m".

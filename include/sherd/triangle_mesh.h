@@ -13,7 +13,8 @@ namespace sherd {
 /// What a triangle of a fragment's surface is: part of the body's first surface, or a face that a crack made.
 enum class SurfaceKind : std::uint8_t { original, crack };
 
-/// A triangle surface. For a breakable body it is closed, oriented outward and free of self-intersection.
+/// A triangle surface. For a breakable body it is closed, oriented outward and free of self-intersection; it
+/// may have several parts, and cavities (oriented into the hollow).
 /// Below, #V is the number of vertices, #T that of triangles.
 struct TriangleMesh {
     std::vector<Vec3> vertices;                 ///< #V points, m

@@ -15,7 +15,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double smallest_fragment = 1.0 / 200;  // of the first body's volume, when the settings do not say
+constexpr double smallest_fragment_share =
+    1.0 / 200;  // of the first body's volume, when the settings do not say
 
 double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
     double squared = 0;
@@ -28,8 +29,9 @@ int momentOrder(const StressSettings& stress) {
     return stress.trial_function == TrialFunction::spline ? 2 * splineDegree(stress.basis) : 0;
 }
 
-Result<std::vector<SupportPoint>> supportPoints(const TriangleMesh& surface,
-                                                const std::vector<SurfaceRegion>& regions, double spacing) {
+Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
+                                                   const std::vector<SurfaceRegion>& regions,
+                                                   double spacing) {
     std::vector<SupportPoint> supports;
     for (const SurfaceRegion& region : regions) {
         const auto points = regionQuadrature(surface, region, spacing);
@@ -63,7 +65,7 @@ Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh 
     if (!spacing) return Error{spacing.error()};
     solid->spacing_ = spacing.value();
     const double given = settings.fracture.smallest_fragment_m3;
-    solid->smallest_fragment_m3_ = given > 0 ? given : smallest_fragment * volume;
+    solid->smallest_fragment_m3_ = given > 0 ? given : smallest_fragment_share * volume;
     return std::shared_ptr<const BreakableSolid>(solid);
 }
 
@@ -101,7 +103,7 @@ Result<const StressSolver*> BreakableSolid::stressSolver() const {
 Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged) const {
     const auto sampled = discretisation();
     if (!sampled) return Error{sampled.error()};
-    const auto supports = supportPoints(surface_, supports_, quadratureSpacing());
+    const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
     StressSettings stress = settings_.stress;
     if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;

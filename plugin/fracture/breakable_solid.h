@@ -18,7 +18,7 @@ namespace sherd {
 
 /// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling, factor
 /// and strengths are made when first needed; all else never changes. All members may be called from several
-/// threads at once. Who needs what another thread is making waits for that one thing; nothing else waits.
+/// threads at once. A thread waits only for the one thing that it needs, while another thread makes it.
 class BreakableSolid {
   public:
     /// Makes a solid of a surface that `checkSurface` accepts. The error says which constant or setting is
@@ -50,15 +50,16 @@ class BreakableSolid {
     Result<const StressSolver*> stressSolver() const;
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
-    /// Tensile strength of every particle, Pa, from the material, the seed and the strength field; made at
-    /// the first call. Throws std::invalid_argument where the field is not positive, or below its minimum.
+    /// Tensile strength of every particle of `discretisation()`, Pa, from the material, the seed and the
+    /// strength field; made at the first call. Throws std::invalid_argument where the field is not positive,
+    /// or below its minimum.
     const std::vector<double>& strengths(const Discretisation& sampling) const;
     /// What the sampling took; 0 until it is done. Never waits.
     double sampleMilliseconds() const;
     /// Whether the factored stress problem is there already. Never waits.
     bool prepared() const;
 
-    /// A piece of this solid: same material, settings and limits.
+    /// A piece of this solid: same material, settings and limits. It has no supports.
     std::shared_ptr<const BreakableSolid> makeFragment(TriangleMesh surface) const;
 
   private:

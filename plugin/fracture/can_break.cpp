@@ -28,8 +28,7 @@ double smallestFailureEnergy(const BreakableSolid& solid) {
 // The solid stores no more energy than the blow brings.
 bool canBreak(const BreakableSolid& solid, const Blow& blow) {
     const double energy = blowEnergy(blow);
-    return energy > smallestCrackEnergy(solid, solid.settings().fracture) &&
-           energy > smallestFailureEnergy(solid);
+    return energy > smallestCrackEnergy(solid) && energy > smallestFailureEnergy(solid);
 }
 
 }  // namespace sherd

@@ -6,7 +6,7 @@
 
 namespace sherd {
 
-/// What all fragments together have too much or too little of, relative to the whole.
+/// Mass and volume of all fragments together less those of the whole solid, relative to the whole.
 struct ConservationErrors {
     double mass_rel = 0, volume_rel = 0;
 };

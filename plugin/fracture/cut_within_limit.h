@@ -6,9 +6,10 @@
 
 namespace sherd {
 
-/// Cuts the surface between fragments. One of them may come apart in the cut, at a neck of few particles;
-/// where that makes more pieces than the settings allow, the smallest fragments are merged in `labels` to
-/// make room, and the surface is cut again.
+/// Cuts the surface between particles of different labels. The particles of one label may come apart in the
+/// cut, at a neck of few particles. Where that makes more pieces than the settings allow, the smallest labels
+/// are merged (`labels` is changed), and the surface is cut again; more pieces are left only where two labels
+/// alone make them.
 Result<FragmentSurfaces> cutWithinLimit(const StrikeContext& struck, FragmentLabels& labels);
 
 }  // namespace sherd

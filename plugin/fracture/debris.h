@@ -6,7 +6,8 @@
 
 namespace sherd {
 
-/// Marks the pieces below a volume as dropped, but never the largest piece.
+/// For Debris::dropped: marks the pieces below a volume as dropped, but never the largest piece. (`merged` is
+/// done with the labels of particles, `unbreakable` where contacts are collected.)
 void markDropped(double smallest_m3, std::vector<Fragment>& fragments);
 
 }  // namespace sherd

@@ -22,7 +22,7 @@ BlowOutcome failedIfThrown(const std::function<void(BlowOutcome&)>& stages) {
         stages(outcome);
     } catch (const StageFailed& failure) {
         fail(outcome, failure.message);
-    } catch (const std::exception& failure) {  // out of memory, or a library's own check
+    } catch (const std::exception& failure) {  // a field of the app, a library's check, no memory
         fail(outcome,
              std::string("The blow could not be worked out (") + failure.what() + "); the body stays whole.");
     } catch (...) {

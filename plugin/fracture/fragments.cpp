@@ -1,6 +1,5 @@
 #include "fracture/fragments.h"
 
-#include "core/clustering/affordable_clusters.h"
 #include "fracture/voxel_owners.h"
 
 namespace sherd {

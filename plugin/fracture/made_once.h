@@ -6,8 +6,8 @@
 
 namespace sherd {
 
-/// A value that the first who needs it makes, and that never changes then. Who needs it while another thread
-/// makes it waits for that thread; who only asks whether it is there (`ifMade`) never waits.
+/// A value that is made when it is first asked for, and never changes then. A thread that asks for it while
+/// another makes it waits for that one; `ifMade` never waits.
 template <class T>
 class MadeOnce {
   public:

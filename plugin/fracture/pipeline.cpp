@@ -18,15 +18,9 @@ namespace sherd {
 
 namespace {
 
-double normalImpulse(const Blow& blow) {
-    double sum = 0;
-    for (const ContactImpulse& contact : blow.contacts)
-        sum += std::max(0.0, contact.impulse.dot(contact.normal));
-    return sum;
-}
-
-/// The factored stress problem. What it took to make is told by the blow that it was made for.
-const StressSolver& preparedSolver(const BreakableSolid& solid, StageTimes& ms) {
+/// The factored stress problem of the solid. The first blow makes it, unless `prepare` did, and reports what
+/// it took; so it does for the sampling, which may have been made before it.
+const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
     const bool known = solid.prepared();
     const StressSolver& solver = *valueOrFail(solid.stressSolver());
     if (!known) {
@@ -42,12 +36,27 @@ ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid) {
     return contactLoads(body, blow, solid.settings().contact);
 }
 
-/// Blow -> loads -> stress -> damage -> labels -> surfaces -> fragments. The body holds wherever this returns
-/// before the end.
+void addSentence(std::string& message, const std::string& sentence) {
+    message += (message.empty() ? "" : " ") + sentence;
+}
+
+void noteDamage(const Damage& damage, BlowOutcome& out) {
+    out.largest_stress_pa = damage.largest_stress_pa;
+    out.damaged_particles = damage.count;
+}
+
+/// A blow that `canBreak` lets through
+///   -> loads of 1 N in total -> stress per newton, peak force, strain energy
+///   -> damaged particles                    held: there are none, or the energy pays for no crack
+///   -> more damage, solved without those    (settings.damage_waves; none by default)
+///   -> a label for each particle            held: all have the same
+///   -> pieces cut out of the surface        held: there is only one
+///   -> a fragment for each piece: a solid, and boxes for collisions.
+/// What a stage throws ends in `failed`. The solid keeps no damage, so each blow finds it whole.
 void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed, BlowOutcome& out) {
     out.impulse_n_s = normalImpulse(blow);
-    const StressSolver& solver = preparedSolver(solid, out.ms);
-    const Discretisation& sampling = *valueOrFail(solid.discretisation());
+    const StressSolver& solver = solverOf(solid, out.ms);
+    const Discretisation& sampling = *valueOrFail(solid.discretisation());  // the solid keeps it
     const StrikeContext struck{solid, sampling, solid.settings().fracture, seed};
 
     const ContactLoads loads = loadsOf(blow, solid);
@@ -56,15 +65,15 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
     out.peak_force_n = peak_force_n;
     out.contact_time_s = stress.pulse.duration_s;
     out.residual_rel = stress.unit.residual_rel;
+    for (const std::string& warning : stress.unit.warnings) addSentence(out.message, warning);
 
     const Strength strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
     Damage damage =
         timed(out.ms.damage, [&] { return damagedParticles(stress.unit, peak_force_n, sampling, strength); });
-    out.largest_stress_pa = damage.largest_stress_pa;
-    out.damaged_particles = damage.count;
-    if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid, struck.fracture)) return;
+    noteDamage(damage, out);
+    if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid)) return;
     damage = valueOrFail(furtherWaves(struck, loads.unit, peak_force_n, strength, std::move(damage), out.ms));
-    out.damaged_particles = damage.count;
+    noteDamage(damage, out);
 
     FragmentLabels labels = timed(out.ms.cluster, [&] {
         return labelParticles(struck, damage, stress.strain_energy_j, axisOf(loads.unit));
@@ -73,7 +82,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
 
     const FragmentSurfaces surfaces =
         valueOrFail(timed(out.ms.surface, [&] { return cutWithinLimit(struck, labels); }));
-    for (const std::string& note : surfaces.notes) out.message += (out.message.empty() ? "" : " ") + note;
+    for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 
     out.fragments = makeFragments(struck, labels, surfaces);

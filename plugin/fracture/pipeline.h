@@ -10,7 +10,7 @@
 namespace sherd {
 
 /// The whole way from a blow to fragments (paper, Figure 1), for a blow that `canBreak` lets through. Never
-/// throws; on any failure the body stays whole and the outcome says why.
+/// throws: on any failure the outcome is `failed` and says why, and the body stays whole.
 BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed);
 
 }  // namespace sherd

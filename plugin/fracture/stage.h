@@ -14,7 +14,7 @@ struct StageFailed {
     std::string message;
 };
 
-/// The value of a stage that was done.
+/// The value of a stage, or StageFailed with the reason.
 template <class T>
 T valueOrFail(Result<T> result) {
     if (!result) throw StageFailed{result.error()};

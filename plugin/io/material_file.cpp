@@ -63,11 +63,11 @@ Result<Material> Material::fromJsonFile(const std::string& path) {
     return resultOf("", [&] { return ofFile(path, {}, Missing::but_to_break); });
 }
 
-Result<Material> Material::fromJson(const std::string& text, const std::string& path,
+Result<Material> Material::fromJson(const std::string& text, const std::string& key,
                                     const std::string& folder) {
     return resultOf("", [&] {
         const nlohmann::json value = parseJsonText(text);
-        return materialOf(JsonEntry(value, path), folder, Missing::but_to_break);
+        return materialOf(JsonEntry(value, key), folder, Missing::but_to_break);
     });
 }
 

@@ -56,10 +56,10 @@ Result<Settings> Settings::fromJsonFile(const std::string& path) {
     return readJson<Settings>(path, settingsOf);
 }
 
-Result<Settings> Settings::fromJson(const std::string& text, const std::string& path) {
+Result<Settings> Settings::fromJson(const std::string& text, const std::string& key) {
     return resultOf("", [&] {
         const json value = parseJsonText(text);
-        return settingsOf(JsonEntry(value, path));
+        return settingsOf(JsonEntry(value, key));
     });
 }
 

@@ -4,7 +4,7 @@ namespace sherd {
 
 /// What decides into how many clusters the damaged part is split.
 struct ClusterBudget {
-    double energy_j = 0;  ///< elastic energy of the blow
+    double energy_j = 0;  ///< that goes into crack faces
     double fracture_energy_j_m2 = 1;
     double wall_thickness_m = 0;
 };

@@ -11,7 +11,7 @@
 
 namespace sherd {
 
-/// Fragments (paper, sections 6.1 and 6.2): each connected undamaged part is one, and so is each cluster of
+/// Labels (paper, sections 6.1 and 6.2): each connected undamaged part is one, and so is each cluster of
 /// damaged particles. A particle is in the cluster of its nearest seed; seeds are spread by farthest point,
 /// denser where the stress is higher. Specks (undamaged or damaged parts of up to five particles) take the
 /// state of what surrounds them. Damage on one side of a wall reaches through it. A count of 1 means that

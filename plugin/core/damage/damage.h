@@ -10,11 +10,11 @@
 
 namespace sherd {
 
-/// Two-state damage of every particle (paper, section 6.1 with C_d infinite).
+/// Two-state damage of every particle (paper, section 6.1, its damage rate C_d infinite).
 struct Damage {
     std::vector<char> damaged;       ///< #particles, 1 where the strength is exceeded
     std::vector<double> overstress;  ///< #particles, the largest equivalent stress over the tensile strength
-    double largest_stress_pa = 0;    ///< largest principal stress anywhere
+    double largest_stress_pa = 0;    ///< largest principal stress at any particle or surface point
     int count = 0;                   ///< damaged particles
 };
 

@@ -4,6 +4,13 @@
 
 namespace sherd {
 
+double normalImpulse(const Blow& blow) {
+    double sum = 0;
+    for (const ContactImpulse& contact : blow.contacts)
+        sum += std::max(0.0, contact.impulse.dot(contact.normal));
+    return sum;
+}
+
 ContactShare contactShare(const ContactImpulse& contact) {
     ContactShare share;
     const double pushed = contact.impulse.dot(contact.normal);

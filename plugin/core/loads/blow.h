@@ -25,6 +25,9 @@ struct Blow {
     std::vector<ContactImpulse> contacts;
 };
 
+/// Sum of the normal impulses, N s.
+double normalImpulse(const Blow& blow);
+
 /// The part of a blow that one contact point carries, whatever the time step.
 struct ContactShare {
     double mass_kg = 0;    ///< J / (speed before - speed after): the mass that the contact stops

@@ -38,8 +38,8 @@ HertzContact hertzContact(const ContactBody& body, const ContactImpulse& contact
 
 ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
     ContactLoads loads;
-    double pushed = 0, energy = 0;
-    for (const ContactImpulse& c : blow.contacts) pushed += std::max(0.0, c.impulse.dot(c.normal));
+    const double pushed = normalImpulse(blow);
+    double energy = 0;
     if (!(pushed > 0)) return loads;
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);

@@ -40,11 +40,5 @@ class RangeChecks {
 inline bool isPositive(double value) {
     return std::isfinite(value) && value > 0;
 }
-inline bool isNotNegative(double value) {
-    return std::isfinite(value) && value >= 0;
-}
-inline bool isWithin(double value, double low, double high) {
-    return value >= low && value <= high;
-}
 
 }  // namespace sherd

@@ -4,12 +4,37 @@
 
 namespace sherd {
 
+namespace {
+
+Status checkCombination(const StressSettings& settings) {
+    const bool heaviside = settings.test_function != TestFunction::galerkin;
+    const std::string name =
+        settings.test_function == TestFunction::heaviside_paper ? "heaviside_paper" : "heaviside";
+    if (heaviside && settings.trial_function == TrialFunction::spline)
+        return Error{"Spline trial functions go with galerkin test functions; use " + name + " with mls."};
+    constexpr int largest_particle_degree = 2;
+    if (settings.trial_function != TrialFunction::spline &&
+        splineDegree(settings.basis) > largest_particle_degree)
+        return Error{
+            "The cubic basis is there for spline trial functions; use linear or quadratic with mls and "
+            "gmls."};
+    if (heaviside && settings.trial_function == TrialFunction::gmls)
+        return Error{
+            "Heaviside test functions give 3 equations a particle and gmls trial functions have 12 unknowns: "
+            "use " +
+            name + " with mls, or gmls with galerkin test functions."};
+    return success();
+}
+
+}  // namespace
+
 Status SamplingSettings::validate() const {
     return statusOf("SamplingSettings", *this);
 }
 
 Status StressSettings::validate() const {
-    return statusOf("StressSettings", *this);
+    if (const Status ranges = statusOf("StressSettings", *this); !ranges) return ranges;
+    return checkCombination(*this);
 }
 
 Status ContactSettings::validate() const {
