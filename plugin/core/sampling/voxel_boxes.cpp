@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <set>
 #include <tuple>
+#include <utility>
+
+#include "core/sampling/box_fit.h"
 
 namespace sherd {
 
@@ -43,25 +46,13 @@ class Uncovered {
     std::set<Key> voxels_;
 };
 
-Box boxOf(const Discretisation& solid, const Index& low, const Index& high) {
-    const Vec3 from = solid.grid_origin + low.cast<double>().cwiseProduct(solid.cell_size);
-    const Vec3 to =
-        solid.grid_origin + (high.array() + 1).matrix().cast<double>().cwiseProduct(solid.cell_size);
-    return {0.5 * (from + to), 0.5 * (to - from)};
-}
+/// A block of voxels, from one corner to the other, both in it.
+struct Block {
+    Index low, high;
+};
 
-}  // namespace
-
-std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted) {
-    constexpr double half_solid = 0.5;
-    double fullest = 0;
-    for (std::size_t v = 0; v < wanted.size(); ++v)
-        if (wanted[v]) fullest = std::max(fullest, solid.voxels[v].fill);
-    const double least = std::min(half_solid, fullest);
-    Uncovered rest;
-    for (std::size_t v = 0; v < wanted.size(); ++v)
-        if (wanted[v] && solid.voxels[v].fill >= least) rest.add(solid.voxels[v].index);
-    std::vector<Box> boxes;
+std::vector<Block> mergedBlocks(Uncovered rest) {
+    std::vector<Block> blocks;
     while (!rest.empty()) {
         const Index low = rest.first();
         Index high = low;
@@ -74,8 +65,28 @@ std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char
             }
         }
         rest.take(low, high);
-        boxes.push_back(boxOf(solid, low, high));
+        blocks.push_back({low, high});
     }
+    return blocks;
+}
+
+}  // namespace
+
+std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted) {
+    constexpr double half_solid = 0.5;
+    double fullest = 0;
+    for (std::size_t v = 0; v < wanted.size(); ++v)
+        if (wanted[v]) fullest = std::max(fullest, solid.voxels[v].fill);
+    const double least = half_solid * fullest;  // no voxel of a thin wall may be half solid
+    std::vector<char> covered(wanted.size());
+    Uncovered rest;
+    for (std::size_t v = 0; v < wanted.size(); ++v) {
+        covered[v] = wanted[v] && solid.voxels[v].fill >= least;
+        if (covered[v]) rest.add(solid.voxels[v].index);
+    }
+    const BoxFit fit(solid, wanted, covered);
+    std::vector<Box> boxes;
+    for (const Block& block : mergedBlocks(std::move(rest))) boxes.push_back(fit.fit(block.low, block.high));
     return boxes;
 }
 

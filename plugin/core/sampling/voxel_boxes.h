@@ -14,8 +14,9 @@ struct Box {
     Vec3 half_extents = Vec3::Zero();
 };
 
-/// Boxes that cover the wanted voxels (`wanted`: #voxels), merged greedily along x, then y, then z. Voxels
-/// less than half solid are left out, unless all are.
+/// Boxes that stand for the wanted voxels (`wanted`: #voxels), merged greedily along x, then y, then z.
+/// Voxels less than half solid are left out, unless all are; the faces then move to where the solid ends
+/// (BoxFit).
 std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted);
 
 }  // namespace sherd
