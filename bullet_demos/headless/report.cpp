@@ -9,8 +9,8 @@ namespace demo {
 namespace {
 
 using nlohmann::ordered_json;
-using sherd::BreakEvent;
-using Outcome = BreakEvent::Outcome;
+using sherd::BlowEvent;
+using sherd::Outcome;
 
 const char* word(Outcome outcome) {
     switch (outcome) {
@@ -44,7 +44,7 @@ Totals totals(const std::vector<BodyState>& states) {
 }
 
 /// Largest of one figure over all blows.
-double worst(const SceneRun& run, double BreakEvent::*figure) {
+double worst(const SceneRun& run, double BlowEvent::*figure) {
     double most = 0;
     for (const TimedEvent& timed : run.events) most = std::max(most, timed.event.*figure);
     return most;
@@ -84,14 +84,14 @@ ordered_json milliseconds(const SceneRun& run, const FurtherBlows& further_blows
         run.step_ms.empty() ? 0 : *std::max_element(run.step_ms.begin(), run.step_ms.end());
     ms["step_total_median"] = median(run.step_ms);
     std::vector<double> further;
-    for (const BreakEvent& blow : further_blows) further.push_back(stressMilliseconds(blow));
+    for (const BlowEvent& blow : further_blows) further.push_back(stressMilliseconds(blow));
     ms["first_blow_ms"] = run.events.empty() ? 0 : stressMilliseconds(run.events.front().event);
     ms["further_blow_ms"] = median(further);
     return ms;
 }
 
 ordered_json describe(const TimedEvent& timed) {
-    const BreakEvent& event = timed.event;
+    const BlowEvent& event = timed.event;
     const auto list = [](const Vec3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
     ordered_json entry;
     entry["time_s"] = timed.time_s;
@@ -133,17 +133,17 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["blows_skipped"] = run.counts.skipped;
     report["blows_solved"] = run.counts.solved;
     report["first_break_s"] = run.first_break_s;
-    report["largest_stress_pa"] = worst(run, &BreakEvent::largest_stress_pa);
+    report["largest_stress_pa"] = worst(run, &BlowEvent::largest_stress_pa);
     // Over each swap, and from the start to the end: pieces that got lost later would show in the second. Of
     // debris that was dropped the mass is known, the volume is not.
     const double dropped_kg = droppedMass(run);
     report["dropped_mass_kg"] = dropped_kg;
-    report["mass_error_rel"] = std::max(worst(run, &BreakEvent::mass_error_rel),
+    report["mass_error_rel"] = std::max(worst(run, &BlowEvent::mass_error_rel),
                                         difference(after.mass_kg + dropped_kg, before.mass_kg));
-    report["volume_error_rel"] = std::max(worst(run, &BreakEvent::volume_error_rel),
+    report["volume_error_rel"] = std::max(worst(run, &BlowEvent::volume_error_rel),
                                           dropped_kg > 0 ? 0 : difference(after.volume_m3, before.volume_m3));
-    report["momentum_error_rel"] = worst(run, &BreakEvent::momentum_error_rel);
-    report["residual_rel"] = worst(run, &BreakEvent::residual_rel);
+    report["momentum_error_rel"] = worst(run, &BlowEvent::momentum_error_rel);
+    report["residual_rel"] = worst(run, &BlowEvent::residual_rel);
     report["events"] = ordered_json::array();
     for (const TimedEvent& timed : run.events) report["events"].push_back(describe(timed));
     report["ms"] = milliseconds(run, further_blows);

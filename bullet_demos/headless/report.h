@@ -11,7 +11,7 @@
 namespace demo {
 
 /// The first solved blow of a run, struck again on the same assets.
-using FurtherBlows = std::vector<sherd::BreakEvent>;
+using FurtherBlows = std::vector<sherd::BlowEvent>;
 
 /// The content of report.json. Wall-clock times are inside `ms` and nowhere else: two runs differ in nothing
 /// else.

@@ -7,7 +7,7 @@
 namespace demo {
 namespace {
 
-using Outcome = sherd::BreakEvent::Outcome;
+using sherd::Outcome;
 
 constexpr double impact_picture_s =
     0.03;  ///< after the first break: long enough for the pieces to come apart
@@ -33,7 +33,7 @@ std::string describe(const SceneRun& run, SceneWorld& world) {
 
 /// Takes over what happened in the last step, which ended at `time_s`.
 void collectEvents(SceneRun& run, SceneWorld& world, double time_s) {
-    for (sherd::BreakEvent& event : world.fracture().events()) {
+    for (sherd::BlowEvent& event : world.fracture().takeEvents()) {
         if (event.outcome == Outcome::broke && run.first_break_s < 0) run.first_break_s = time_s;
         run.events.push_back({time_s, std::move(event)});
     }
@@ -67,12 +67,12 @@ SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& 
     return run;
 }
 
-std::optional<sherd::BreakEvent> strikeAgain(const Scene& scene,
-                                             const std::vector<sherd::BreakableAsset>& assets) {
+std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene,
+                                            const std::vector<sherd::BreakableAsset>& assets) {
     SceneWorld world(scene, assets);
     for (int step = 0; step < stepCount(scene); ++step) {
         world.step();
-        for (sherd::BreakEvent& event : world.fracture().events()) return std::move(event);
+        for (sherd::BlowEvent& event : world.fracture().takeEvents()) return std::move(event);
     }
     return std::nullopt;
 }

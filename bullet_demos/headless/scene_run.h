@@ -14,7 +14,7 @@ namespace demo {
 /// A blow and when it fell. The body pointers of the event are not to be followed after the run.
 struct TimedEvent {
     double time_s = 0;
-    sherd::BreakEvent event;
+    sherd::BlowEvent event;
 };
 
 /// What a run leaves.
@@ -35,7 +35,7 @@ SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& 
 
 /// The first solved blow of the scene, struck once more on the same assets: what a blow costs on a body that
 /// is factored already. Nothing if no blow was solved within the scene's duration.
-std::optional<sherd::BreakEvent> strikeAgain(const Scene& scene,
-                                             const std::vector<sherd::BreakableAsset>& assets);
+std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene,
+                                            const std::vector<sherd::BreakableAsset>& assets);
 
 }  // namespace demo

@@ -64,8 +64,8 @@ sherd::Result<sherd::Settings> makeSettings(const BreakableBody& body, const she
     const PaintedStrength& painted = *body.painted_strength;
     auto strength = sherd::strengthFromColours(surface, painted.black, painted.white);
     if (!strength) return sherd::Error{"painted_strength: " + strength.error()};
-    settings.fracture.strength_field = std::move(strength).value();
-    settings.fracture.strength_field_minimum = std::min(painted.black, painted.white);
+    settings.strength.field = std::move(strength).value();
+    settings.strength.field_minimum = std::min(painted.black, painted.white);
     return settings;
 }
 
@@ -138,10 +138,12 @@ void SceneWorld::addFloor() {
 }
 
 void SceneWorld::addBody(BreakableBody& body, const sherd::BreakableAsset& asset) {
-    btRigidBody* added = fracture_->add(asset, startOf(body, asset));
-    added->setLinearVelocity(toBullet(body.velocity));
-    added->setAngularVelocity(toBullet(body.spin));
-    added->setUserPointer(&body);
+    sherd::BodyOptions options(startOf(body, asset));
+    options.velocity = toBullet(body.velocity);
+    options.angular_velocity = toBullet(body.spin);
+    options.user_pointer = &body;
+    // makeAssets has sampled the asset, so it is not refused.
+    btRigidBody* added = fracture_->add(asset, options).value();
     setTouch(*added, body.touch);
 }
 

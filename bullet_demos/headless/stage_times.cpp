@@ -37,7 +37,7 @@ std::vector<StageTotal> stageTotals(const SceneRun& run) {
     return totals;
 }
 
-double stressMilliseconds(const sherd::BreakEvent& blow) {
+double stressMilliseconds(const sherd::BlowEvent& blow) {
     return blow.ms.assemble + blow.ms.factor + blow.ms.solve;
 }
 

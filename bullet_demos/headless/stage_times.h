@@ -18,7 +18,7 @@ struct StageTotal {
 std::vector<StageTotal> stageTotals(const SceneRun& run);
 
 /// Assembling, factoring and solving of one blow.
-double stressMilliseconds(const sherd::BreakEvent& blow);
+double stressMilliseconds(const sherd::BlowEvent& blow);
 
 /// The middle value; 0 of nothing.
 double median(std::vector<double> values);

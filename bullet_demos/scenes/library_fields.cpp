@@ -24,9 +24,11 @@ void readSettings(Fields& body, sherd::Settings& settings, std::uint64_t seed) {
     const nlohmann::json* found = body.find("settings");
     nlohmann::json given = found ? *found : nlohmann::json::object();
     if (given.is_object()) {
-        nlohmann::json& fracture = given["fracture"];
-        if (fracture.is_null()) fracture = nlohmann::json::object();
-        if (fracture.is_object()) fracture.emplace("seed", seed);
+        for (const char* part : {"strength", "fracture"}) {
+            nlohmann::json& settings_part = given[part];
+            if (settings_part.is_null()) settings_part = nlohmann::json::object();
+            if (settings_part.is_object()) settings_part.emplace("seed", seed);
+        }
     }
     settings = valueOf(sherd::Settings::fromJson(given.dump(), body.pathOf("settings")));
 }

@@ -41,6 +41,7 @@ class BreakableAsset {
     // These, too, may be called from any thread.
     const TriangleMesh& surface() const;
     const Material& material() const;
+    const Settings& settings() const;
     int particleCount() const;  ///< samples the solid at the first call; 0 if that cannot be
     double mass() const;        ///< kg
     double volume() const;      ///< m^3

@@ -109,7 +109,7 @@ using IfFieldsOf = std::enable_if_t<std::is_same_v<std::remove_const_t<Self>, St
 
 // Each calls visit(const Field&, value&) for the fields in their order, where value is a double, an int, an
 // std::uint64_t, a bool, an std::string, a Vec3, an enum with enum_names, or another struct with fields.
-// Functions (FractureSettings::strength_field, GuideField::custom) are not among them.
+// Functions (StrengthSettings::field, GuideField::custom) are not among them.
 
 template <class Self, class Visitor>
 IfFieldsOf<Self, Material> visitFields(Self& m, Visitor&& visit) {
@@ -185,8 +185,18 @@ IfFieldsOf<Self, StressSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"resampling_margin", "how far a finer grid reaches beyond the loads",
                 Range::between(1, 6, "cells")},
           s.resampling_margin);
+    visit(Field{"resample_contacts", "whether blows in a world have finer grids around their contacts"},
+          s.resample_contacts);
     visit(Field{"support_radius", "radius of the supports of mls and gmls", support_radius_range},
           s.support_radius);
+}
+
+template <class Self, class Visitor>
+IfFieldsOf<Self, StrengthSettings> visitFields(Self& s, Visitor&& visit) {
+    visit(Field{"seed", "another seed, weak places elsewhere", Range::atLeast(0)}, s.seed);
+    visit(Field{"field_minimum", "what the strength field is nowhere below",
+                Range::positive().orSpecial(0, "not known")},
+          s.field_minimum);
 }
 
 template <class Self, class Visitor>
@@ -218,15 +228,11 @@ IfFieldsOf<Self, GuideField> visitFields(Self& g, Visitor&& visit) {
 
 template <class Self, class Visitor>
 IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
-    visit(Field{"seed", "another seed, another break", Range::atLeast(0)}, s.seed);
-    visit(Field{"strength_field_minimum", "what the strength field is nowhere below",
-                Range::positive().orSpecial(0, "not known")},
-          s.strength_field_minimum);
+    visit(Field{"seed", "another seed, cracks elsewhere", Range::atLeast(0)}, s.seed);
+    visit(Field{"contact", "how impulses become loads"}, s.contact);
     visit(Field{"damage_waves", "most solves of a blow, each without what is damaged by then",
                 Range::between(1, 20)},
           s.damage_waves);
-    visit(Field{"resample_contacts", "whether blows are solved on finer grids around their contacts"},
-          s.resample_contacts);
     visit(Field{"fragment_count", "pieces of the damaged part",
                 Range::atLeast(1).orSpecial(0, "what the strain energy pays for")},
           s.fragment_count);
@@ -254,7 +260,7 @@ template <class Self, class Visitor>
 IfFieldsOf<Self, Settings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"sampling", "how finely a solid is sampled"}, s.sampling);
     visit(Field{"stress", "how the stress problem is discretised"}, s.stress);
-    visit(Field{"contact", "how impulses become loads"}, s.contact);
+    visit(Field{"strength", "where a solid is strong and where weak"}, s.strength);
     visit(Field{"fracture", "how damaged material becomes fragments"}, s.fracture);
 }
 

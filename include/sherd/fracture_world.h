@@ -1,20 +1,47 @@
 #pragma once
 
 #include <LinearMath/btTransform.h>
+#include <sherd/body_options.h>
 #include <sherd/breakable_asset.h>
 #include <sherd/events.h>
+#include <sherd/fragment_birth.h>
+#include <sherd/push.h>
 
 #include <memory>
+#include <string>
 #include <vector>
 
-class btCompoundShape;
+#ifdef BT_USE_DOUBLE_PRECISION
+#error "Sherd works with Bullet in single precision only: do not define BT_USE_DOUBLE_PRECISION"
+#endif
+
 class btDiscreteDynamicsWorld;
 class btRigidBody;
 
 namespace sherd {
 
-/// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made and
-/// takes itself out when destroyed; the world must outlive it. Breaks happen inside `stepSimulation`.
+/// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made; the
+/// world must outlive it. Breaks happen inside `stepSimulation`, and inside `applyBlow`. Fragments inherit
+/// nearly all that the broken body had; fragment_birth.h has the list. The destructor removes and deletes the
+/// bodies that belong to this object, fragments included, removes the joints that hold them (the app goes on
+/// owning these), and takes Sherd out of the world.
+///
+/// Set the world's constraint solver first: a solver that is set later replaces Sherd's, and nothing breaks
+/// any more. `add` and `makeBreakable` then say so, as they do in a btDeformableMultiBodyDynamicsWorld, in
+/// which nothing can break.
+///
+/// Threads. A FractureWorld belongs to the thread that steps its world: make every call from there, or while
+/// no other thread steps or calls. Several worlds may be stepped on several threads, also with bodies of one
+/// asset. Assets and stress models belong to no thread: `BreakableAsset::fromObj`, `fromMesh`, `prepare` and
+/// all their other members may be called on any thread while worlds are stepped. An event that was taken is a
+/// value and may go to any thread; what its pointers lead to stays with the stepping thread. The functions
+/// of the settings (strength field, guide) are called in blows, on the thread that steps: with several worlds
+/// perhaps on several threads at once.
+///
+/// Inside a step, that is from a callback of Bullet's between the start of its collision detection and the
+/// end of its solver, and inside a FragmentCallback: `add` and `makeBreakable` are refused, `remove` and
+/// `applyBlow` wait for the end of the step, `takeEvents` gives the events of earlier steps, everything else
+/// works as always. Bullet's tick callbacks and actions are outside.
 class FractureWorld {
   public:
     explicit FractureWorld(btDiscreteDynamicsWorld* world);
@@ -23,37 +50,59 @@ class FractureWorld {
     FractureWorld& operator=(const FractureWorld&) = delete;
 
     /// Adds a body to the world: a btRigidBody with the shape that its settings ask for (a btCompoundShape,
-    /// or a btConvexHullShape for `CollisionShape::hull`), owned by this object. `start` places the origin of
-    /// the asset's own coordinates. Returns nullptr while the world is inside a step, or when the asset's
-    /// solid cannot be sampled; `lastError` says which.
-    btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
+    /// or a btConvexHullShape for `CollisionShape::hull`), owned by this object. The error says what is wrong
+    /// with the options, why the asset's solid cannot be sampled, or that the world is inside a step.
+    Result<btRigidBody*> add(const BreakableAsset& asset, const BodyOptions& options = {});
 
-    /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. The
-    /// app goes on owning it; when it breaks it is removed from the world. Its mass stays what it was. Remove
-    /// it from the world before you delete it.
-    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {});
+    /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. It has
+    /// to be dynamic and in this world. Its mass stays what it is, and the density follows from that, not
+    /// from the material. The app goes on owning it; when it breaks it is removed from the world. Remove it
+    /// from the world before you delete it. The error says what is wrong with the body, the material or the
+    /// settings.
+    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {},
+                         const BreakableOptions& options = {});
 
-    /// Takes a body that was made here (or a fragment) out of the world and deletes it.
+    /// Takes a body that was made here (or a fragment) out of the world and deletes it. A body of the app's
+    /// stays in the world, and is not breakable any more. Other bodies are left alone.
     void remove(btRigidBody* body);
 
-    /// Takes the blows that were solved since the last call, in order. Call it after every step or so: events
-    /// that are not taken are kept, and with them the bodies that broke.
-    std::vector<BreakEvent> events();
+    /// Strikes a breakable body of the world as a bullet, a blast or a hammer of the program's own would: the
+    /// same stress, strength, fragments and event as with a contact, and the impulse moves the body, or its
+    /// fragments as one. Outside a step the body breaks before this returns. Bodies that still rest from
+    /// their birth (FractureSettings::rest_after_break_s), and debris, are pushed only. The error says which
+    /// figure is out of range, or why the body cannot be struck.
+    Status applyBlow(btRigidBody* body, const Push& push);
+
+    /// The same with several pushes that act together.
+    Status applyBlow(btRigidBody* body, const std::vector<Push>& pushes);
+
+    /// Has every new fragment shown to the app; an empty function ends that.
+    void onFragment(FragmentCallback callback);
+
+    /// Takes the blows that were solved since the last call, in order. Events wait to be taken, up to 1000 of
+    /// them, and with them the bodies that broke; then the oldest are dropped, and counted in
+    /// `BlowCounts::events_dropped`.
+    std::vector<BlowEvent> takeEvents();
 
     BlowCounts counts() const;
 
-    /// The breakable bodies that are in the world now, fragments included.
+    /// The bodies made or made breakable here that are in the world now, fragments included, also those that
+    /// never break (Debris::unbreakable).
     std::vector<btRigidBody*> bodies() const;
 
-    /// The asset of a breakable body (fragments have one of their own), for its surface; nullptr for other
-    /// bodies.
+    /// The asset of a breakable body (fragments have one of their own), for its surface; valid for as long as
+    /// the body is breakable. nullptr for other bodies, and for one that broke: its event has the asset.
     const BreakableAsset* asset(const btRigidBody* body) const;
 
-    /// Maps the coordinates of `asset(body)->surface()` to the world, where the body is now.
+    /// The name that a breakable body was given or inherited; empty for other bodies.
+    std::string name(const btRigidBody* body) const;
+
+    /// Maps the coordinates of `asset(body)->surface()` to the world, where the body stands after the last
+    /// step (getWorldTransform, not interpolated). The identity for other bodies.
     btTransform assetTransform(const btRigidBody* body) const;
 
-    /// Why the last `add` returned nullptr.
-    const std::string& lastError() const;
+    /// The same where the body is to be drawn, by its motion state: Bullet moves that smoothly between steps.
+    btTransform renderTransform(const btRigidBody* body) const;
 
   private:
     class Impl;

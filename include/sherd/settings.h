@@ -81,9 +81,29 @@ struct StressSettings {
     int resampling_rounds = 2;
     /// How far a finer grid reaches beyond the loads, at least, in cells of the coarser grid.
     double resampling_margin = 2;
+    /// Whether blows in a world are resampled around their contacts as well. It sharpens the stress right at
+    /// the contact only, and takes longer than the rest of a blow. A StressModel always resamples.
+    bool resample_contacts = false;
     /// Radius of the supports of mls and gmls, in particle spacings. At 0 it is 1.4 for gmls, 2.2 for mls
     /// with a linear basis and 2.8 with a quadratic one.
     double support_radius = 0;
+
+    Status validate() const;
+};
+
+/// Where a solid is strong and where it is weak, beside what its material says.
+struct StrengthSettings {
+    /// Of the material's scatter from particle to particle.
+    std::uint64_t seed = 1;
+    /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's
+    /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
+    /// mesh. Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays
+    /// whole.
+    std::function<double(const Vec3& x)> field;
+    /// What `field` is nowhere below; 0: not known, and then weak blows are solved too. Where it is known, a
+    /// blow that is too weak for any place of the body is skipped. A smaller value of the field makes the
+    /// blow fail.
+    double field_minimum = 0;
 
     Status validate() const;
 };
@@ -147,27 +167,17 @@ enum class CollisionShape {
     convex_parts,
 };
 
-/// How damaged material becomes fragments.
+/// How a body breaks. Two bodies of one asset may differ in these; fragments have those of the body that
+/// they came from.
 struct FractureSettings {
-    /// Another seed, another break; the same seed, the same break bit for bit.
+    /// Of where cracks run. Another seed, another break; the same seeds, the same break bit for bit.
     std::uint64_t seed = 1;
-    /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's
-    /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
-    /// mesh. Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays
-    /// whole.
-    std::function<double(const Vec3& x)> strength_field;
-    /// What `strength_field` is nowhere below; 0: not known, and then weak blows are solved too. Where it is
-    /// known, a blow that is too weak for any place of the body is skipped. A smaller value of the field
-    /// makes the blow fail.
-    double strength_field_minimum = 0;
+    ContactSettings contact;
     /// How often the stress of a blow is solved at most, each time without the particles that are damaged by
     /// then, until no more are (paper, section 6.1). Spline trial functions only. By default the damage of
     /// the first solve counts: every further one takes as long as a first blow, and leaves the blow's energy
     /// to more damaged material, in fewer pieces.
     int damage_waves = 1;
-    /// Whether blows are resampled around their contacts, as often as the stress settings say. It sharpens
-    /// the stress right at the contact only, and takes longer than the rest of a blow.
-    bool resample_contacts = false;
     /// Clusters that the damaged part is split into; each undamaged part is one piece more. At 0 they are as
     /// many as the strain energy pays for.
     int fragment_count = 0;
@@ -198,7 +208,7 @@ enum class Quality {
     film,     ///< as right as fine finite elements
 };
 
-/// Everything that can be chosen about how a body breaks.
+/// What an asset is made with. All but `fracture` belongs to the asset, and all its bodies share it.
 struct Settings {
     /// The defaults with the sampling and the stress solve of a quality.
     static Settings forQuality(Quality quality);
@@ -223,7 +233,8 @@ struct Settings {
 
     SamplingSettings sampling;
     StressSettings stress;
-    ContactSettings contact;
+    StrengthSettings strength;
+    /// Of the bodies that are given none of their own (BodyOptions::fracture).
     FractureSettings fracture;
 
     /// The error says which field is out of range, and which values are possible.

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <sherd/body_options.h>
 #include <sherd/breakable_asset.h>
 #include <sherd/enum_names.h>
 #include <sherd/events.h>
+#include <sherd/explosion.h>
 #include <sherd/fields.h>
 #include <sherd/fracture_world.h>
+#include <sherd/fragment_birth.h>
 #include <sherd/material.h>
+#include <sherd/outcome.h>
+#include <sherd/push.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/strength_field.h>

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
 #include <unordered_set>
 
 namespace sherd {
@@ -50,7 +49,8 @@ template <class Pairs, class Visit>
 void forEachManifold(btDispatcher& dispatcher, Pairs& pairs, const Visit& visit) {
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        const auto found = pairs.find(std::minmax(manifold.getBody0(), manifold.getBody1()));
+        const auto found =
+            pairs.find(std::minmax(tokenOf(*manifold.getBody0()), tokenOf(*manifold.getBody1())));
         if (found != pairs.end()) visit(found->second, manifold);
     }
 }
@@ -64,36 +64,31 @@ void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btColl
         const btBroadphaseProxy *first = bounds[i].m_pProxy0, *second = bounds[i].m_pProxy1;
         if (!is_new.count(first->m_clientObject) && !is_new.count(second->m_clientObject)) continue;
         if (second->m_uniqueId < first->m_uniqueId) std::swap(first, second);
-        const auto* a = static_cast<const btCollisionObject*>(first->m_clientObject);
-        const auto* b = static_cast<const btCollisionObject*>(second->m_clientObject);
+        auto* a = static_cast<btCollisionObject*>(first->m_clientObject);
+        auto* b = static_cast<btCollisionObject*>(second->m_clientObject);
         // Penetration of a static body is not allowed: the fragment would stay inside the floor.
         if (a->isStaticOrKinematicObject() || b->isStaticOrKinematicObject()) continue;
+        const Key key = std::minmax(giveToken(*a), giveToken(*b));
+        if (key.first == no_token)
+            continue;  // an app uses its extension pointer: it cannot be told apart later
         Pair pair;
         pair.bodies[0] = a;
         pair.bodies[1] = b;
-        pair.proxies[0] = first->m_uniqueId;
-        pair.proxies[1] = second->m_uniqueId;
         pair.radius = radiusAboutOrigin(*b);
         pair.before = pair.now = relativePose(*a, *b);
-        pairs_.insert_or_assign(std::minmax(a, b), pair);
+        pairs_.insert_or_assign(key, pair);
     }
 }
 
 void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
-    // A body may have been deleted since the last step, so pointers are compared with those in the world
-    // before any is dereferenced.
-    std::unordered_map<const btCollisionObject*, int> proxy_of;
+    // A body may have been deleted since the last step. If its token is in the world, it is alive, and where
+    // it was.
+    std::unordered_set<BodyToken> in_world;
     const auto& objects = world.getCollisionObjectArray();
-    for (int i = 0; i < objects.size(); ++i)
-        proxy_of[objects[i]] = objects[i]->getBroadphaseHandle()->m_uniqueId;
-    const auto is_there = [&](const btCollisionObject* object, int proxy) {
-        const auto found = proxy_of.find(object);
-        return found != proxy_of.end() && found->second == proxy;
-    };
+    for (int i = 0; i < objects.size(); ++i) in_world.insert(tokenOf(*objects[i]));
     for (auto entry = pairs_.begin(); entry != pairs_.end();) {
-        const Pair& pair = entry->second;
-        const bool stays = is_there(pair.bodies[0], pair.proxies[0]) &&
-                           is_there(pair.bodies[1], pair.proxies[1]) &&
+        const auto& [key, pair] = *entry;
+        const bool stays = in_world.count(key.first) && in_world.count(key.second) &&
                            boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
         entry = stays ? std::next(entry) : pairs_.erase(entry);
     }

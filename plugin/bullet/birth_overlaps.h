@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "bullet/body_token.h"
+
 class btCollisionObject;
 class btDiscreteDynamicsWorld;
 class btPersistentManifold;
@@ -27,11 +29,8 @@ class BirthOverlaps {
 
   private:
     struct Pair {
-        const btCollisionObject* bodies[2] = {nullptr,
-                                              nullptr};  // in the order in which they were added to the world
-        int proxies[2] = {-1,
-                          -1};  // unique ids; Bullet gives a body a new one each time it is added to a world
-        btScalar radius = 0;    // of the second body about its origin
+        const btCollisionObject* bodies[2] = {nullptr, nullptr};  // in the order of their proxies
+        btScalar radius = 0;                                      // of the second body about its origin
         btTransform before,
             now;  // of the second body in the frame of the first, at the last update and at this one
         btScalar measured_m = 0;  // depth of the deepest contact now
@@ -39,7 +38,9 @@ class BirthOverlaps {
         btScalar depth_m = 0;   // measured depth, without changes that the motion cannot explain
         btScalar allowance_m = 0;  // the part of the depth that is allowed
     };
-    using Key = std::pair<const btCollisionObject*, const btCollisionObject*>;  // the lower address first
+    /// By what distinguishes the bodies, in the order in which they were given it: not by their addresses,
+    /// which differ from run to run, and may be those of other bodies later.
+    using Key = std::pair<BodyToken, BodyToken>;
 
     static void measure(Pair& pair, const btPersistentManifold& manifold);
     static void update(Pair& pair);

@@ -2,19 +2,34 @@
 
 #include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
-#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
-#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <algorithm>
 #include <unordered_set>
 
 #include "bullet/fragment_motion.h"
-#include "bullet/world_internals.h"
 
 namespace sherd {
 
 namespace {
+
+/// The factors hold along the axes of a body, and a piece has axes of its own: those of the whole, seen along
+/// them. Exact where the axes are parallel.
+void inheritAnisotropicFriction(const btRigidBody& parent, btRigidBody& piece) {
+    int mode = btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED;
+    for (const int flag : {int(btCollisionObject::CF_ANISOTROPIC_FRICTION),
+                           int(btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION)})
+        if (parent.hasAnisotropicFriction(flag)) mode |= flag;
+    if (mode == btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED) return;
+    const btMatrix3x3 turn =
+        parent.getWorldTransform().getBasis().transpose() * piece.getWorldTransform().getBasis();
+    btVector3 factors;
+    for (int axis = 0; axis < 3; ++axis) {
+        const btVector3 along = turn.getColumn(axis);
+        factors[axis] = (along * along).dot(parent.getAnisotropicFriction());
+    }
+    piece.setAnisotropicFriction(factors, mode);
+}
 
 void inheritSurface(const btRigidBody& parent, btRigidBody& piece) {
     piece.setFriction(parent.getFriction());
@@ -26,6 +41,7 @@ void inheritSurface(const btRigidBody& parent, btRigidBody& piece) {
         piece.setContactStiffnessAndDamping(parent.getContactStiffness(), parent.getContactDamping());
     piece.setContactProcessingThreshold(parent.getContactProcessingThreshold());
     piece.setCollisionFlags(parent.getCollisionFlags());
+    inheritAnisotropicFriction(parent, piece);
 }
 
 void inheritMotionRules(const btRigidBody& parent, btRigidBody& piece) {
@@ -48,63 +64,33 @@ void inheritAppData(btRigidBody& parent, btRigidBody& piece) {
     piece.setUserIndex(parent.getUserIndex());
     piece.setUserIndex2(parent.getUserIndex2());
     piece.setUserIndex3(parent.getUserIndex3());
-    for (int i = 0; i < parent.getNumObjectsWithoutCollision(); ++i)
-        piece.setIgnoreCollisionCheck(parent.getObjectWithoutCollision(i), true);
     btVector3 colour;
     if (parent.getCustomDebugColor(colour)) piece.setCustomDebugColor(colour);
-}
-
-/// The manifolds of Bullet's contact prediction belong to no collision pair, so removing the body leaves
-/// them.
-void releasePredictiveContacts(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
-    auto& manifolds = WorldInternals::predictiveManifolds(world);
-    for (int i = manifolds.size() - 1; i >= 0; --i) {
-        btPersistentManifold* manifold = manifolds[i];
-        if (manifold->getBody0() != &body && manifold->getBody1() != &body) continue;
-        manifolds.removeAtIndex(i);
-        world.getDispatcher()->releaseManifold(manifold);
-    }
-}
-
-void activateNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
-    btDispatcher& dispatcher = *world.getDispatcher();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-        if (a == &body) b->activate();
-        if (b == &body) a->activate();
-    }
-}
-
-std::vector<btTypedConstraint*> removeJoints(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
-    std::vector<btTypedConstraint*> removed;
-    for (int i = world.getNumConstraints() - 1; i >= 0; --i) {
-        btTypedConstraint* constraint = world.getConstraint(i);
-        if (&constraint->getRigidBodyA() != &body && &constraint->getRigidBodyB() != &body) continue;
-        constraint->getRigidBodyA().activate();
-        constraint->getRigidBodyB().activate();
-        world.removeConstraint(constraint);
-        removed.push_back(constraint);
-    }
-    std::reverse(removed.begin(), removed.end());
-    return removed;
 }
 
 }  // namespace
 
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
-                                                           const std::vector<Fragment>& fragments) {
+                                                           const std::vector<Fragment>& fragments,
+                                                           bool inside_step) {
     btRigidBody& whole = *parent.body;
     const double mass_scale = 1 / (whole.getInvMass() * parent.asset.mass());
     const btTransform world_from_asset = parent.placed(whole.getWorldTransform());
+    const btTransform drawn_from_asset = parent.placed(renderedTransform(whole));
+    const btBroadphaseProxy* proxy = whole.getBroadphaseHandle();
     std::vector<std::unique_ptr<Breakable>> pieces;
     std::vector<btRigidBody*> bodies;
     for (const Fragment& fragment : fragments) {
-        auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid));
-        piece->owned = makeRigidBody(*fragment.solid, fragment.boxes, mass_scale);
+        auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid), parent.fracture);
+        piece->owned =
+            makeRigidBody(*fragment.solid, parent.fracture->collision_shape, fragment.boxes, mass_scale);
         piece->body = piece->owned.body.get();
         piece->body_from_asset = principalFrame(fragment.solid->moments()).body_from_asset;
-        piece->body->setCenterOfMassTransform(world_from_asset * piece->body_from_asset.inverse());
+        const btTransform asset_from_body = piece->body_from_asset.inverse();
+        placeBody(piece->owned, world_from_asset * asset_from_body, drawn_from_asset * asset_from_body,
+                  piece->body_from_asset);
+        piece->name = parent.name;
+        if (proxy) piece->filter = {proxy->m_collisionFilterGroup, proxy->m_collisionFilterMask};
         inheritSurface(whole, *piece->body);
         inheritMotionRules(whole, *piece->body);
         inheritAppData(whole, *piece->body);
@@ -112,7 +98,7 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
         pieces.push_back(std::move(piece));
     }
     shareMotion(whole, bodies);
-    shareForces(whole, bodies);
+    shareForces(whole, bodies, inside_step);
     return pieces;
 }
 
@@ -133,20 +119,12 @@ double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::uniqu
     return mass;
 }
 
-std::vector<btTypedConstraint*> removeFromWorld(btDiscreteDynamicsWorld& world, btRigidBody& body) {
-    activateNeighbours(world, body);
-    std::vector<btTypedConstraint*> joints = removeJoints(world, body);
-    releasePredictiveContacts(world, body);
-    world.removeRigidBody(&body);
-    return joints;
-}
-
 void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_ptr<Breakable>>& fragments,
-                int group, int mask, btScalar time_step_s) {
+                btScalar time_step_s) {
     for (const auto& fragment : fragments) {
         btRigidBody& body = *fragment->body;
         const btVector3 own_gravity = body.getGravity();
-        world.addRigidBody(&body, group, mask);
+        world.addRigidBody(&body, fragment->filter.group, fragment->filter.mask);
         body.setGravity(own_gravity);  // adding a body sets it to the world's
         // Adding a body sets its bounds without the margin for contacts and without its motion in this step.
         body.predictIntegratedTransform(time_step_s, body.getInterpolationWorldTransform());
@@ -164,13 +142,23 @@ void findContactsOf(btDiscreteDynamicsWorld& world, const std::vector<btCollisio
                                                          world.getDispatcher());
         return;
     }
+    // The order of Bullet's pairs follows a tree that it sorts by addresses. That of the numbers that bodies
+    // have in the broadphase does not, and the order of contacts decides how a solve comes out.
+    using Proxies = std::pair<btBroadphaseProxy*, btBroadphaseProxy*>;
+    std::vector<Proxies> concerned;
     const std::unordered_set<const void*> is_new(new_bodies.begin(), new_bodies.end());
-    btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
-    for (int i = 0; i < pairs.size(); ++i) {
-        const bool concerned = is_new.count(pairs[i].m_pProxy0->m_clientObject) ||
-                               is_new.count(pairs[i].m_pProxy1->m_clientObject);
-        if (concerned) dispatcher->getNearCallback()(pairs[i], *dispatcher, world.getDispatchInfo());
-    }
+    const btBroadphasePairArray& pairs = world.getPairCache()->getOverlappingPairArray();
+    for (int i = 0; i < pairs.size(); ++i)
+        if (is_new.count(pairs[i].m_pProxy0->m_clientObject) ||
+            is_new.count(pairs[i].m_pProxy1->m_clientObject))
+            concerned.emplace_back(pairs[i].m_pProxy0, pairs[i].m_pProxy1);
+    std::sort(concerned.begin(), concerned.end(), [](const Proxies& a, const Proxies& b) {
+        return std::make_pair(a.first->m_uniqueId, a.second->m_uniqueId) <
+               std::make_pair(b.first->m_uniqueId, b.second->m_uniqueId);
+    });
+    for (const Proxies& proxies : concerned)
+        if (btBroadphasePair* pair = world.getPairCache()->findPair(proxies.first, proxies.second))
+            dispatcher->getNearCallback()(*pair, *dispatcher, world.getDispatchInfo());
 }
 
 }  // namespace sherd

@@ -17,8 +17,10 @@ namespace sherd {
 /// is, move with the rigid motion that has the parent's linear and angular momentum, and inherit everything
 /// that an app may have set on the parent: friction, restitution, damping, factors, flags, user pointer,
 /// sleeping thresholds, their share of the forces. The parent must have its state from before the solve.
+/// `inside_step`: the forces of this step were given to the parent already.
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
-                                                           const std::vector<Fragment>& fragments);
+                                                           const std::vector<Fragment>& fragments,
+                                                           bool inside_step);
 
 /// Difference between the momentum of a body and of its fragments, linear and angular (about the body's
 /// centre), relative to the sum of the fragments' own; the larger of the two.
@@ -27,14 +29,9 @@ double momentumError(const btRigidBody& parent, const std::vector<std::unique_pt
 /// Deletes the pieces whose fragments are dropped as debris; returns their mass, kg.
 double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::unique_ptr<Breakable>>& pieces);
 
-/// Removes a body from the world, and with it everything that would go on pointing to it: joints and
-/// predictive contacts. Activates the bodies that it touched or was joined to. Returns the joints, which the
-/// app owns.
-std::vector<btTypedConstraint*> removeFromWorld(btDiscreteDynamicsWorld& world, btRigidBody& body);
-
-/// Adds fragments to the world with a collision group and mask; `time_step_s` is that of the current step.
+/// Adds fragments, each with its own filter; `time_step_s` is that of the current step, 0 between steps.
 void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_ptr<Breakable>>& fragments,
-                int group, int mask, btScalar time_step_s);
+                btScalar time_step_s);
 
 /// Finds the contacts of bodies that were added to the world after this step's collision detection.
 void findContactsOf(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies);

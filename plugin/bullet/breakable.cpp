@@ -2,29 +2,39 @@
 
 #include <algorithm>
 
-namespace sherd {
+#include "bullet/joint_anchors.h"
+#include "fracture/debris.h"
 
-Identity Identity::of(const btRigidBody& body) {
-    const btBroadphaseProxy* proxy = body.getBroadphaseHandle();
-    return {proxy ? proxy->m_uniqueId : -1, body.getCollisionShape(), body.getInvMass()};
-}
+namespace sherd {
 
 namespace {
 
-/// Whether the object at the address of an app's body is a new one. A body that was removed and added again,
-/// or that was given another shape or mass while in the world, is still the same.
+/// Whether the object at the address of an app's body is a new one. Ours are alive as long as they are
+/// listed.
 bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
-    if (breakable.ownedHere()) return false;
-    const btRigidBody* body = btRigidBody::upcast(&object);
-    if (!body) return true;
-    const Identity now = Identity::of(*body), &then = breakable.identity;
-    return now.proxy != then.proxy && (now.shape != then.shape || now.inverse_mass != then.inverse_mass);
+    return !breakable.ownedHere() && tokenOf(object) != breakable.token;
 }
 
 }  // namespace
 
+bool Breakable::breaksAt(double time_s) const {
+    return time_s >= unbreakable_until_s && asset.solid()->moments().volume >= fracture->smallest_fragment_m3;
+}
+
+std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset& asset,
+                                                            FractureSettings fracture) {
+    fracture.smallest_fragment_m3 = smallestFragment(*asset.solid(), fracture);
+    return std::make_shared<const FractureSettings>(std::move(fracture));
+}
+
+Breakable::~Breakable() {
+    if (joined && ownedHere()) keepForJoints(std::move(owned.body));
+}
+
 Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
-    breakable->identity = Identity::of(*breakable->body);
+    const auto former = by_object_.find(breakable->body);
+    if (former != by_object_.end()) take(former->second->token);  // dead: two bodies never share an address
+    breakable->token = giveToken(*breakable->body);
     by_object_[breakable->body] = breakable.get();
     all_.push_back(std::move(breakable));
     return *all_.back();
@@ -35,13 +45,13 @@ Breakable* BreakableRegistry::find(const btCollisionObject* object) const {
     return found == by_object_.end() || isAnother(*object, *found->second) ? nullptr : found->second;
 }
 
-std::unique_ptr<Breakable> BreakableRegistry::take(const btCollisionObject* object) {
+std::unique_ptr<Breakable> BreakableRegistry::take(BodyToken token) {
     const auto entry = std::find_if(all_.begin(), all_.end(),
-                                    [&](const auto& breakable) { return breakable->body == object; });
+                                    [&](const auto& breakable) { return breakable->token == token; });
     if (entry == all_.end()) return nullptr;
     std::unique_ptr<Breakable> taken = std::move(*entry);
     all_.erase(entry);
-    by_object_.erase(object);
+    by_object_.erase(taken->body);
     return taken;
 }
 
@@ -49,10 +59,13 @@ void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObje
     for (const auto& breakable : all_) breakable->in_world = false;
     for (int i = 0; i < in_world.size(); ++i)
         if (Breakable* breakable = find(in_world[i])) breakable->in_world = true;
-    const auto gone = [](const auto& breakable) { return !breakable->in_world && !breakable->ownedHere(); };
-    for (const auto& breakable : all_)
-        if (gone(breakable)) by_object_.erase(breakable->body);
-    all_.erase(std::remove_if(all_.begin(), all_.end(), gone), all_.end());
+}
+
+void BreakableRegistry::dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world) {
+    for (int i = 0; i < in_world.size(); ++i) {
+        const auto found = by_object_.find(in_world[i]);
+        if (found != by_object_.end() && isAnother(*in_world[i], *found->second)) take(found->second->token);
+    }
 }
 
 }  // namespace sherd

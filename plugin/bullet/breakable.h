@@ -5,53 +5,77 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <unordered_map>
 #include <vector>
 
+#include "bullet/body_token.h"
 #include "bullet/rigid_body_factory.h"
 
 namespace sherd {
 
-/// Tells a body of the app's from another one that was created at its address later.
-struct Identity {
-    int proxy = -1;  ///< unique id; Bullet gives a body a new one each time it is added to a world
-    const btCollisionShape* shape = nullptr;
-    btScalar inverse_mass = 0;
-
-    static Identity of(const btRigidBody& body);
+/// Which bodies a body collides with; the defaults are Bullet's for bodies that move.
+struct CollisionFilter {
+    int group = btBroadphaseProxy::DefaultFilter;
+    int mask = btBroadphaseProxy::AllFilter;
 };
 
 /// A body that can break, with its asset.
 struct Breakable {
-    explicit Breakable(const BreakableAsset& its_asset) : asset(its_asset) {}
+    Breakable(const BreakableAsset& its_asset, std::shared_ptr<const FractureSettings> its_fracture)
+        : asset(its_asset), fracture(std::move(its_fracture)) {}
+    /// Keeps what joints of the app's need of the body.
+    ~Breakable();
+    Breakable(const Breakable&) = delete;
+    Breakable& operator=(const Breakable&) = delete;
 
     btRigidBody* body = nullptr;  ///< may be dangling if the app owns it and `in_world` is false: compare
                                   ///< only, never dereference
     BreakableAsset asset;
+    std::shared_ptr<const FractureSettings> fracture;  ///< how it breaks; shared with its fragments
     btTransform body_from_asset = btTransform::getIdentity();
-    OwnedBody owned;  ///< empty when the app owns the body
+    std::string name;
+    std::optional<std::uint64_t> seed;  ///< given by the app, or derived from that of the body it was part of
+    CollisionFilter filter;             ///< with which a fragment enters the world
+    OwnedBody owned;                    ///< empty when the app owns the body
     std::uint64_t serial =
         0;  ///< counts the bodies of this world in the order in which they became breakable
     double unbreakable_until_s = 0;  ///< simulated time
     bool in_world = true;            ///< at the last syncWithWorld
-    Identity identity;               ///< of an app's body, when it was made breakable
+    BodyToken token = no_token;      ///< tells `body` from a new one at its address
+    bool is_fragment = false;        ///< made by a break in this world
+    bool joined = false;             ///< joints of the app's referred to the body when it was removed
 
     bool ownedHere() const { return owned.body != nullptr; }
     /// The map from the asset's frame to the world, for a body that stands at `world_transform`.
     btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
+    /// An app may make a body static at any time.
+    bool isDynamic() const { return !body->isStaticOrKinematicObject() && body->getInvMass() > 0; }
+    /// Whether it may break at that simulated time: neither debris nor just born.
+    bool breaksAt(double time_s) const;
 };
+
+/// What a body is to break by that is the first of its line: the smallest fragment is filled in where it is
+/// left open.
+std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset& asset,
+                                                            FractureSettings fracture);
 
 /// The breakable bodies of one world, in the order in which they became breakable.
 class BreakableRegistry {
   public:
+    /// The body can be given a token.
     Breakable& add(std::unique_ptr<Breakable> breakable);
-    /// `object` is alive.
+    /// `object` is alive, or was never an app's body that is breakable.
     Breakable* find(const btCollisionObject* object) const;
     /// Removes and returns an entry; nullptr for other bodies.
-    std::unique_ptr<Breakable> take(const btCollisionObject* object);
-    /// Updates `in_world` of every entry. Bodies that the app removed from the world are dropped if the app
-    /// owns them (they may be dead), and kept if they are ours.
+    std::unique_ptr<Breakable> take(BodyToken token);
+    /// Updates `in_world` of every entry. A body that the app removed from the world stays breakable, for
+    /// when it comes back.
     void syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world);
+    /// Drops the entries of the app's bodies that are dead for sure: another body is at their address. For
+    /// between steps.
+    void dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world);
 
     const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
 

@@ -69,6 +69,10 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
 
 }  // namespace
 
+BodyState stateOf(const btRigidBody& body) {
+    return {&body, body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity()};
+}
+
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
                                    double time_s, const btContactSolverInfo& info)
     : breakables_(breakables),
@@ -106,16 +110,16 @@ void ContactCollector::addSide(const Side& own, const Side& other, btScalar norm
 
 StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
     const auto [place, is_new] = place_in_struck_.try_emplace(&breakable, struck_.size());
-    if (is_new) struck_.emplace_back().breakable = &breakable;
+    if (is_new) {
+        const BodyState* state = before_.find(breakable.body);
+        struck_.emplace_back().breakable = &breakable;
+        struck_.back().before = state ? *state : stateOf(*breakable.body);
+    }
     return struck_[place->second];
 }
 
 bool ContactCollector::listens(const Breakable& breakable) const {
-    const BreakableSolid& solid = *breakable.asset.solid();
-    // An app may have nailed the body down since it was made breakable.
-    const bool moves = !breakable.body->isStaticOrKinematicObject() && breakable.body->getInvMass() > 0;
-    return moves && breakable.body->isActive() && time_s_ >= breakable.unbreakable_until_s &&
-           solid.moments().volume >= solid.smallestFragment();
+    return breakable.isDynamic() && breakable.body->isActive() && breakable.breaksAt(time_s_);
 }
 
 ContactImpulse ContactCollector::contactOn(const Breakable& breakable, const Side& own,

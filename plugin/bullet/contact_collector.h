@@ -17,11 +17,15 @@ namespace sherd {
 /// A breakable body and what a solved step did to it.
 struct StruckBreakable {
     Breakable* breakable = nullptr;
+    BodyState before;              ///< the solve, or the applied blow
     Blow blow;                     ///< asset frame
     Vec3 position = Vec3::Zero();  ///< of the hardest contact, world frame, m
     Vec3 normal = Vec3::Zero();    ///< direction in which the body was pushed there, world frame
     double impulse_n_s = 0;        ///< normal impulse there
 };
+
+/// The state of a body as it is now.
+BodyState stateOf(const btRigidBody& body);
 
 /// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds

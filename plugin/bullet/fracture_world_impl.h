@@ -3,76 +3,115 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <sherd/fracture_world.h>
 
-#include <string>
+#include <deque>
 #include <vector>
 
 #include "bullet/birth_overlaps.h"
 #include "bullet/breakable.h"
 #include "bullet/contact_collector.h"
+#include "bullet/continuous_collision.h"
+#include "bullet/event_queue.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
 #include "bullet/solver_decorator.h"
+#include "bullet/step_phase.h"
 #include "fracture/pipeline.h"
 
 namespace sherd {
 
 /// The state of a FractureWorld and its part of a step: collect the contacts, evaluate the blows, swap broken
 /// bodies for their fragments, solve the islands concerned once more.
-class FractureWorld::Impl final : public StepListener {
+class FractureWorld::Impl final : public StepListener, public IntegrationListener {
   public:
     explicit Impl(btDiscreteDynamicsWorld& world);
     ~Impl() override;
+    /// Destroys it, inside a step at the end of that: until then Bullet goes on using the solver and the
+    /// bodies.
+    static void release(std::unique_ptr<Impl> impl);
+    void deleteIfReleased();
 
-    // Between steps.
-    btRigidBody* add(const BreakableAsset& asset, const btTransform& start);
-    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings);
+    // Called by the app.
+    Result<btRigidBody*> add(const BreakableAsset& asset, const BodyOptions& options);
+    Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings,
+                         const BreakableOptions& options);
     void remove(btRigidBody* body);
-    std::vector<BreakEvent> takeEvents();
+    Status applyBlow(btRigidBody* body, const std::vector<Push>& pushes);
+    void onFragment(FragmentCallback callback) { on_fragment_ = std::move(callback); }
+    std::vector<BlowEvent> takeEvents() { return events_.take(insideStep()); }
     std::vector<btRigidBody*> bodies();
     const BreakableRegistry& breakables() const { return breakables_; }
-    const BlowCounts& counts() const { return counts_; }
-    const std::string& lastError() const { return last_error_; }
+    BlowCounts counts() const;
 
     // Inside a step.
     void beforeSolve() override;
     void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+    void afterIntegration() override;
 
   private:
     /// A body that broke, to be swapped for its fragments.
     struct Break {
         btRigidBody* body = nullptr;
         BlowOutcome outcome;
-        std::size_t event = 0;  // in events_
+        std::size_t event = 0;  // in current_
+    };
+    /// A blow of the app's, from inside a step.
+    struct QueuedBlow {
+        std::uint64_t serial = 0;           // of the body
+        const btRigidBody* body = nullptr;  // may be dead: compared only
+        std::vector<Push> pushes;
+    };
+    /// A body that the app wants removed.
+    struct Removal {
+        btRigidBody* body = nullptr;
+        BodyToken token = no_token;
     };
 
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck);
+    std::vector<StruckBreakable> struck(const btContactSolverInfo& info) const;
+    void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
+    bool isFragment(const btCollisionObject& object) const;
     void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
-    void resolveIslands(std::vector<Break>& breaks, const btContactSolverInfo& info, btIDebugDraw* drawer);
+    std::vector<const btCollisionObject*> resolveIslands(std::vector<Break>& breaks,
+                                                         const std::vector<btRigidBody*>& swept, bool last,
+                                                         const btContactSolverInfo& info,
+                                                         btIDebugDraw* drawer);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
     std::uint64_t seedOf(const Breakable& breakable) const;
+    void finish(btScalar time_step_s);
+    void endIntegration();
+    void removeRequested();
+    void carryOut(const QueuedBlow& blow, btScalar time_step_s);
+    Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
-    Status refusal(const btRigidBody* body) const;
-    bool insideStep() const;
-    void markStepDone();
-    void removeNow(btRigidBody* body);
+    Status checkHook() const;
+    Status refusal(btRigidBody* body) const;
+    bool insideStep() const { return isInsideStep(world_); }
+    bool isToBeRemoved(const Breakable& breakable) const;
+    BodyToken tokenToRemove(const btRigidBody* body) const;
+    void removeNow(const Removal& removal);
 
     btDiscreteDynamicsWorld& world_;
     BreakableRegistry breakables_;
     BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
+    SweepExceptions sweep_exceptions_;
     bool any_breakable_ = false;  // a breakable body is in the world; set before each solve
     double time_s_ = 0;           // simulated since the hook was set
     std::uint64_t next_serial_ = 0;
-    std::vector<BreakEvent> events_;
+    std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
+    EventQueue events_;
     BlowCounts counts_;
-    std::string last_error_;
-    std::vector<btRigidBody*> to_remove_;  // requested inside a step, removed at its end
-    // Broken bodies are removed from the world and kept alive until their event is taken; after that, and
-    // after a removal, until the next solve, since contacts of the current step may still point to them.
-    std::vector<std::unique_ptr<Breakable>> broken_;
+    FragmentCallback on_fragment_;
+    std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
+    std::deque<QueuedBlow> blows_;   // the same
+    bool released_ = false;          // inside a step: to be destroyed at its end
+    bool integrating_ = false;       // the step's positions are not integrated yet
+    bool world_calls_actions_ = true;
+    // Removed bodies stay alive until the next solve: contacts of the current step may still point to them.
     std::vector<std::unique_ptr<Breakable>> to_delete_;
     SolverDecorator decorator_;
+    IntegrationHook integration_hook_;
 };
 
 }  // namespace sherd

@@ -65,19 +65,21 @@ void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
     for (btRigidBody* piece : pieces) {
         piece->setLinearVelocity(toBullet(Vec3(velocity + common_spin.cross(centreOf(*piece) - all.centre))));
         piece->setAngularVelocity(toBullet(common_spin));
-        piece->setInterpolationLinearVelocity(piece->getLinearVelocity());
-        piece->setInterpolationAngularVelocity(piece->getAngularVelocity());
+        // Until the next step the pieces are drawn as they moved when they were one body.
+        const btVector3 spin_drawn = whole.getInterpolationAngularVelocity();
+        const btVector3 arm = piece->getCenterOfMassPosition() - whole.getCenterOfMassPosition();
+        piece->setInterpolationLinearVelocity(whole.getInterpolationLinearVelocity() + spin_drawn.cross(arm));
+        piece->setInterpolationAngularVelocity(spin_drawn);
     }
 }
 
-void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
+void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces, bool gravity_if_none) {
     const Vec3 force = fromBullet(whole.getTotalForce()), torque = fromBullet(whole.getTotalTorque());
     // Bullet applies no gravity to a body that sleeps when the step begins. Its fragments are active and get
     // theirs.
-    const bool given_gravity = force.norm() > 0 || torque.norm() > 0;
-    const Vec3 acceleration = given_gravity
-                                  ? unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()))
-                                  : fromBullet(whole.getGravity());
+    const bool slept = gravity_if_none && force.norm() == 0 && torque.norm() == 0;
+    const Vec3 acceleration = slept ? fromBullet(whole.getGravity())
+                                    : unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()));
     const Vec3 turning =
         fromBullet(whole.getInvInertiaTensorWorld()) * unscaled(torque, fromBullet(whole.getAngularFactor()));
     for (btRigidBody* piece : pieces) {

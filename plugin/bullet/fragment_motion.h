@@ -13,8 +13,9 @@ namespace sherd {
 void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
 /// Distributes the forces and torques that the solve will apply (gravity and the app's own), such that all
-/// pieces accelerate as parts of the rigid whole.
-void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
+/// pieces accelerate as parts of the rigid whole. `gravity_if_none`: inside a step, where a body without any
+/// force is one that slept, and got no gravity.
+void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces, bool gravity_if_none);
 
 /// Difference of linear and angular momentum (about the centre of the whole) between the whole and the
 /// pieces, relative to the sum of the magnitudes of the pieces' own; the larger of the two.

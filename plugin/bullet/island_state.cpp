@@ -24,31 +24,29 @@ const Entry* lookUp(const std::vector<Entry>& entries, int likely_index, const S
     return found == entries.end() ? nullptr : &*found;
 }
 
+/// Without the fourth number, which may be anything.
+bool samePlace(const btVector3& a, const btVector3& b) {
+    return a.x() == b.x() && a.y() == b.y() && a.z() == b.z();
+}
+
 }  // namespace
 
 void StepSnapshot::take(btDiscreteDynamicsWorld& world) {
     bodies_.clear();
+    proxies_.clear();
     const auto& objects = world.getCollisionObjectArray();
-    for (int i = 0; i < objects.size(); ++i) {
-        BodyState state;
-        state.object = objects[i];
-        state.transform = objects[i]->getWorldTransform();
-        if (const btRigidBody* body = btRigidBody::upcast(objects[i])) {
-            state.linear = body->getLinearVelocity();
-            state.angular = body->getAngularVelocity();
-        }
-        bodies_.push_back(state);
-    }
+    for (int i = 0; i < objects.size(); ++i) addBody(*objects[i]);
     manifolds_.clear();
     points_.clear();
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
-        manifolds_.push_back({manifold, points_.size(), manifold->getNumContacts()});
+        manifolds_.push_back({manifold, manifold->getBody0(), manifold->getBody1(), points_.size(),
+                              manifold->getNumContacts()});
         for (int p = 0; p < manifold->getNumContacts(); ++p) {
             const btManifoldPoint& point = manifold->getContactPoint(p);
-            points_.push_back(
-                {point.m_appliedImpulse, point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2});
+            points_.push_back({point.m_localPointA, point.m_localPointB, point.m_appliedImpulse,
+                               point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2});
         }
     }
     constraints_.clear();
@@ -59,9 +57,28 @@ void StepSnapshot::take(btDiscreteDynamicsWorld& world) {
     }
 }
 
+void StepSnapshot::add(const std::vector<btCollisionObject*>& objects) {
+    for (const btCollisionObject* object : objects) addBody(*object);
+}
+
+void StepSnapshot::addBody(const btCollisionObject& object) {
+    BodyState state;
+    state.object = &object;
+    state.transform = object.getWorldTransform();
+    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
+        state.linear = body->getLinearVelocity();
+        state.angular = body->getAngularVelocity();
+    }
+    bodies_.push_back(state);
+    proxies_.push_back(object.getBroadphaseHandle()->m_uniqueId);
+}
+
 const BodyState* StepSnapshot::find(const btCollisionObject* object) const {
-    return lookUp(bodies_, object->getWorldArrayIndex(),
-                  [&](const BodyState& state) { return state.object == object; });
+    const BodyState* state = lookUp(bodies_, object->getWorldArrayIndex(),
+                                    [&](const BodyState& entry) { return entry.object == object; });
+    const btBroadphaseProxy* proxy = object->getBroadphaseHandle();
+    const bool same = state && proxy && proxies_[state - bodies_.data()] == proxy->m_uniqueId;
+    return same ? state : nullptr;
 }
 
 void StepSnapshot::restore(const Island& island) const {
@@ -80,16 +97,27 @@ void StepSnapshot::restore(const Island& island) const {
 
 void StepSnapshot::restorePoints(btPersistentManifold& manifold) const {
     const ManifoldState* state = lookUp(manifolds_, manifold.m_index1a, [&](const ManifoldState& entry) {
-        return entry.manifold == &manifold;
+        return entry.manifold == &manifold && entry.body_a == manifold.getBody0() &&
+               entry.body_b == manifold.getBody1();
     });
-    if (!state) return;
-    for (int p = 0; p < std::min(state->point_count, manifold.getNumContacts()); ++p) {
-        const PointImpulses& impulses = points_[state->first_point + p];
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
         btManifoldPoint& point = manifold.getContactPoint(p);
+        const PointImpulses* known = state ? find(*state, p, point) : nullptr;
+        const PointImpulses impulses = known ? *known : PointImpulses{};
         point.m_appliedImpulse = impulses.normal;
         point.m_appliedImpulseLateral1 = impulses.lateral_1;
         point.m_appliedImpulseLateral2 = impulses.lateral_2;
     }
+}
+
+const StepSnapshot::PointImpulses* StepSnapshot::find(const ManifoldState& state, int likely_place,
+                                                      const btManifoldPoint& point) const {
+    for (int i = 0; i < state.point_count; ++i) {
+        const PointImpulses& entry = points_[state.first_point + (likely_place + i) % state.point_count];
+        if (samePlace(entry.local_a, point.m_localPointA) && samePlace(entry.local_b, point.m_localPointB))
+            return &entry;
+    }
+    return nullptr;
 }
 
 void StepSnapshot::restoreConstraint(btTypedConstraint& constraint) const {

@@ -10,6 +10,7 @@ class btDiscreteDynamicsWorld;
 class btIDebugDraw;
 class btMultiBody;
 class btMultiBodyConstraint;
+class btManifoldPoint;
 class btPersistentManifold;
 class btTypedConstraint;
 struct btContactSolverInfo;
@@ -41,19 +42,25 @@ struct Island {
 class StepSnapshot {
   public:
     void take(btDiscreteDynamicsWorld& world);
-    /// nullptr for objects that were not in the world, or cannot move.
+    /// Adds bodies that came into the world since, as they stand and move now.
+    void add(const std::vector<btCollisionObject*>& objects);
+    /// nullptr for objects that were not in the world then, nor added.
     const BodyState* find(const btCollisionObject* object) const;
     /// Resets an island to its state before the solve: velocities, transforms (split impulses change them),
     /// the impulses for warm starting, joints that the solve broke, and the pending velocities of
-    /// multi-bodies.
+    /// multi-bodies. Contacts that are new since have no impulses.
     void restore(const Island& island) const;
 
   private:
     struct PointImpulses {
-        btScalar normal, lateral_1, lateral_2;
+        btVector3 local_a, local_b;  // of the point: the manifold may hold others since, in another order
+        btScalar normal = 0, lateral_1 = 0, lateral_2 = 0;
     };
+    /// Manifolds come from a pool: one that was made since may have the address of one that is gone, but not
+    /// its bodies.
     struct ManifoldState {
         const btPersistentManifold* manifold;
+        const btCollisionObject *body_a, *body_b;
         std::size_t first_point;
         int point_count;
     };
@@ -62,10 +69,14 @@ class StepSnapshot {
         bool enabled;
         btScalar applied_impulse;
     };
+    void addBody(const btCollisionObject& object);
     void restorePoints(btPersistentManifold& manifold) const;
+    const PointImpulses* find(const ManifoldState& state, int likely_place,
+                              const btManifoldPoint& point) const;
     void restoreConstraint(btTypedConstraint& constraint) const;
 
     std::vector<BodyState> bodies_;         // in the order of the world's array of objects
+    std::vector<int> proxies_;              // of these: unique ids, which no object gets that is added since
     std::vector<ManifoldState> manifolds_;  // in the order of the dispatcher's array
     std::vector<PointImpulses> points_;
     std::vector<ConstraintState> constraints_;

@@ -6,7 +6,10 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 #include <BulletDynamics/Featherstone/btMultiBodyLinkCollider.h>
 
+#include <algorithm>
 #include <vector>
+
+#include "bullet/other_joints.h"
 
 namespace sherd {
 
@@ -30,6 +33,15 @@ const btCollisionObject* anyCollider(const btMultiBody* multi_body) {
     return colliders.empty() ? nullptr : colliders.front();
 }
 
+/// One object of each multi-body, and each rigid body, that a constraint holds.
+std::vector<const btCollisionObject*> endsOf(btMultiBodyConstraint& constraint) {
+    std::vector<const btCollisionObject*> ends;
+    for (const btMultiBody* multi_body : {constraint.getMultiBodyA(), constraint.getMultiBodyB()})
+        if (const btCollisionObject* collider = anyCollider(multi_body)) ends.push_back(collider);
+    for (const btRigidBody* body : rigidBodiesOf(constraint)) ends.push_back(body);
+    return ends;
+}
+
 }  // namespace
 
 void forEachMultiBodyJoint(
@@ -42,10 +54,8 @@ void forEachMultiBodyJoint(
         for (std::size_t c = 1; c < colliders.size(); ++c) visit(*colliders[0], *colliders[c]);
     }
     for (int i = 0; i < multi_world->getNumMultiBodyConstraints(); ++i) {
-        btMultiBodyConstraint& constraint = *multi_world->getMultiBodyConstraint(i);
-        const btCollisionObject* a = anyCollider(constraint.getMultiBodyA());
-        const btCollisionObject* b = anyCollider(constraint.getMultiBodyB());
-        if (a && b) visit(*a, *b);
+        const auto ends = endsOf(*multi_world->getMultiBodyConstraint(i));
+        for (std::size_t e = 1; e < ends.size(); ++e) visit(*ends[0], *ends[e]);
     }
 }
 
@@ -61,7 +71,8 @@ void addMultiBodies(btDiscreteDynamicsWorld& world,
         if (has(multi_world->getMultiBody(i))) island.multi_bodies.push_back(multi_world->getMultiBody(i));
     for (int i = 0; i < multi_world->getNumMultiBodyConstraints(); ++i) {
         btMultiBodyConstraint* constraint = multi_world->getMultiBodyConstraint(i);
-        if (has(constraint->getMultiBodyA()) || has(constraint->getMultiBodyB()))
+        const auto ends = endsOf(*constraint);
+        if (std::any_of(ends.begin(), ends.end(), [&](const auto* end) { return inside(*end); }))
             island.multi_body_constraints.push_back(constraint);
     }
 }

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexHullShape.h>
+#include <LinearMath/btDefaultMotionState.h>
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
@@ -122,9 +123,8 @@ PrincipalFrame principalFrame(const Moments& moments) {
     return frame;
 }
 
-OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
+OwnedShape makeShape(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
                      const btTransform& body_from_asset) {
-    const CollisionShape wanted = solid.settings().fracture.collision_shape;
     if (wanted == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
     const TriangleMesh surface = placed(solid.surface(), body_from_asset);
     OwnedShape owned = wanted == CollisionShape::convex_parts
@@ -136,16 +136,31 @@ OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
     return owned;
 }
 
-OwnedBody makeRigidBody(const BreakableSolid& solid, const std::vector<Box>& boxes, double mass_scale) {
+OwnedBody makeRigidBody(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+                        double mass_scale) {
     const PrincipalFrame frame = principalFrame(solid.moments());
     const double density = mass_scale * solid.material().density_kg_m3;
     OwnedBody owned;
-    owned.shape = makeShape(solid, boxes, frame.body_from_asset);
+    owned.shape = makeShape(solid, wanted, boxes, frame.body_from_asset);
     const btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass_scale * solid.mass()),
                                                         nullptr, owned.shape.shape.get(),
                                                         toBullet(Vec3(density * frame.inertia)));
     owned.body = std::make_unique<btRigidBody>(info);
     return owned;
+}
+
+void placeBody(OwnedBody& owned, const btTransform& place, const btTransform& drawn,
+               const btTransform& body_from_asset) {
+    owned.motion_state = std::make_unique<btDefaultMotionState>(drawn * body_from_asset, body_from_asset);
+    // This moves the body to where the motion state says, up to rounding.
+    owned.body->setMotionState(owned.motion_state.get());
+    owned.body->setCenterOfMassTransform(place);
+}
+
+btTransform renderedTransform(const btRigidBody& body) {
+    btTransform drawn = body.getWorldTransform();
+    if (const btMotionState* motion_state = body.getMotionState()) motion_state->getWorldTransform(drawn);
+    return drawn;
 }
 
 }  // namespace sherd

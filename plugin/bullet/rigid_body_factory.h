@@ -20,9 +20,10 @@ struct OwnedShape {
     std::unique_ptr<btCollisionShape> shape;
 };
 
-/// A rigid body with its shape.
+/// A rigid body with its shape and its motion state.
 struct OwnedBody {
     OwnedShape shape;
+    std::unique_ptr<btMotionState> motion_state;
     std::unique_ptr<btRigidBody> body;
 };
 
@@ -33,12 +34,21 @@ struct PrincipalFrame {
 };
 PrincipalFrame principalFrame(const Moments& moments);
 
-/// The shape that the solid's settings ask for, in the body's frame; `boxes` are in the asset's. Without
-/// boxes it falls back to the hull of the surface, and with a hull that is flat to the boxes.
-OwnedShape makeShape(const BreakableSolid& solid, const std::vector<Box>& boxes,
+/// The wanted shape, in the body's frame; `boxes` are in the asset's. Without boxes it falls back to the hull
+/// of the surface, and with a hull that is flat to the boxes.
+OwnedShape makeShape(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
                      const btTransform& body_from_asset);
 
 /// A rigid body of the solid's mass times `mass_scale`, at the world's origin, not in a world yet.
-OwnedBody makeRigidBody(const BreakableSolid& solid, const std::vector<Box>& boxes, double mass_scale = 1);
+OwnedBody makeRigidBody(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+                        double mass_scale = 1);
+
+/// Puts the body to `place` and gives it a motion state of its own, in which its centre of mass is drawn at
+/// `drawn`: `m_graphicsWorldTrans` is where to draw the asset.
+void placeBody(OwnedBody& owned, const btTransform& place, const btTransform& drawn,
+               const btTransform& body_from_asset);
+
+/// Where the motion state of a body draws its centre of mass; without one, where the body is.
+btTransform renderedTransform(const btRigidBody& body);
 
 }  // namespace sherd

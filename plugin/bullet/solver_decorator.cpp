@@ -37,6 +37,13 @@ SolverDecorator::~SolverDecorator() {
     }
 }
 
+bool SolverDecorator::inPlace() const {
+    for (auto* solver = dynamic_cast<SolverDecorator*>(world_.getConstraintSolver()); solver;
+         solver = dynamic_cast<SolverDecorator*>(solver->inner_))
+        if (solver == this) return true;
+    return false;
+}
+
 void SolverDecorator::prepareSolve(int body_count, int manifold_count) {
     listener_.beforeSolve();
     inner_->prepareSolve(body_count, manifold_count);

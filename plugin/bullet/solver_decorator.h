@@ -27,6 +27,8 @@ class SolverDecorator final : public btConstraintSolver {
     SolverDecorator& operator=(const SolverDecorator&) = delete;
 
     btConstraintSolver& inner() const { return *inner_; }
+    /// Whether the world still solves with this one, perhaps from within other decorators of the same kind.
+    bool inPlace() const;
 
     void prepareSolve(int body_count, int manifold_count) override;
     btScalar solveGroup(btCollisionObject** bodies, int body_count, btPersistentManifold** manifolds,

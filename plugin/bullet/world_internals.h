@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 namespace sherd {
 
@@ -15,6 +16,15 @@ class WorldInternals : private btDiscreteDynamicsWorld {
     static btAlignedObjectArray<btPersistentManifold*>& predictiveManifolds(btDiscreteDynamicsWorld& world) {
         return world.*(&WorldInternals::m_predictiveManifolds);
     }
+    static btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world) {
+        return world.*(&WorldInternals::m_actions);
+    }
 };
+
+/// Compares pointers only: the body may be dead.
+inline bool isInWorld(const btDiscreteDynamicsWorld& world, const btRigidBody* body) {
+    const auto& objects = world.getCollisionObjectArray();
+    return objects.findLinearSearch(const_cast<btRigidBody*>(body)) != objects.size();
+}
 
 }  // namespace sherd

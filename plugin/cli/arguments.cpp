@@ -72,11 +72,12 @@ struct Overrides {
         for (std::size_t i = 0; i < short_options.size(); ++i)
             if (values[i]) changes.push_back(short_options[i].path + ("=" + *values[i]));
         for (const std::string& assignment : assignments) {
-            if (assignment.rfind("contact", 0) == 0 || assignment.rfind("fracture", 0) == 0)
+            const auto begins = [&](const char* path) { return assignment.rfind(path, 0) == 0; };
+            if (begins("strength") || begins("fracture") || begins("stress.resample_contacts"))
                 return Error{
                     "'" + assignment +
-                    "' changes nothing here: the stress under given loads has settings in sampling and "
-                    "stress alone."};
+                    "' changes nothing here: it is about blows in a world. The stress under given loads has "
+                    "settings in sampling and stress."};
             changes.push_back(assignment);
         }
         return settings.set(changes);

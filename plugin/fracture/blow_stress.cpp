@@ -19,7 +19,7 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& s
                               const ContactLoads& loads, StageTimes& ms) {
     Result<StressField> unit = unitStress(struck, solver, loads.unit, ms);
     if (!unit) return Error{unit.error()};
-    const ContactSettings& contact = struck.solid.settings().contact;
+    const ContactSettings& contact = struck.fracture.contact;
     BlowStress stress;
     stress.unit = std::move(unit).value();
     stress.pulse = contactPulse(loads.hertz_force_n, stress.unit.strain_energy_j, loads.mass_kg,

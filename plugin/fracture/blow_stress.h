@@ -1,6 +1,6 @@
 #pragma once
 
-#include <sherd/events.h>
+#include <sherd/outcome.h>
 #include <sherd/result.h>
 #include <sherd/stress_field.h>
 

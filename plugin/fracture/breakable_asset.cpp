@@ -38,6 +38,9 @@ const TriangleMesh& BreakableAsset::surface() const {
 const Material& BreakableAsset::material() const {
     return solid_->material();
 }
+const Settings& BreakableAsset::settings() const {
+    return solid_->settings();
+}
 double BreakableAsset::mass() const {
     return solid_->mass();
 }

@@ -15,9 +15,6 @@ namespace sherd {
 
 namespace {
 
-constexpr double smallest_fragment_share =
-    1.0 / 200;  // of the first body's volume, when the settings do not say
-
 double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
     double squared = 0;
     for (const Vec3& v : surface.vertices) squared = std::max(squared, (v - centre).squaredNorm());
@@ -64,8 +61,6 @@ Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh 
     const Result<double> spacing = spacingOfSolid(solid->surface_, settings, volume, solid->wall_thickness_);
     if (!spacing) return Error{spacing.error()};
     solid->spacing_ = spacing.value();
-    const double given = settings.fracture.smallest_fragment_m3;
-    solid->smallest_fragment_m3_ = given > 0 ? given : smallest_fragment_share * volume;
     return std::shared_ptr<const BreakableSolid>(solid);
 }
 
@@ -74,7 +69,6 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_ = fragmentSpacing(spacing_, volume);
-    piece->smallest_fragment_m3_ = smallest_fragment_m3_;
     return piece;
 }
 
@@ -106,15 +100,15 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
     const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
     StressSettings stress = settings_.stress;
-    if (!settings_.fracture.resample_contacts) stress.resampling_rounds = 0;
+    if (!stress.resample_contacts) stress.resampling_rounds = 0;
     return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
 }
 
 const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {
-    const FractureSettings& fracture = settings_.fracture;
+    const StrengthSettings& strength = settings_.strength;
     return strengths_.get([&] {
-        return particleStrengths(material_, sampling.particles, fracture.seed, fracture.strength_field,
-                                 fracture.strength_field_minimum);
+        return particleStrengths(material_, sampling.particles, strength.seed, strength.field,
+                                 strength.field_minimum);
     });
 }
 

@@ -41,8 +41,6 @@ class BreakableSolid {
     double spacing() const { return spacing_; }
     /// Between the points that stand for loads and supports on a part of the surface.
     double quadratureSpacing() const;
-    /// Fragments of fragments stop here, m^3.
-    double smallestFragment() const { return smallest_fragment_m3_; }
 
     /// Particles and cells; sampled at the first call.
     Result<std::shared_ptr<const Discretisation>> discretisation() const;
@@ -70,7 +68,7 @@ class BreakableSolid {
     Settings settings_;
     std::vector<SurfaceRegion> supports_;
     Moments moments_;
-    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0, smallest_fragment_m3_ = 0;
+    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0;
 
     struct Sampled {
         Result<std::shared_ptr<const Discretisation>> discretisation;

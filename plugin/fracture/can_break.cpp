@@ -15,8 +15,8 @@ namespace {
 double smallestFailureEnergy(const BreakableSolid& solid) {
     const Material& material = solid.material();
     const double volume = std::min(std::pow(solid.spacing(), 3), solid.moments().volume);
-    const FractureSettings& fracture = solid.settings().fracture;
-    const double weakest_place = fracture.strength_field ? fracture.strength_field_minimum : 1;
+    const StrengthSettings& settings = solid.settings().strength;
+    const double weakest_place = settings.field ? settings.field_minimum : 1;
     const double strength =
         material.tensile_strength_pa * weakestStrengthFraction(material, volume) * weakest_place;
     return solid.failureCriterion().least_energy_density_j_m3(strength, material) *
@@ -26,9 +26,9 @@ double smallestFailureEnergy(const BreakableSolid& solid) {
 }  // namespace
 
 // The solid stores no more energy than the blow brings.
-bool canBreak(const BreakableSolid& solid, const Blow& blow) {
+bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
     const double energy = blowEnergy(blow);
-    return energy > smallestCrackEnergy(solid) && energy > smallestFailureEnergy(solid);
+    return energy > smallestCrackEnergy(solid, fracture) && energy > smallestFailureEnergy(solid);
 }
 
 }  // namespace sherd

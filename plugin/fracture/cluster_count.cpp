@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/clustering/affordable_clusters.h"
+#include "fracture/debris.h"
 
 namespace sherd {
 
@@ -14,7 +15,8 @@ int clusterCount(const StrikeContext& struck, const Damage& damage, double strai
         if (damage.damaged[i]) damaged_volume += struck.sampling.particles[i].volume;
     const ClusterBudget budget{fracture.energy_into_cracks * strain_energy_j,
                                struck.solid.material().fracture_energy_j_m2, struck.solid.wallThickness()};
-    const int room = static_cast<int>(std::clamp(damaged_volume / struck.solid.smallestFragment(), 1.0, 1e6));
+    const int room =
+        static_cast<int>(std::clamp(damaged_volume / smallestFragment(struck.solid, fracture), 1.0, 1e6));
     return std::min({affordableClusters(budget, damaged_volume), room, fracture.largest_fragment_count});
 }
 

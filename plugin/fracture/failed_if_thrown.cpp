@@ -9,7 +9,7 @@ namespace sherd {
 namespace {
 
 void fail(BlowOutcome& outcome, const std::string& message) {
-    outcome.outcome = BreakEvent::Outcome::failed;
+    outcome.outcome = Outcome::failed;
     outcome.message = message;
     outcome.fragments.clear();
 }

@@ -3,6 +3,7 @@
 #include "core/clustering/clusters.h"
 #include "core/clustering/merge_labels.h"
 #include "fracture/cluster_count.h"
+#include "fracture/debris.h"
 
 namespace sherd {
 
@@ -12,7 +13,8 @@ FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage,
     const int clusters = clusterCount(struck, damage, strain_energy_j);
     FragmentLabels labels = clusterParticles(struck.sampling, damage, clusters, struck.solid.wallThickness(),
                                              struck.seed, fracture.guide, axis);
-    const double smallest_m3 = fracture.debris == Debris::merged ? struck.solid.smallestFragment() : 0;
+    const double smallest_m3 =
+        fracture.debris == Debris::merged ? smallestFragment(struck.solid, fracture) : 0;
     mergeSmallest(struck.sampling, smallest_m3, fracture.largest_fragment_count, labels);
     return labels;
 }

@@ -31,9 +31,9 @@ const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
     return solver;
 }
 
-ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid) {
+ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid, const ContactSettings& settings) {
     const ContactBody body{solid.surface(), solid.material(), solid.wallThickness(), solid.boundingRadius()};
-    return contactLoads(body, blow, solid.settings().contact);
+    return contactLoads(body, blow, settings);
 }
 
 void addSentence(std::string& message, const std::string& sentence) {
@@ -53,13 +53,14 @@ void noteDamage(const Damage& damage, BlowOutcome& out) {
 ///   -> pieces cut out of the surface        held: there is only one
 ///   -> a fragment for each piece: a solid, and boxes for collisions.
 /// What a stage throws ends in `failed`. The solid keeps no damage, so each blow finds it whole.
-void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed, BlowOutcome& out) {
+void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+               std::uint64_t seed, BlowOutcome& out) {
     out.impulse_n_s = normalImpulse(blow);
     const StressSolver& solver = solverOf(solid, out.ms);
     const Discretisation& sampling = *valueOrFail(solid.discretisation());  // the solid keeps it
-    const StrikeContext struck{solid, sampling, solid.settings().fracture, seed};
+    const StrikeContext struck{solid, sampling, fracture, seed};
 
-    const ContactLoads loads = loadsOf(blow, solid);
+    const ContactLoads loads = loadsOf(blow, solid, fracture.contact);
     const BlowStress stress = valueOrFail(blowStress(struck, solver, loads, out.ms));
     const double peak_force_n = stress.pulse.peak_force_n;
     out.peak_force_n = peak_force_n;
@@ -71,7 +72,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
     Damage damage =
         timed(out.ms.damage, [&] { return damagedParticles(stress.unit, peak_force_n, sampling, strength); });
     noteDamage(damage, out);
-    if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid)) return;
+    if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
     damage = valueOrFail(furtherWaves(struck, loads.unit, peak_force_n, strength, std::move(damage), out.ms));
     noteDamage(damage, out);
 
@@ -86,17 +87,18 @@ void runStages(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed
     if (surfaces.pieces.size() < 2) return;
 
     out.fragments = makeFragments(struck, labels, surfaces);
-    if (struck.fracture.debris == Debris::dropped) markDropped(solid.smallestFragment(), out.fragments);
+    if (fracture.debris == Debris::dropped) markDropped(smallestFragment(solid, fracture), out.fragments);
     const ConservationErrors errors = conservationErrors(solid, out.fragments);
     out.mass_error_rel = errors.mass_rel;
     out.volume_error_rel = errors.volume_rel;
-    out.outcome = BreakEvent::Outcome::broke;
+    out.outcome = Outcome::broke;
 }
 
 }  // namespace
 
-BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed) {
-    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, seed, out); });
+BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                   std::uint64_t seed) {
+    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, fracture, seed, out); });
 }
 
 }  // namespace sherd

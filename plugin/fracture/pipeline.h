@@ -10,7 +10,9 @@
 namespace sherd {
 
 /// The whole way from a blow to fragments (paper, Figure 1), for a blow that `canBreak` lets through. Never
-/// throws: on any failure the outcome is `failed` and says why, and the body stays whole.
-BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, std::uint64_t seed);
+/// throws: on any failure the outcome is `failed` and says why, and the body stays whole. `seed` stands in
+/// for that of the settings.
+BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                   std::uint64_t seed);
 
 }  // namespace sherd

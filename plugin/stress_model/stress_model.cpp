@@ -84,7 +84,7 @@ Result<StressModel> StressModel::make(const TriangleMesh& surface, const Materia
                                       const Settings& settings, const std::vector<SurfaceRegion>& supports) {
     if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
     Settings resampled = settings;
-    resampled.fracture.resample_contacts = true;
+    resampled.stress.resample_contacts = true;
     auto body = BreakableSolid::make(surface, material, resampled, supports);
     if (!body) return Error{body.error()};
     if (const auto solver = body.value()->stressSolver(); !solver) return Error{solver.error()};

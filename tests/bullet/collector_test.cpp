@@ -19,7 +19,8 @@ struct OneStep {
         body->setLinearVelocity(btVector3(0.02f, 0, -speed));
         const auto asset =
             BreakableAsset::fromMesh(shapes::box(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1)), crumbly());
-        auto breakable = std::make_unique<Breakable>(asset.value());
+        auto breakable = std::make_unique<Breakable>(
+            asset.value(), fractureSettingsFor(asset.value(), asset.value().settings().fracture));
         breakable->body = body;
         registry.add(std::move(breakable));
         before.take(*scene.world);
@@ -132,7 +133,7 @@ TEST(FragmentMotion, ForcesAreSharedAsTheAccelerationOfTheWhole) {
     Dumbbell d;
     d.whole.applyCentralForce(btVector3(4, 0, 0));
     d.whole.applyTorque(btVector3(0, 0, 2.02f));  // 1 rad/s^2
-    shareForces(d.whole, {&d.left, &d.right});
+    shareForces(d.whole, {&d.left, &d.right}, true);
     EXPECT_LT(d.right.getTotalForce().distance(btVector3(2, 1, 0)), 1e-5);
     EXPECT_LT(d.left.getTotalForce().distance(btVector3(2, -1, 0)), 1e-5);
     EXPECT_NEAR(d.left.getTotalTorque().z(), 0.01, 1e-6);
@@ -141,7 +142,7 @@ TEST(FragmentMotion, ForcesAreSharedAsTheAccelerationOfTheWhole) {
 TEST(FragmentMotion, PiecesOfABodyThatSleptGetTheGravityThatItWasNotGiven) {
     Dumbbell d;
     d.whole.setGravity(btVector3(0, 0, -10));
-    shareForces(d.whole, {&d.left, &d.right});
+    shareForces(d.whole, {&d.left, &d.right}, true);
     EXPECT_LT(d.right.getTotalForce().distance(btVector3(0, 0, -10)), 1e-5);
 }
 

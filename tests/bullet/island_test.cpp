@@ -87,4 +87,61 @@ TEST(Snapshot, PutsBackTheImpulsesThatWarmTheSolverUp) {
     yard.scene.world->removeConstraint(&yard.joint);
 }
 
+/// Two contacts, one of which ends and leaves its place in Bullet's pool to another one.
+TEST(Snapshot, GivesNoImpulsesToContactsThatAreNewSince) {
+    Yard yard;
+    btDiscreteDynamicsWorld& world = *yard.scene.world;
+    btDispatcher& dispatcher = *yard.scene.dispatcher;
+    btManifoldPoint point(btVector3(0, 0, 0), btVector3(0, 0, 0), btVector3(0, 0, 1), 0);
+    point.m_appliedImpulse = 11;
+    btPersistentManifold* old = dispatcher.getNewManifold(yard.a, yard.d);
+    old->addManifoldPoint(point);
+    StepSnapshot before;
+    before.take(world);
+
+    dispatcher.releaseManifold(old);
+    btPersistentManifold* young = dispatcher.getNewManifold(yard.b, yard.d);
+    ASSERT_EQ(young, old) << "the place in the pool is to be the same";
+    point.m_appliedImpulse = 3;
+    young->addManifoldPoint(point);
+    before.restore(connectedIsland(world, {yard.d}));
+    EXPECT_EQ(young->getContactPoint(0).m_appliedImpulse, 0) << "11 is the impulse of another contact";
+    dispatcher.releaseManifold(young);
+    world.removeConstraint(&yard.joint);
+}
+
+TEST(Snapshot, GivesNoImpulsesToNewContactsOfTheSameBodies) {
+    Yard yard;
+    btDiscreteDynamicsWorld& world = *yard.scene.world;
+    btDispatcher& dispatcher = *yard.scene.dispatcher;
+    btManifoldPoint point(btVector3(0, 0, 0), btVector3(0, 0, 0), btVector3(0, 0, 1), 0);
+    point.m_appliedImpulse = 11;
+    btPersistentManifold* old = dispatcher.getNewManifold(yard.a, yard.d);
+    old->addManifoldPoint(point);
+    StepSnapshot before;
+    before.take(world);
+
+    // The two parted and met again somewhere else.
+    old->clearManifold();
+    btManifoldPoint other(btVector3(0.5f, 0, 0), btVector3(0.5f, 0, 0), btVector3(0, 1, 0), 0);
+    other.m_appliedImpulse = 3;
+    old->addManifoldPoint(other);
+    before.restore(connectedIsland(world, {yard.d}));
+    EXPECT_EQ(old->getContactPoint(0).m_appliedImpulse, 0);
+    dispatcher.releaseManifold(old);
+    world.removeConstraint(&yard.joint);
+}
+
+TEST(Snapshot, DoesNotTakeANewBodyForOneThatItKnew) {
+    Yard yard;
+    btDiscreteDynamicsWorld& world = *yard.scene.world;
+    StepSnapshot before;
+    before.take(world);
+    ASSERT_NE(before.find(yard.d), nullptr);
+    world.removeRigidBody(yard.d);
+    world.addRigidBody(yard.d);  // as if another body had been made at this address
+    EXPECT_EQ(before.find(yard.d), nullptr);
+    world.removeConstraint(&yard.joint);
+}
+
 }  // namespace

@@ -78,7 +78,8 @@ TEST(StrikingRadius, IsThatOfRoundShapesAndNothingElse) {
 
 TEST(MakeShape, WithoutBoxesTheHullOfTheSurfaceStandsIn) {
     const auto ball = BreakableAsset::fromMesh(shapes::icosphere(0.05, 3), unbreakable());
-    const OwnedShape owned = makeShape(*ball.value().solid(), {}, btTransform::getIdentity());
+    const OwnedShape owned =
+        makeShape(*ball.value().solid(), CollisionShape::boxes, {}, btTransform::getIdentity());
     btVector3 low, high;
     owned.shape->getAabb(btTransform::getIdentity(), low, high);
     EXPECT_NEAR(high.x(), 0.05, 0.003) << "Bullet's own margin of 4 cm would nearly double it";

@@ -157,15 +157,20 @@ inline bool sameState(const btRigidBody& a, const btRigidBody& b) {
            sameBits(a.getAngularVelocity(), b.getAngularVelocity());
 }
 
-/// Steps until something breaks; the event, or one with outcome `held` if nothing does.
-inline BreakEvent stepUntilBreak(TestWorld& scene, FractureWorld& fracture, int most_steps = 240,
-                                 double dt = 1.0 / 240) {
+/// An event of a body that held.
+inline BlowEvent noBreak() {
+    return BlowEvent(plate(crumbly()));
+}
+
+/// Steps until something breaks; the event, or `noBreak()` if nothing does.
+inline BlowEvent stepUntilBreak(TestWorld& scene, FractureWorld& fracture, int most_steps = 240,
+                                double dt = 1.0 / 240) {
     for (int i = 0; i < most_steps; ++i) {
         scene.step(1, dt);
-        for (BreakEvent& event : fracture.events())
-            if (event.outcome != BreakEvent::Outcome::held) return event;
+        for (BlowEvent& event : fracture.takeEvents())
+            if (event.outcome != Outcome::held) return event;
     }
-    return {};
+    return noBreak();
 }
 
 inline bool inWorld(const TestWorld& scene, const btCollisionObject* object) {

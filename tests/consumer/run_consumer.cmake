@@ -24,7 +24,7 @@ function(extract_program markdown target)
 endfunction()
 
 file(REMOVE_RECURSE "${WORK}")
-file(COPY "${CMAKE_CURRENT_LIST_DIR}/project/CMakeLists.txt" DESTINATION "${WORK}/project")
+file(COPY "${CMAKE_CURRENT_LIST_DIR}/project" DESTINATION "${WORK}")
 extract_program("${SHERD_SOURCE}/README.md" "${WORK}/project/main.cpp")
 
 run("Installing" ${CMAKE_COMMAND} --install "${SHERD_BUILD}" --config "${CONFIG}" --prefix "${WORK}/prefix")
@@ -35,7 +35,8 @@ run("Building" ${CMAKE_COMMAND} --build "${WORK}/build" --config "${CONFIG}")
 
 # The program looks for assets/coffee_cup.obj from where it is started.
 file(COPY "${SHERD_SOURCE}/assets/coffee_cup.obj" DESTINATION "${WORK}/run/assets")
-run("Running" ${CMAKE_COMMAND} -E chdir "${WORK}/run" "${WORK}/bin/program")
+run("Running the program of the README" ${CMAKE_COMMAND} -E chdir "${WORK}/run" "${WORK}/bin/program")
 if(NOT output MATCHES "broke into [0-9]+ pieces")
   message(FATAL_ERROR "The cup did not break:\n${output}")
 endif()
+run("Running the program that uses everything" "${WORK}/bin/everything")

@@ -20,14 +20,14 @@ struct FirstBreak {
 };
 
 FirstBreak breakOf(Scene scene, std::uint64_t seed) {
-    for (BreakableBody& body : scene.bodies) body.settings.fracture.seed = seed;
+    for (BreakableBody& body : scene.bodies) body.setSeed(seed);
     Stage stage(scene);
     EXPECT_TRUE(stage.runToBreak(1.5));
     FirstBreak first;
     for (const btRigidBody* body : stage.world->fracture().bodies())
         first.pieces.push_back(stage.world->fracture().asset(body)->surface());
     for (const auto& event : stage.events) {
-        if (event.outcome != sherd::BreakEvent::Outcome::broke) continue;
+        if (event.outcome != sherd::Outcome::broke) continue;
         first.contact = stage.before_step.inverse() * event.position;
         first.direction = stage.before_step.linear().transpose() * event.normal;
         break;

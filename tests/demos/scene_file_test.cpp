@@ -63,8 +63,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
         R"({"shape": {"obj": "../thing.obj"}, "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2], "spin_rad_s": [1, 0, 0],
             "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"}, "look": {"gloss": 0.5},
             "settings": {"quality": "film", "sampling": {"smallest_count": 3000}, "stress": {"resampling_rounds": 1},
-                         "contact": {"smallest_patch": 0.3},
-                         "fracture": {"fragment_count": 7, "guide": {"kind": "radial", "cost_along": 0.1}}}})")));
+                         "fracture": {"contact": {"smallest_patch": 0.3}, "fragment_count": 7, "guide": {"kind": "radial", "cost_along": 0.1}}}})")));
     ASSERT_TRUE(read) << read.error();
     const demo::Scene& scene = read.value();
     const demo::BreakableBody& thing = scene.bodies.at(0);
@@ -83,7 +82,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(thing.settings.stress.basis, sherd::Basis::cubic) << "of the film quality";
     EXPECT_EQ(thing.settings.stress.resampling_rounds, 1);
     EXPECT_EQ(thing.settings.sampling.smallest_count, 3000);
-    EXPECT_EQ(thing.settings.contact.smallest_patch, 0.3);
+    EXPECT_EQ(thing.settings.fracture.contact.smallest_patch, 0.3);
     EXPECT_EQ(thing.settings.fracture.seed, 5u);
     EXPECT_EQ(thing.settings.fracture.fragment_count, 7);
     EXPECT_EQ(thing.settings.fracture.guide.kind, sherd::GuideField::Kind::radial);
@@ -152,6 +151,7 @@ TEST(SceneFiles, ABodyMayHaveASeedOfItsOwn) {
     ASSERT_TRUE(read) << read.error();
     EXPECT_EQ(read.value().bodies[0].settings.fracture.seed, 5u);
     EXPECT_EQ(read.value().bodies[1].settings.fracture.seed, 8u);
+    for (const demo::BreakableBody& each : read.value().bodies) EXPECT_EQ(each.settings.strength.seed, 5u);
 }
 
 TEST(SceneFiles, GuidesWithoutAKindAreRefused) {
@@ -166,8 +166,8 @@ TEST(SceneFiles, WrongTypesSayWhatIsTaken) {
     EXPECT_EQ(fault(scene(R"(, "floor": 1)")), "floor must be an object in braces, not 1.");
     EXPECT_EQ(fault(scene(R"(, "gravity_m_s2": [0, -9.8])")),
               "gravity_m_s2 must be a list of three numbers, not [0,-9.8].");
-    EXPECT_EQ(fault(scene("", body(R"(, "settings": {"fracture": {"resample_contacts": 1}})"))),
-              "bodies[0].settings.fracture.resample_contacts must be true or false, not 1.");
+    EXPECT_EQ(fault(scene("", body(R"(, "settings": {"stress": {"resample_contacts": 1}})"))),
+              "bodies[0].settings.stress.resample_contacts must be true or false, not 1.");
     EXPECT_EQ(fault("[1]"), "the file must be an object in braces, not [1].");
     EXPECT_EQ(fault("{}"), "bodies must have at least one body that can break.");
 }

@@ -46,8 +46,7 @@ TEST_P(SweptScene, BreaksIntoSoundPieces) {
     for (int seed = first_seed; seed < first_seed + seeds_a_test; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Scene scene = named(name);
-        for (BreakableBody& body : scene.bodies)
-            body.settings.fracture.seed = static_cast<std::uint64_t>(seed);
+        for (BreakableBody& body : scene.bodies) body.setSeed(static_cast<std::uint64_t>(seed));
         Stage stage(scene);
         ASSERT_TRUE(stage.runToBreak(1.5));
         const Pieces at_once = piecesOf(stage);

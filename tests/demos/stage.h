@@ -34,7 +34,7 @@ struct Stage {
     void run(double seconds) {
         for (int i = 0; i < std::lround(seconds / scene.time_step_s); ++i) {
             world->step();
-            for (const auto& event : world->fracture().events()) events.push_back(event);
+            for (const auto& event : world->fracture().takeEvents()) events.push_back(event);
         }
         this->seconds += seconds;
     }
@@ -51,7 +51,7 @@ struct Stage {
     Scene scene;
     std::vector<sherd::BreakableAsset> assets;
     std::unique_ptr<SceneWorld> world;
-    std::vector<sherd::BreakEvent> events;
+    std::vector<sherd::BlowEvent> events;
     double seconds = 0;             ///< simulated so far
     Eigen::Isometry3d before_step;  ///< where the first body was before the last step of runToBreak
 };

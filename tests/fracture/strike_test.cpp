@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "fracture/pipeline.h"
+#include "fracture/default_fracture.h"
 #include "support/shapes.h"
 
 namespace {
@@ -35,7 +35,7 @@ Blow blowInTheMiddle(double mass, double speed) {
 TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {
     const auto solid = plate(Material::plaster());
     const BlowOutcome out = strike(*solid, blowInTheMiddle(1, 10), 1);
-    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    ASSERT_EQ(out.outcome, Outcome::broke) << out.message;
     EXPECT_GE(out.fragments.size(), 4u);
     EXPECT_LT(out.volume_error_rel, 1e-9);
     EXPECT_LT(out.mass_error_rel, 1e-9);
@@ -60,7 +60,7 @@ TEST(Strike, ABodyThatNothingCanBreakHolds) {
     Material hard = Material::plaster();
     hard.tensile_strength_pa = 1e15;
     const BlowOutcome out = strike(*plate(hard), blowInTheMiddle(10, 30), 1);
-    EXPECT_EQ(out.outcome, BreakEvent::Outcome::held);
+    EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_TRUE(out.fragments.empty());
     EXPECT_EQ(out.damaged_particles, 0);
 }
@@ -73,7 +73,7 @@ TEST(Strike, TheBoundNeverHidesABreak) {
         const auto solid = plate(Material::plaster(), settings);
         for (double speed = 0.001; speed < 10; speed *= 1.7) {
             const Blow blow = blowInTheMiddle(0.05, speed);
-            const bool broke = strike(*solid, blow, 1).outcome == BreakEvent::Outcome::broke;
+            const bool broke = strike(*solid, blow, 1).outcome == Outcome::broke;
             EXPECT_TRUE(!broke || canBreak(*solid, blow)) << speed;
         }
         EXPECT_FALSE(canBreak(*solid, blowInTheMiddle(0.05, 0.001)));
@@ -115,11 +115,11 @@ BlowOutcome squeezeCube(const Material& material, double speed, const Settings& 
 TEST(Strike, TensionAcrossCompressionBreaksByMohrCoulombOnly) {
     Settings settings;
     settings.sampling.spacing_m = 0.0125;
-    settings.fracture.strength_field = [](const Vec3& x) { return std::abs(x.z()) < 0.026 ? 1.0 : 100.0; };
+    settings.strength.field = [](const Vec3& x) { return std::abs(x.z()) < 0.026 ? 1.0 : 100.0; };
     const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
-    EXPECT_EQ(squeezeCube(rankine, 4.9, settings).outcome, BreakEvent::Outcome::held);
+    EXPECT_EQ(squeezeCube(rankine, 4.9, settings).outcome, Outcome::held);
     const BlowOutcome broken = squeezeCube(coulomb, 4.9, settings);
-    EXPECT_EQ(broken.outcome, BreakEvent::Outcome::broke) << broken.message;
+    EXPECT_EQ(broken.outcome, Outcome::broke) << broken.message;
     EXPECT_LT(broken.largest_stress_pa, coulomb.tensile_strength_pa * 1.2);
 }
 
@@ -128,12 +128,12 @@ TEST(Strike, TensionAcrossCompressionBreaksByMohrCoulombOnly) {
 TEST(Strike, CompressionFromAllSidesCrushesByTheLargestCompressionOnly) {
     Settings settings;
     settings.sampling.spacing_m = 0.0125;
-    settings.contact.largest_patch = 1;
+    settings.fracture.contact.largest_patch = 1;
     const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
     const BlowOutcome broken = squeezeCube(rankine, 3.7, settings);
-    EXPECT_EQ(broken.outcome, BreakEvent::Outcome::broke) << broken.message;
+    EXPECT_EQ(broken.outcome, Outcome::broke) << broken.message;
     EXPECT_LT(broken.largest_stress_pa, rankine.tensile_strength_pa);
-    EXPECT_EQ(squeezeCube(coulomb, 3.7, settings).outcome, BreakEvent::Outcome::held);
+    EXPECT_EQ(squeezeCube(coulomb, 3.7, settings).outcome, Outcome::held);
 }
 
 // The same with cracks that cost nothing, so that the bound is that of the failure criterion.
@@ -148,7 +148,7 @@ TEST(Strike, TheBoundOfAFailureCriterionNeverHidesABreak) {
             bool passes = false;
             const BlowOutcome out = squeezeCube(material, speed, settings, &passes);
             skipped += !passes;
-            broke += out.outcome == BreakEvent::Outcome::broke;
+            broke += out.outcome == Outcome::broke;
             EXPECT_TRUE(passes || out.damaged_particles == 0) << criterion->name << " " << speed;
         }
         EXPECT_GT(skipped, 0);
@@ -177,7 +177,7 @@ TEST(Strike, AFurtherBlowAssemblesAndFactorsNothing) {
 TEST(Strike, SameSeedSameFragmentsOtherSeedOthers) {
     const auto volumes = [](std::uint64_t seed) {
         Settings settings;
-        settings.fracture.seed = seed;
+        settings.strength.seed = seed;
         std::vector<double> v;
         for (const Fragment& f :
              strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), seed).fragments)
@@ -188,24 +188,46 @@ TEST(Strike, SameSeedSameFragmentsOtherSeedOthers) {
     EXPECT_NE(volumes(1), volumes(2));
 }
 
+TEST(Strike, OneAssetBreaksAsTheSettingsOfABodySay) {
+    const auto solid = plate(Material::plaster());
+    FractureSettings few = solid->settings().fracture, many = few;
+    few.fragment_count = 3;
+    many.fragment_count = 30;
+    many.smallest_fragment_m3 = 1e-4;
+    many.debris = Debris::dropped;
+    const BlowOutcome coarse = strike(*solid, blowInTheMiddle(1, 10), few, 1);
+    const BlowOutcome fine = strike(*solid, blowInTheMiddle(1, 10), many, 1);
+    EXPECT_LT(coarse.fragments.size() + 5, fine.fragments.size());
+    const auto dropped = [](const BlowOutcome& out) {
+        return std::count_if(out.fragments.begin(), out.fragments.end(),
+                             [](const Fragment& f) { return f.dropped; });
+    };
+    EXPECT_EQ(dropped(coarse), 0);
+    EXPECT_GT(dropped(fine), 0);
+    few.contact.largest_patch = few.contact.smallest_patch = 0.9;
+    EXPECT_NE(strike(*solid, blowInTheMiddle(1, 10), few, 1).largest_stress_pa, coarse.largest_stress_pa);
+    few.energy_into_cracks = 1e-9;
+    EXPECT_FALSE(canBreak(*solid, blowInTheMiddle(1, 10), few));
+}
+
 TEST(Strike, FragmentsBreakAgain) {
     Settings settings;
     settings.fracture.fragment_count = 4;
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
-    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    ASSERT_EQ(out.outcome, Outcome::broke) << out.message;
     const Fragment* largest = &out.fragments.front();
     for (const Fragment& f : out.fragments)
         if (f.solid->mass() > largest->solid->mass()) largest = &f;
     Blow blow = blowInTheMiddle(1, 20);
     blow.contacts[0].point = largest->solid->moments().centroid + Vec3(0, 0, 0.02);
     const BlowOutcome again = strike(*largest->solid, blow, 2);
-    EXPECT_EQ(again.outcome, BreakEvent::Outcome::broke) << again.message;
+    EXPECT_EQ(again.outcome, Outcome::broke) << again.message;
     EXPECT_LT(again.volume_error_rel, 1e-9);
 }
 
 TEST(Strike, WithoutContactsNothingHappens) {
     const BlowOutcome out = strike(*plate(Material::plaster()), {}, 1);
-    EXPECT_EQ(out.outcome, BreakEvent::Outcome::held);
+    EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_EQ(out.damaged_particles, 0);
 }
 
@@ -214,44 +236,44 @@ TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
     const auto share_on_the_right = [&] {
         const auto solid = plate(Material::plaster(), settings);
         const BlowOutcome out = strike(*solid, blowInTheMiddle(0.5, 6), 1);
-        EXPECT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
         int right = 0;
         for (const Fragment& f : out.fragments) right += f.solid->moments().centroid.x() > 0.003;
         return static_cast<double>(right) / out.fragments.size();
     };
     EXPECT_NEAR(share_on_the_right(), 0.5, 0.2);
-    settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 1.0 : 1e4; };
+    settings.strength.field = [](const Vec3& x) { return x.x() > 0 ? 1.0 : 1e4; };
     EXPECT_GT(share_on_the_right(), 0.8);
 }
 
 // The blow pays for a crack, but not for a particle at a hundred times the strength.
 TEST(Strike, AWeakBlowSamplesNoSolidWithAStrengthField) {
     Settings settings;
-    settings.fracture.strength_field = [](const Vec3& x) { return x.x() > 0 ? 100.0 : 200.0; };
+    settings.strength.field = [](const Vec3& x) { return x.x() > 0 ? 100.0 : 200.0; };
     Material strong = Material::plaster();
     strong.tensile_strength_pa = 1e7;
     const Blow blow = blowInTheMiddle(1, 0.5);
     for (const double minimum : {0.0, 1.0, 100.0}) {
-        settings.fracture.strength_field_minimum = minimum;
+        settings.strength.field_minimum = minimum;
         const auto solid = plate(strong, settings);
         EXPECT_EQ(canBreak(*solid, blow), minimum < 100) << minimum;
         EXPECT_TRUE(canBreak(*solid, blowInTheMiddle(1000, 100)));
         EXPECT_EQ(solid->sampleMilliseconds(), 0) << "sampled to answer";
-        EXPECT_EQ(strike(*solid, blow, 1).outcome, BreakEvent::Outcome::held) << "nothing was hidden";
+        EXPECT_EQ(strike(*solid, blow, 1).outcome, Outcome::held) << "nothing was hidden";
     }
-    settings.fracture.strength_field_minimum = 150;
+    settings.strength.field_minimum = 150;
     const BlowOutcome wrong = strike(*plate(strong, settings), blow, 1);
-    EXPECT_EQ(wrong.outcome, BreakEvent::Outcome::failed);
+    EXPECT_EQ(wrong.outcome, Outcome::failed);
     EXPECT_NE(wrong.message.find("nowhere below 150"), std::string::npos) << wrong.message;
 }
 
 TEST(Strike, AStrengthFieldThatIsNotPositiveIsNamedAndTheBodyHolds) {
     Settings settings;
-    settings.fracture.strength_field = [](const Vec3& x) { return x.x(); };
+    settings.strength.field = [](const Vec3& x) { return x.x(); };
     const auto solid = plate(Material::plaster(), settings);
     EXPECT_TRUE(canBreak(*solid, blowInTheMiddle(1, 10)));
     const BlowOutcome out = strike(*solid, blowInTheMiddle(1, 10), 1);
-    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_EQ(out.outcome, Outcome::failed);
     EXPECT_NE(out.message.find("the strength field is -"), std::string::npos) << out.message;
 }
 
@@ -264,12 +286,12 @@ TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
     };
     for (const auto& field : fields) {
         Settings settings;
-        settings.fracture.strength_field = field;
+        settings.strength.field = field;
         const auto solid = plate(Material::plaster(), settings);
         for (int time = 0; time < 2; ++time) {  // what is wrong is said again at the next blow
             EXPECT_TRUE(canBreak(*solid, blow));
             const BlowOutcome out = strike(*solid, blow, 1);
-            EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+            EXPECT_EQ(out.outcome, Outcome::failed);
             EXPECT_FALSE(out.message.empty());
         }
     }
@@ -277,7 +299,7 @@ TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
     settings.fracture.guide.kind = GuideField::Kind::custom;
     settings.fracture.guide.custom = [](const Vec3&, const Vec3&) -> Vec3 { throw 3; };
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blow, 1);
-    EXPECT_EQ(out.outcome, BreakEvent::Outcome::failed);
+    EXPECT_EQ(out.outcome, Outcome::failed);
     EXPECT_NE(out.message.find("guide field"), std::string::npos);
 }
 
@@ -333,7 +355,7 @@ TEST(Strike, MergedDebrisStaysMergedAlongAGuideField) {
         settings.fracture.smallest_fragment_m3 = 1e-4;
         settings.fracture.debris = Debris::merged;
         const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
-        ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+        ASSERT_EQ(out.outcome, Outcome::broke) << out.message;
         for (const Fragment& f : out.fragments) EXPECT_GT(f.solid->moments().volume, 0.9e-4);
     }
 }
@@ -342,7 +364,7 @@ TEST(Strike, AtMostTheLargestNumberOfFragments) {
     Settings settings;
     settings.fracture.largest_fragment_count = 5;
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
-    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke);
+    ASSERT_EQ(out.outcome, Outcome::broke);
     EXPECT_LE(out.fragments.size(), 5u);
     EXPECT_GE(out.fragments.size(), 2u);
 }
@@ -353,7 +375,7 @@ TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
     settings.fracture.guide.kind = GuideField::Kind::radial;
     settings.fracture.guide.cost_along = 0;  // sectors that are a point at the contact
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
-    ASSERT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    ASSERT_EQ(out.outcome, Outcome::broke) << out.message;
     EXPECT_LE(static_cast<int>(out.fragments.size()), settings.fracture.largest_fragment_count);
     EXPECT_LT(out.volume_error_rel, 1e-9);
 }

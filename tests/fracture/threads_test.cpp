@@ -7,7 +7,7 @@
 #include <future>
 #include <thread>
 
-#include "fracture/pipeline.h"
+#include "fracture/default_fracture.h"
 #include "support/shapes.h"
 
 namespace {
@@ -50,11 +50,11 @@ TEST(Threads, AnAssetIsPreparedOnOneWhileOthersAskForItAndStrikeOthers) {
     while (!asset.prepared()) {
         EXPECT_FALSE(canBreak(*asset.solid(), blowOf(0.1, 0.01)));
         EXPECT_GT(asset.mass(), 0);
-        EXPECT_EQ(strike(*other.solid(), blowOf(0.1, 0.1), 1).outcome, BreakEvent::Outcome::held);
+        EXPECT_EQ(strike(*other.solid(), blowOf(0.1, 0.1), 1).outcome, Outcome::held);
     }
     worker.join();
     const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
-    EXPECT_EQ(here.outcome, BreakEvent::Outcome::broke) << here.message;
+    EXPECT_EQ(here.outcome, Outcome::broke) << here.message;
     EXPECT_EQ(here.ms.factor, 0) << "made on the worker";
     EXPECT_EQ(volumesOf(here), volumesOf(strike(*plate(coarse()).solid(), blowOf(1, 10), 1)));
 }
@@ -65,7 +65,7 @@ TEST(Threads, ABlowWaitsForTheFactorThatAnotherThreadMakes) {
     std::thread worker([&] { on_worker = volumesOf(strike(*asset.solid(), blowOf(1, 10), 1)); });
     const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
     worker.join();
-    EXPECT_EQ(here.outcome, BreakEvent::Outcome::broke) << here.message;
+    EXPECT_EQ(here.outcome, Outcome::broke) << here.message;
     EXPECT_EQ(volumesOf(here), on_worker);
 }
 
@@ -75,7 +75,7 @@ TEST(Threads, ABlowOnOneThreadHoldsUpNothingButItsOwnSolidsStrengths) {
     std::shared_future<void> go_on(asked.get_future());
     std::atomic<bool> entered{false}, waited_in_vain{false};
     Settings settings = coarse();
-    settings.fracture.strength_field = [&](const Vec3&) {
+    settings.strength.field = [&](const Vec3&) {
         if (!entered.exchange(true)) {
             in_the_field.set_value();
             waited_in_vain = go_on.wait_for(std::chrono::seconds(60)) != std::future_status::ready;
@@ -83,16 +83,15 @@ TEST(Threads, ABlowOnOneThreadHoldsUpNothingButItsOwnSolidsStrengths) {
         return 1.0;
     };
     const BreakableAsset asset = plate(settings), other = plate(coarse());
-    std::thread worker([copy = asset] {
-        EXPECT_EQ(strike(*copy.solid(), blowOf(1, 10), 1).outcome, BreakEvent::Outcome::broke);
-    });
+    std::thread worker(
+        [copy = asset] { EXPECT_EQ(strike(*copy.solid(), blowOf(1, 10), 1).outcome, Outcome::broke); });
     in_the_field.get_future().wait();
     EXPECT_TRUE(asset.prepared());
     EXPECT_TRUE(asset.prepare().ok());
     EXPECT_GT(asset.particleCount(), 0);
     EXPECT_GT(asset.solid()->sampleMilliseconds(), 0);
     EXPECT_TRUE(canBreak(*asset.solid(), blowOf(1, 10)));
-    EXPECT_EQ(strike(*other.solid(), blowOf(1, 10), 1).outcome, BreakEvent::Outcome::broke);
+    EXPECT_EQ(strike(*other.solid(), blowOf(1, 10), 1).outcome, Outcome::broke);
     asked.set_value();
     worker.join();
     EXPECT_FALSE(waited_in_vain);

@@ -39,7 +39,7 @@ TEST(SettingsFile, WhatIsWrongIsNamed) {
         {"[]", "body.settings must be an object in braces, not []."},
         {R"({"quality": "best"})", "body.settings.quality is \"best\"; choose one of: preview, game, film."},
         {R"({"speed": 1})",
-         "body.settings.speed is not a key; choose one of: quality, sampling, stress, contact, fracture."},
+         "body.settings.speed is not a key; choose one of: quality, sampling, stress, strength, fracture."},
         {R"({"stress": {"basis": 2}})", "body.settings.stress.basis must be text in quotes, not 2."},
         {R"({"sampling": {"spacing_m": -1}})",
          "body.settings.sampling.spacing_m is -1 but must be 0 (chosen from the wall thickness) or positive, "
@@ -71,14 +71,13 @@ TEST(SettingsFile, WhatIsWrongIsNamed) {
 
 TEST(SettingsPaths, SetWhatTheyName) {
     Settings settings;
-    const Status set =
-        settings.set({"sampling.spacing_m=0.02", "stress.basis=cubic", "fracture.guide.direction=[0, 1, 0]",
-                      "fracture.resample_contacts=true"});
+    const Status set = settings.set({"sampling.spacing_m=0.02", "stress.basis=cubic",
+                                     "fracture.guide.direction=[0, 1, 0]", "stress.resample_contacts=true"});
     ASSERT_TRUE(set.ok()) << set.error();
     EXPECT_EQ(settings.sampling.spacing_m, 0.02);
     EXPECT_EQ(settings.stress.basis, Basis::cubic);
     EXPECT_EQ(settings.fracture.guide.direction, Vec3(0, 1, 0));
-    EXPECT_TRUE(settings.fracture.resample_contacts);
+    EXPECT_TRUE(settings.stress.resample_contacts);
 }
 
 TEST(SettingsPaths, AreCheckedTogetherAndChangeNothingIfOneIsWrong) {

@@ -22,8 +22,9 @@ TEST(LayersWithoutBullet, BreakAPlate) {
     contact.approach_m_s = 10;
     contact.effective_mass_kg = 1;
     contact.partner_radius_m = 0.03;
-    const BlowOutcome out = strike(*asset.value().solid(), {{contact}}, 1);
-    EXPECT_EQ(out.outcome, BreakEvent::Outcome::broke) << out.message;
+    const BreakableSolid& solid = *asset.value().solid();
+    const BlowOutcome out = strike(solid, {{contact}}, solid.settings().fracture, 1);
+    EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
 }
 
 TEST(WithoutParticleForms, SplinesSolveAndTheOthersSayWhatIsMissing) {

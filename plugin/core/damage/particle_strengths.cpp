@@ -43,7 +43,7 @@ void checkFactor(double factor, const Vec3& x, double minimum) {
     std::ostringstream sentence;
     sentence << "the strength field is " << factor << " at (" << x.transpose() << ") m; ";
     if (factor > 0 && factor < minimum)
-        sentence << "strength_field_minimum says that it is nowhere below " << minimum;
+        sentence << "field_minimum says that it is nowhere below " << minimum;
     else
         sentence << "it has to be above 0 and finite everywhere in the body";
     throw std::invalid_argument(sentence.str());

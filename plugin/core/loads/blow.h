@@ -16,6 +16,7 @@ struct ContactImpulse {
     double closing_after_m_s = 0;  ///< the same after the solve; below zero when the bodies part
     double effective_mass_kg = 0;  ///< 1 / (n . (K_a + K_b) n) of the two bodies at the point
     double partner_radius_m = 0;   ///< radius of curvature of the striking shape; 0: not known or flat
+    double patch_radius_m = 0;     ///< of the part of the surface that is struck; 0: Hertz's
     double partner_youngs_modulus_pa = 0;  ///< 0: the settings' value
     double partner_poisson_ratio = 0;
 };

@@ -46,10 +46,13 @@ ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const Conta
     for (const ContactImpulse& contact : blow.contacts) {
         if (!(contact.impulse.dot(contact.normal) > 0)) continue;
         const SurfaceSpot spot = nearestSurfacePoint(body.surface, contact.point, contact.normal);
-        const HertzContact hertz = hertzContact(body, contact, spot, settings);
+        HertzContact hertz = hertzContact(body, contact, spot, settings);
         const ContactShare share = contactShare(contact);
+        const double given = contact.patch_radius_m > 0 ? std::max(contact.patch_radius_m, smallest) : 0;
+        if (given > 0 && share.energy_j > 0)
+            hertz.radius_m = hertzRadiusOfPatch(hertz.contact_modulus_pa, given, share.energy_j);
         const double peak = share.energy_j > 0 ? hertzPeakForce(hertz, share.mass_kg, share.speed_m_s) : 0;
-        const double patch = std::clamp(hertzPatchRadius(hertz, peak), smallest, largest);
+        const double patch = given > 0 ? given : std::clamp(hertzPatchRadius(hertz, peak), smallest, largest);
         const auto forces = spreadForce(body.surface, spot, contact.normal, patch, contact.impulse / pushed);
         loads.unit.insert(loads.unit.end(), forces.begin(), forces.end());
         loads.hertz_force_n += peak;

@@ -22,6 +22,12 @@ double hertzPatchRadius(const HertzContact& contact, double force_n) {
     return std::cbrt(0.75 * force_n * contact.radius_m / contact.contact_modulus_pa);
 }
 
+double hertzRadiusOfPatch(double contact_modulus_pa, double patch_radius_m, double energy_j) {
+    // a^2 = R d and F = (4/3) E* a d; at rest (2/5) F d is the energy.
+    const double indentation = std::sqrt(15.0 / 8.0 * energy_j / (contact_modulus_pa * patch_radius_m));
+    return patch_radius_m * patch_radius_m / indentation;
+}
+
 namespace {
 
 /// The force F at which a spring and a Hertz contact in series store the energy e together: a F^2 + e (F /

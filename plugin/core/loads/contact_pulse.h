@@ -17,6 +17,10 @@ double hertzPeakForce(const HertzContact& contact, double mass_kg, double speed_
 /// Radius of the contact circle under a force, m.
 double hertzPatchRadius(const HertzContact& contact, double force_n);
 
+/// Relative radius of curvature at which a blow of that energy has a contact circle of `patch_radius_m` at
+/// its peak, m.
+double hertzRadiusOfPatch(double contact_modulus_pa, double patch_radius_m, double energy_j);
+
 /// A force pulse: half a sine wave of height `peak_force_n`.
 struct ContactPulse {
     double peak_force_n = 0;

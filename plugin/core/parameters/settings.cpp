@@ -37,6 +37,10 @@ Status StressSettings::validate() const {
     return checkCombination(*this);
 }
 
+Status StrengthSettings::validate() const {
+    return statusOf("StrengthSettings", *this);
+}
+
 Status ContactSettings::validate() const {
     return statusOf("ContactSettings", *this);
 }
@@ -78,7 +82,7 @@ Settings Settings::forQuality(Quality quality) {
 
 Status Settings::validate() const {
     for (const Status& part :
-         {sampling.validate(), stress.validate(), contact.validate(), fracture.validate()})
+         {sampling.validate(), stress.validate(), strength.validate(), fracture.validate()})
         if (!part) return part;
     return success();
 }

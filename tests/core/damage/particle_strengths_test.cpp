@@ -79,9 +79,8 @@ TEST(ParticleStrengths, AStrengthFieldScalesEachAtItsPlace) {
     };
     EXPECT_EQ(sentence(0),
               "the strength field is 0 at (1 0 0) m; it has to be above 0 and finite everywhere in the body");
-    EXPECT_EQ(
-        sentence(1.5),
-        "the strength field is 1 at (0 0 0) m; strength_field_minimum says that it is nowhere below 1.5");
+    EXPECT_EQ(sentence(1.5),
+              "the strength field is 1 at (0 0 0) m; field_minimum says that it is nowhere below 1.5");
 }
 
 }  // namespace

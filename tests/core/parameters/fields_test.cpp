@@ -75,8 +75,8 @@ TEST(Fields, EveryMemberHasItsLine) {
     EXPECT_EQ(visitedCount<StressSettings>(), memberCount<StressSettings>());
     EXPECT_EQ(visitedCount<ContactSettings>(), memberCount<ContactSettings>());
     EXPECT_EQ(visitedCount<GuideField>() + 1, memberCount<GuideField>()) << "all but `custom`";
-    EXPECT_EQ(visitedCount<FractureSettings>() + 1, memberCount<FractureSettings>())
-        << "all but `strength_field`";
+    EXPECT_EQ(visitedCount<StrengthSettings>() + 1, memberCount<StrengthSettings>()) << "all but `field`";
+    EXPECT_EQ(visitedCount<FractureSettings>(), memberCount<FractureSettings>());
     EXPECT_EQ(visitedCount<Settings>(), memberCount<Settings>());
 }
 
@@ -102,6 +102,7 @@ TEST(Fields, EveryRangeIsChecked) {
     expectChecked<Material>();
     expectChecked<SamplingSettings>();
     expectChecked<StressSettings>();
+    expectChecked<StrengthSettings>();
     expectChecked<ContactSettings>();
     expectChecked<GuideField>();
     expectChecked<FractureSettings>();

@@ -25,8 +25,8 @@ TEST(Settings, EveryPartIsLookedAt) {
         [](Settings& s) { s.stress.support_radius = 0.5; },
         "StressSettings: support_radius is 0.5 but must be 0 (the form's own default) or between 1.2 and 4 "
         "particle spacings.");
-    expectSentence([](Settings& s) { s.contact.partner_youngs_modulus_pa = 0; },
-                   "ContactSettings: partner_youngs_modulus_pa is 0 but must be positive, in Pa.");
+    expectSentence([](Settings& s) { s.fracture.contact.partner_youngs_modulus_pa = 0; },
+                   "FractureSettings: contact.partner_youngs_modulus_pa is 0 but must be positive, in Pa.");
     expectSentence([](Settings& s) { s.fracture.largest_fragment_count = 1; },
                    "FractureSettings: largest_fragment_count is 1 but must be at least 2.");
 }
@@ -43,15 +43,16 @@ TEST(Settings, WhatIsOutOfRangeIsNamed) {
     named([](Settings& s) { s.sampling.cells_per_spacing = 5; }, "cells_per_spacing");
     named([](Settings& s) { s.sampling.cells_per_spacing = 0; }, "cells_per_spacing");
     named([](Settings& s) { s.sampling.smallest_fill = 1; }, "smallest_fill");
-    named([](Settings& s) { s.contact.partner_poisson_ratio = 0.6; }, "partner_poisson_ratio");
-    named([](Settings& s) { s.contact.shortest_contact_s = 0; }, "shortest_contact_s");
-    named([](Settings& s) { s.contact.longest_contact_s = 1e-6; }, "longest_contact_s");
-    named([](Settings& s) { s.contact.smallest_patch = 0; }, "smallest_patch");
-    named([](Settings& s) { s.contact.largest_patch = 1.5; }, "largest_patch");
+    named([](Settings& s) { s.fracture.contact.partner_poisson_ratio = 0.6; },
+          "contact.partner_poisson_ratio");
+    named([](Settings& s) { s.fracture.contact.shortest_contact_s = 0; }, "contact.shortest_contact_s");
+    named([](Settings& s) { s.fracture.contact.longest_contact_s = 1e-6; }, "contact.longest_contact_s");
+    named([](Settings& s) { s.fracture.contact.smallest_patch = 0; }, "contact.smallest_patch");
+    named([](Settings& s) { s.fracture.contact.largest_patch = 1.5; }, "contact.largest_patch");
     named([](Settings& s) { s.fracture.fragment_count = -1; }, "fragment_count");
     named([](Settings& s) { s.fracture.fragment_count = 41; }, "fragment_count");
     named([](Settings& s) { s.fracture.smallest_fragment_m3 = -1; }, "smallest_fragment_m3");
-    named([](Settings& s) { s.fracture.strength_field_minimum = -1; }, "strength_field_minimum");
+    named([](Settings& s) { s.strength.field_minimum = -1; }, "field_minimum");
     named([](Settings& s) { s.fracture.crack_roughness = 0.6; }, "crack_roughness");
     named([](Settings& s) { s.fracture.rest_after_break_s = std::numeric_limits<double>::quiet_NaN(); },
           "rest_after_break_s");

@@ -1,0 +1,85 @@
+#include "bullet/applied_blow.h"
+
+#include <cmath>
+#include <sstream>
+
+#include "bullet/conversions.h"
+
+namespace sherd {
+
+namespace {
+
+template <class Value>
+Status refused(const char* what, const Value& value, const char* wanted) {
+    std::ostringstream sentence;
+    sentence << "the " << what << " of the push is " << value << " but must be " << wanted;
+    return Error{sentence.str()};
+}
+
+std::string words(const btVector3& v) {
+    std::ostringstream text;
+    text << "(" << v.x() << ", " << v.y() << ", " << v.z() << ")";
+    return text.str();
+}
+
+bool isFinite(const btVector3& v) {
+    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
+}
+
+bool isNotNegative(double value) {
+    return std::isfinite(value) && value >= 0;
+}
+
+Status checkPush(const Push& push) {
+    if (!isFinite(push.point)) return refused("point", words(push.point), "finite, in m");
+    if (!isFinite(push.impulse_n_s) || !(push.impulse_n_s.length() > 0))
+        return refused("impulse", words(push.impulse_n_s), "finite and not zero, in N s");
+    if (!isNotNegative(push.patch_radius_m))
+        return refused("patch radius", push.patch_radius_m,
+                       "0 (as small as the settings allow) or positive, in m");
+    if (!isNotNegative(push.speed_m_s))
+        return refused("speed", push.speed_m_s, "0 (not known) or positive, in m/s");
+    return success();
+}
+
+ContactImpulse asContact(const btRigidBody& body, const btTransform& asset_from_world, const Push& push) {
+    const double impulse = push.impulse_n_s.length();
+    const btVector3 direction = push.impulse_n_s.normalized();
+    ContactImpulse contact;
+    contact.point = fromBullet(asset_from_world * push.point);
+    contact.normal = fromBullet(asset_from_world.getBasis() * direction).normalized();
+    contact.impulse = impulse * contact.normal;
+    contact.approach_m_s =
+        push.speed_m_s > 0 ? push.speed_m_s : impulse * body.computeImpulseDenominator(push.point, direction);
+    contact.effective_mass_kg = impulse / contact.approach_m_s;
+    contact.patch_radius_m = push.patch_radius_m;
+    return contact;
+}
+
+}  // namespace
+
+Status checkPushes(const std::vector<Push>& pushes) {
+    if (pushes.empty()) return Error{"there is no push to strike the body with (an empty list)"};
+    for (const Push& push : pushes)
+        if (const Status valid = checkPush(push); !valid) return valid;
+    return success();
+}
+
+StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes) {
+    const btRigidBody& body = *breakable.body;
+    const btTransform asset_from_world = breakable.placed(body.getWorldTransform()).inverse();
+    StruckBreakable struck;
+    struck.breakable = &breakable;
+    struck.before = stateOf(body);
+    for (const Push& push : pushes) {
+        struck.blow.contacts.push_back(asContact(body, asset_from_world, push));
+        const double impulse = push.impulse_n_s.length();
+        if (!(impulse > struck.impulse_n_s)) continue;
+        struck.impulse_n_s = impulse;
+        struck.position = fromBullet(push.point);
+        struck.normal = fromBullet(push.impulse_n_s / push.impulse_n_s.length());
+    }
+    return struck;
+}
+
+}  // namespace sherd

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <sherd/fragment_birth.h>
+
+#include <memory>
+#include <vector>
+
+#include "bullet/breakable.h"
+
+namespace sherd {
+
+/// Shows a fragment to the app before it enters the world, and takes over the filters that the app sets. Its
+/// place is put back should the app, or Bullet's setMotionState, have changed it. What the callback throws
+/// becomes a sentence of the event.
+void announceBirth(const FragmentCallback& callback, const Breakable& parent, Breakable& fragment,
+                   BlowEvent& event);
+
+}  // namespace sherd

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <sherd/events.h>
+
+#include <deque>
+#include <memory>
+#include <vector>
+
+#include "bullet/breakable.h"
+
+namespace sherd {
+
+/// An event with the body that broke in it, if one did. The body is kept alive for the app to read.
+struct QueuedEvent {
+    BlowEvent event;
+    std::unique_ptr<Breakable> broken;
+};
+
+/// The events that the app has not taken yet, in order. Holds a limited number; the oldest are dropped.
+class EventQueue {
+  public:
+    void push(QueuedEvent event);
+    /// `inside_step`: the app is called from inside a step, in which a solve may still begin.
+    std::vector<BlowEvent> take(bool inside_step = false);
+    long long dropped() const { return dropped_; }
+
+    /// Deletes the broken bodies whose events were taken before this step, or dropped. For the start of a
+    /// solve: by then no contact of an earlier step points to them.
+    void deleteReleased();
+
+  private:
+    std::deque<QueuedEvent> events_;
+    std::vector<std::unique_ptr<Breakable>> released_, released_inside_step_;
+    long long dropped_ = 0;
+};
+
+}  // namespace sherd

@@ -1,0 +1,190 @@
+// The bodies of a FractureWorld: how they come, and how they go.
+
+#include <algorithm>
+
+#include "bullet/body_checks.h"
+#include "bullet/body_removal.h"
+#include "bullet/body_swap.h"
+#include "bullet/fracture_world_impl.h"
+#include "bullet/shapes.h"
+#include "bullet/world_internals.h"
+#include "geometry/mass_properties.h"
+#include "geometry/solid_union.h"
+
+namespace sherd {
+
+namespace {
+
+void setUp(OwnedBody& owned, const btTransform& body_from_asset, const BodyOptions& options) {
+    btRigidBody& body = *owned.body;
+    const btTransform place = options.start * body_from_asset.inverse();
+    placeBody(owned, place, place, body_from_asset);
+    if (options.motion_state) {
+        options.motion_state->setWorldTransform(place);
+        body.setMotionState(options.motion_state);
+    }
+    body.setLinearVelocity(options.velocity);
+    body.setAngularVelocity(options.angular_velocity);
+    body.setCenterOfMassTransform(place);  // of which setMotionState may have made another
+    body.setUserPointer(options.user_pointer);
+    body.setUserIndex(options.user_index);
+}
+
+}  // namespace
+
+FractureWorld::Impl::Impl(btDiscreteDynamicsWorld& world)
+    : world_(world), decorator_(world, *this), integration_hook_(world, *this) {
+    const bool only_one = !dynamic_cast<SolverDecorator*>(&decorator_.inner());
+    if (only_one) markBetweenSteps(world_);  // otherwise the others have kept account
+}
+
+FractureWorld::Impl::~Impl() {
+    const InsideStep guard(world_);
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    for (const auto& breakable : breakables_.all()) {
+        if (!breakable->ownedHere()) continue;
+        breakable->in_world ? removeFromWorld(world_, *breakable) : detachFromWorld(world_, *breakable);
+    }
+}
+
+void FractureWorld::Impl::release(std::unique_ptr<Impl> impl) {
+    if (impl->insideStep()) impl.release()->released_ = true;
+}
+
+void FractureWorld::Impl::deleteIfReleased() {
+    if (released_ && !insideStep()) delete this;
+}
+
+/// Says why nothing can break in the world as it is.
+Status FractureWorld::Impl::checkHook() const {
+    if (const Status usable = checkWorld(world_); !usable) return usable;
+    if (!decorator_.inPlace())
+        return Error{
+            "bodies cannot break in this world any more: its constraint solver was set after the "
+            "FractureWorld was made; make that after setConstraintSolver"};
+    return success();
+}
+
+Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> breakable) {
+    breakable->serial = next_serial_++;
+    return breakables_.add(std::move(breakable));
+}
+
+Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& asset, const BodyOptions& options) {
+    if (const Status usable = checkHook(); !usable) return Error{usable.error()};
+    if (insideStep())
+        return Error{"a body cannot be added while the world is inside a step; add it after stepSimulation"};
+    if (const Status valid = checkOptions(options); !valid) return Error{valid.error()};
+    const Result<std::vector<Box>> boxes = collisionBoxes(*asset.solid());
+    if (!boxes) return Error{boxes.error()};
+    auto breakable = std::make_unique<Breakable>(
+        asset, fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
+    breakable->owned = makeRigidBody(*asset.solid(), breakable->fracture->collision_shape, boxes.value());
+    breakable->body = breakable->owned.body.get();
+    breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;
+    breakable->name = options.name;
+    breakable->seed = options.seed;
+    setUp(breakable->owned, breakable->body_from_asset, options);
+    Breakable& added = registerBreakable(std::move(breakable));
+    {
+        const InsideStep guard(world_);
+        world_.addRigidBody(added.body, options.collision_group.value_or(added.filter.group),
+                            options.collision_mask.value_or(added.filter.mask));
+    }
+    btRigidBody* const body = added.body;
+    finish(0);  // what the app asked for meanwhile
+    return body;
+}
+
+Status FractureWorld::Impl::refusal(btRigidBody* body) const {
+    if (const Status usable = checkHook(); !usable) return usable;
+    if (insideStep())
+        return Error{
+            "a body cannot be made breakable while the world is inside a step; do it after stepSimulation"};
+    if (!body) return Error{"there is no body to make breakable (nullptr)"};
+    if (!isInWorld(world_, body))
+        return Error{"the body is not in this world; add it with addRigidBody first"};
+    if (breakables_.find(body)) return Error{"the body is breakable already"};
+    if (body->isStaticOrKinematicObject() || body->getInvMass() == 0)
+        return Error{"the body is static or kinematic and has no mass; only dynamic bodies can break"};
+    if (giveToken(*body) == no_token)
+        return Error{
+            "the body's extension pointer (internalSetExtensionPointer), by which Sherd knows it, is used by "
+            "something else; use the user pointer for data of the app's"};
+    return success();
+}
+
+Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& material,
+                                          const Settings& settings, const BreakableOptions& options) {
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    if (const Status refused = refusal(body); !refused) return refused;
+    const auto parts = convexParts(*body->getCollisionShape());
+    if (!parts) return Error{parts.error()};
+    const auto surface = uniteConvexParts(parts.value());
+    if (!surface) return Error{surface.error()};
+    Material own = material;
+    own.density_kg_m3 = 1 / (body->getInvMass() * solidMoments(surface.value()).volume);
+    const auto asset = BreakableAsset::fromMesh(surface.value(), own, settings);
+    if (!asset) return Error{asset.error()};
+    auto breakable =
+        std::make_unique<Breakable>(asset.value(), fractureSettingsFor(asset.value(), settings.fracture));
+    breakable->body = body;
+    breakable->name = options.name;
+    breakable->seed = options.seed;
+    registerBreakable(std::move(breakable));
+    return success();
+}
+
+void FractureWorld::Impl::remove(btRigidBody* body) {
+    const BodyToken token = tokenToRemove(body);
+    if (token == no_token) return;
+    to_remove_.push_back({body, token});
+    if (!insideStep()) finish(0);
+}
+
+/// Of a breakable body, or of one that broke in the current step; no_token for others.
+BodyToken FractureWorld::Impl::tokenToRemove(const btRigidBody* body) const {
+    if (const Breakable* breakable = breakables_.find(body)) return breakable->token;
+    for (const QueuedEvent& queued : current_)
+        if (queued.broken && queued.broken->body == body) return queued.broken->token;
+    return no_token;
+}
+
+bool FractureWorld::Impl::isToBeRemoved(const Breakable& breakable) const {
+    return std::any_of(to_remove_.begin(), to_remove_.end(),
+                       [&](const Removal& removal) { return removal.token == breakable.token; });
+}
+
+void FractureWorld::Impl::removeNow(const Removal& removal) {
+    std::unique_ptr<Breakable> breakable = breakables_.take(removal.token);
+    for (QueuedEvent& queued : current_) {
+        auto& fragments = queued.event.fragments;
+        fragments.erase(std::remove(fragments.begin(), fragments.end(), removal.body), fragments.end());
+        // A body that has broken in this step: what it broke into.
+        if (!queued.broken || queued.broken->token != removal.token) continue;
+        for (btRigidBody* fragment : std::exchange(fragments, {}))
+            removeNow({fragment, tokenToRemove(fragment)});
+    }
+    if (!breakable || !breakable->ownedHere()) return;  // an app's body is not breakable any more, no less
+    if (isInWorld(world_, breakable->body))
+        removeFromWorld(world_, *breakable);
+    else
+        detachFromWorld(world_, *breakable);
+    to_delete_.push_back(std::move(breakable));
+}
+
+BlowCounts FractureWorld::Impl::counts() const {
+    BlowCounts counts = counts_;
+    counts.events_dropped = events_.dropped();
+    return counts;
+}
+
+std::vector<btRigidBody*> FractureWorld::Impl::bodies() {
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    std::vector<btRigidBody*> result;
+    for (const auto& breakable : breakables_.all())
+        if (breakable->in_world) result.push_back(breakable->body);
+    return result;
+}
+
+}  // namespace sherd

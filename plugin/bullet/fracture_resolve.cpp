@@ -1,0 +1,117 @@
+// Broken bodies are swapped for their fragments, and the step is solved once more with these.
+
+#include <algorithm>
+#include <exception>
+
+#include "bullet/birth_callback.h"
+#include "bullet/body_removal.h"
+#include "bullet/body_swap.h"
+#include "bullet/collision_exceptions.h"
+#include "bullet/fracture_world_impl.h"
+#include "core/numerics/split_mix.h"
+#include "core/numerics/stopwatch.h"
+
+namespace sherd {
+
+namespace {
+
+std::vector<btCollisionObject*> without(std::vector<btCollisionObject*> objects,
+                                        const btCollisionObject* left_out) {
+    objects.erase(std::remove(objects.begin(), objects.end(), left_out), objects.end());
+    return objects;
+}
+
+}  // namespace
+
+/// Swaps broken bodies for their fragments and solves the islands concerned once more; `swept` bodies get new
+/// predictive contacts. Returns the breakable bodies that these are about to hit: none are looked for if this
+/// is the `last` time.
+std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
+    std::vector<Break>& breaks, const std::vector<btRigidBody*>& swept, bool last,
+    const btContactSolverInfo& info, btIDebugDraw* drawer) {
+    const Stopwatch watch;
+    std::vector<btCollisionObject*> members(swept.begin(), swept.end());
+    for (const Break& broken : breaks) members.push_back(broken.body);
+    const Island whole = connectedIsland(world_, members);
+    before_.restore(whole);
+    members = whole.bodies;
+
+    std::vector<btCollisionObject*> new_bodies;
+    for (Break& broken : breaks) {
+        const std::vector<btCollisionObject*> fragments = swap(broken, info.m_timeStep);
+        if (!fragments.empty()) members = without(std::move(members), broken.body);
+        new_bodies.insert(new_bodies.end(), fragments.begin(), fragments.end());
+    }
+    before_.add(new_bodies);
+    findContactsOf(world_, new_bodies);
+    allowOverlapsAtBirth(new_bodies);
+    members.insert(members.end(), new_bodies.begin(), new_bodies.end());
+    const Obstacles obstacles{[&](const auto& object) { return isFragment(object); },
+                              [&](const auto& object) { return last && breakables_.find(&object); }};
+    std::vector<const btCollisionObject*> next;
+    for (btRigidBody* body : swept) {
+        const btCollisionObject* hit = predictContacts(world_, *body, obstacles, info.m_timeStep);
+        if (hit && breakables_.find(hit)) next.push_back(hit);
+    }
+
+    // Fragments may touch bodies that the whole body did not, and their islands then have to be solved again
+    // too.
+    Island pieces = connectedIsland(world_, members);
+    before_.restore(pieces);
+    for (btCollisionObject* body : pieces.bodies) body->activate();
+    solveIsland(world_, decorator_.inner(), pieces, info, drawer);
+    double without_bodies_ms = watch.milliseconds();
+    for (const Break& broken : breaks) without_bodies_ms -= current_[broken.event].event.ms.bodies;
+    for (const Break& broken : breaks)
+        current_[broken.event].event.ms.resolve_step = without_bodies_ms / breaks.size();
+    return next;
+}
+
+void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies) {
+    std::vector<btCollisionObject*> may_overlap;
+    for (btCollisionObject* body : new_bodies)
+        if (!breakables_.find(body)->owned.shape.disjoint) may_overlap.push_back(body);
+    if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
+    birth_overlaps_.applyAllowances(world_);
+}
+
+std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
+    BlowEvent& event = current_[broken.event].event;
+    Breakable& parent = *breakables_.find(broken.body);
+    std::vector<std::unique_ptr<Breakable>> pieces;
+    try {
+        const Stopwatch watch;
+        pieces = makeFragmentBodies(parent, broken.outcome.fragments, time_step_s > 0);
+        event.ms.bodies += watch.milliseconds();
+    } catch (const std::exception& trouble) {
+        event.outcome = Outcome::failed;
+        event.message = std::string("the fragments' bodies could not be made (") + trouble.what() +
+                        "); the body stays whole";
+        return {};
+    }
+    event.momentum_error_rel = momentumError(*broken.body, pieces);
+    event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);
+    inheritCollisionExceptions(world_, parent, pieces);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        if (parent.seed) pieces[i]->seed = splitMix64(*parent.seed + golden_step * (i + 1));
+        if (on_fragment_ && !released_) announceBirth(on_fragment_, parent, *pieces[i], event);
+        event.fragments.push_back(pieces[i]->body);
+    }
+    RemovedJoints joints = removeFromWorld(world_, parent);
+    event.removed_constraints = std::move(joints.constraints);
+    event.removed_multi_body_constraints = std::move(joints.multi_body_constraints);
+    addToWorld(world_, pieces, time_step_s);
+
+    const double unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
+    std::vector<btCollisionObject*> objects;
+    for (auto& piece : pieces) {
+        piece->unbreakable_until_s = unbreakable_until_s;
+        piece->is_fragment = true;
+        objects.push_back(piece->body);
+        registerBreakable(std::move(piece));
+    }
+    current_[broken.event].broken = breakables_.take(parent.token);
+    return objects;
+}
+
+}  // namespace sherd

@@ -1,0 +1,270 @@
+// Blows that a program asks for: pushes and explosions.
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+struct Momentum {
+    btVector3 linear = btVector3(0, 0, 0), angular = btVector3(0, 0, 0);  // about the world's origin
+};
+
+Momentum momentumOf(const std::vector<btRigidBody*>& bodies) {
+    Momentum sum;
+    for (const btRigidBody* body : bodies) {
+        const btVector3 linear = body->getLinearVelocity() / body->getInvMass();
+        const btMatrix3x3& axes = body->getWorldTransform().getBasis();
+        const btVector3 spin = axes.transpose() * body->getAngularVelocity(),
+                        inverse = body->getInvInertiaDiagLocal();
+        sum.linear += linear;
+        sum.angular +=
+            body->getCenterOfMassPosition().cross(linear) +
+            axes * btVector3(spin.x() / inverse.x(), spin.y() / inverse.y(), spin.z() / inverse.z());
+    }
+    return sum;
+}
+
+TEST(AppliedBlow, BreaksABodyBetweenStepsAndItsFragmentsTakeTheImpulse) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    BodyOptions options(btTransform(btQuaternion(btVector3(1, 2, 3), 0.4f), btVector3(1, 2, 3)));
+    options.velocity = btVector3(1, 0, 2);
+    options.angular_velocity = btVector3(0.5f, 0.2f, 0);
+    btRigidBody* body = fracture.add(plate(crumbly()), options).value();
+    const Momentum before = momentumOf({body});
+    Push push;
+    push.point = options.start * btVector3(0.1f, 0.05f, 0.03f);
+    push.impulse_n_s = options.start.getBasis() * btVector3(3, 0, -40);
+    push.patch_radius_m = 0.02;
+    ASSERT_TRUE(fracture.applyBlow(body, push).ok());
+    EXPECT_FALSE(inWorld(scene, body));
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    const BlowEvent& event = events.front();
+    ASSERT_EQ(event.outcome, Outcome::broke) << event.message;
+    EXPECT_GE(event.fragments.size(), 2u);
+    for (const btRigidBody* piece : event.fragments) EXPECT_TRUE(inWorld(scene, piece));
+    EXPECT_NEAR(event.impulse_n_s, std::hypot(3.0, 40.0), 1e-4);
+    EXPECT_NEAR(event.velocity.z(), 2, 1e-6) << "before the blow";
+    EXPECT_NEAR(event.position.x(), push.point.x(), 1e-6);
+    const Momentum after = momentumOf(event.fragments);
+    EXPECT_LT((after.linear - before.linear - push.impulse_n_s).length(), 1e-3);
+    EXPECT_LT((after.angular - before.angular - push.point.cross(push.impulse_n_s)).length(), 1e-3);
+    scene.step(10);
+    EXPECT_EQ(fracture.bodies().size(), event.fragments.size());
+}
+
+TEST(AppliedBlow, FragmentsFallNoFasterThanTheWholeWould) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 5)).value();
+    body->setActivationState(ISLAND_SLEEPING);
+    ASSERT_TRUE(fracture.applyBlow(body, {btVector3(0, 0, 5.03f), btVector3(0, 0, -50)}).ok());
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.front().outcome, Outcome::broke);
+    const btVector3 before = momentumOf(events.front().fragments).linear;
+    scene.step(1, 0.01);
+    const btVector3 gained = momentumOf(events.front().fragments).linear - before;
+    EXPECT_NEAR(gained.z(), -9.81 * 0.01 * events.front().asset.mass(), 1e-2);
+}
+
+TEST(AppliedBlow, AWeakOneOnlyPushes) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(Material::plaster()), at(0, 0, 0)).value();
+    body->setActivationState(ISLAND_SLEEPING);
+    ASSERT_TRUE(fracture.applyBlow(body, {btVector3(0, 0, 0.03f), btVector3(0, 0, -0.01f)}).ok());
+    EXPECT_TRUE(fracture.takeEvents().empty());
+    EXPECT_EQ(fracture.counts().skipped, 1);
+    EXPECT_TRUE(body->isActive());
+    EXPECT_NEAR(body->getLinearVelocity().z(), -0.01 * body->getInvMass(), 1e-8);
+}
+
+TEST(AppliedBlow, AFasterStrikerOfTheSameImpulseStrikesHarder) {
+    double last = 0;
+    for (const double speed : {0.0, 10.0, 100.0, 400.0}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+        const Push push{btVector3(0, 0, 0.03f), btVector3(0, 0, -5), 0.02, speed};
+        ASSERT_TRUE(fracture.applyBlow(body, push).ok());
+        const std::vector<BlowEvent> events = fracture.takeEvents();
+        ASSERT_FALSE(events.empty()) << "the gate took it for harmless";
+        EXPECT_GT(events.back().peak_force_n, 1.5 * last) << speed;
+        last = events.back().peak_force_n;
+    }
+}
+
+TEST(AppliedBlow, RefusalsSayWhy) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    btRigidBody* ball = scene.addBall(1, 0.1, btVector3(0, 0, 3));
+    const Push good{btVector3(0, 0, 0), btVector3(0, 0, -1)};
+    const auto refusal = [&](const Push& push) { return fracture.applyBlow(body, push).error(); };
+    EXPECT_EQ(fracture.applyBlow(nullptr, good).error(),
+              "the body is not breakable; use add or makeBreakable first");
+    EXPECT_EQ(fracture.applyBlow(ball, good).error(),
+              "the body is not breakable; use add or makeBreakable first");
+    EXPECT_EQ(fracture.applyBlow(body, std::vector<Push>()).error(),
+              "there is no push to strike the body with (an empty list)");
+    EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 0)}),
+              "the impulse of the push is (0, 0, 0) but must be finite and not zero, in N s");
+    EXPECT_EQ(refusal({btVector3(0, std::numeric_limits<btScalar>::infinity(), 0), btVector3(0, 0, 1)}),
+              "the point of the push is (0, inf, 0) but must be finite, in m");
+    EXPECT_EQ(
+        refusal({btVector3(0, 0, 0), btVector3(0, 0, 1), -1}),
+        "the patch radius of the push is -1 but must be 0 (as small as the settings allow) or positive, "
+        "in m");
+    EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1), 0, -2}),
+              "the speed of the push is -2 but must be 0 (not known) or positive, in m/s");
+    scene.world->removeRigidBody(body);
+    EXPECT_EQ(refusal(good), "the body is not in this world; add it with addRigidBody first");
+    body->setMassProps(0, btVector3(0, 0, 0));
+    scene.world->addRigidBody(body);
+    EXPECT_EQ(refusal(good), "the body is static or kinematic; only dynamic bodies can break");
+}
+
+/// Runs a piece of a test where Bullet calls the app: at the near callback of its first pair.
+class MidStep {
+  public:
+    MidStep(TestWorld& scene, std::function<void()> what) : scene_(scene) {
+        task() = std::move(what);
+        scene_.dispatcher->setNearCallback(
+            [](btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+                if (task()) std::exchange(task(), nullptr)();
+                btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+            });
+    }
+    ~MidStep() { scene_.dispatcher->setNearCallback(&btCollisionDispatcher::defaultNearCallback); }
+
+  private:
+    static std::function<void()>& task() {
+        static std::function<void()> kept;
+        return kept;
+    }
+    TestWorld& scene_;
+};
+
+TEST(AppliedBlow, InsideAStepItWaitsForTheEnd) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    scene.addBall(0.001, 0.1, btVector3(0, 0, 0.131f));  // for a pair
+    const Push push{btVector3(0, 0, -0.03f), btVector3(0, 0, 50)};
+    bool whole = false;
+    const MidStep once(scene, [&] {
+        EXPECT_TRUE(fracture.applyBlow(body, push).ok());
+        whole = inWorld(scene, body) && body->getLinearVelocity().length() == 0;
+    });
+    scene.step();
+    EXPECT_TRUE(whole);
+    EXPECT_FALSE(inWorld(scene, body));
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events.front().outcome, Outcome::broke);
+    EXPECT_NEAR(momentumOf(events.front().fragments).linear.z(), 50, 0.1);
+}
+
+TEST(AppliedBlow, OnABodyThatBreaksInTheSameStepItGoesToTheNearestFragment) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    btRigidBody* ball = scene.addBall(2, 0.1, btVector3(0, 0, 0.129f), btVector3(0, 0, -8));
+    const Push push{btVector3(0.28f, 0.28f, 0), btVector3(30, 0, 0)};
+    const MidStep once(scene, [&] { EXPECT_TRUE(fracture.applyBlow(body, push).ok()); });
+    scene.step();
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u) << "fragments rest from their birth";
+    ASSERT_EQ(events.front().outcome, Outcome::broke);
+    ASSERT_LT(events.front().normal.z(), -0.99) << "the ball's blow comes first";
+    std::vector<btRigidBody*> all = events.front().fragments;
+    all.push_back(ball);
+    EXPECT_NEAR(momentumOf(all).linear.x(), 30, 0.1);
+    const auto fastest = std::max_element(all.begin(), all.end(), [](const auto* a, const auto* b) {
+        return a->getLinearVelocity().x() < b->getLinearVelocity().x();
+    });
+    EXPECT_LT((*fastest)->getCenterOfMassPosition().distance(push.point), 0.25);
+}
+
+TEST(AppliedBlow, OfABodyThatIsRemovedInTheSameStepNothingHappens) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    scene.addBall(0.001, 0.1, btVector3(0, 0, 0.131f));
+    const MidStep once(scene, [&] {
+        EXPECT_TRUE(fracture.applyBlow(body, {btVector3(0, 0, 0), btVector3(0, 0, 50)}).ok());
+        fracture.remove(body);
+    });
+    scene.step();
+    EXPECT_TRUE(fracture.bodies().empty());
+    EXPECT_TRUE(fracture.takeEvents().empty());
+}
+
+TEST(Explosion, PushesByTheSolidAngleOfWhatFacesIt) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* near = fracture.add(plate(unbreakable()), at(0, 0, 0.53f)).value();
+    btRigidBody* far = fracture.add(plate(unbreakable()), at(0, 0, -1.03f)).value();
+    btRigidBody* out_of_reach = fracture.add(plate(unbreakable()), at(0, 0, 2)).value();
+    const Result<int> struck = explode(fracture, {btVector3(0, 0, 0), 100, 1.5});
+    ASSERT_TRUE(struck.ok()) << struck.error();
+    EXPECT_EQ(struck.value(), 2);
+    // The normal part of the push on a square of half width a at the distance d, I / (4 pi) times the
+    // integral of cos^2 / r^2, on a grid.
+    const auto expected = [](double d) {
+        constexpr int n = 400;
+        constexpr double a = 0.3, cell = 2 * a / n;
+        double sum = 0;
+        for (int i = 0; i < n; ++i)
+            for (int j = 0; j < n; ++j) {
+                const double x = -a + (i + 0.5) * cell, y = -a + (j + 0.5) * cell;
+                sum += d * d / std::pow(x * x + y * y + d * d, 2) * cell * cell;
+            }
+        return 100 / (4 * 3.14159265358979) * sum;
+    };
+    EXPECT_NEAR(momentumOf({near}).linear.z(), expected(0.5), 0.02 * expected(0.5));
+    EXPECT_NEAR(momentumOf({far}).linear.z(), -expected(1), 0.02 * expected(1));
+    EXPECT_NEAR(near->getLinearVelocity().x(), 0, 1e-3);
+    EXPECT_LT(near->getAngularVelocity().length(), 1e-2);
+    EXPECT_EQ(out_of_reach->getLinearVelocity().length(), 0);
+}
+
+TEST(Explosion, BreaksAHollowBodyFromWithin) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto trough =
+        BreakableAsset::fromMesh(shapes::uShape(0.05, 0.2, 0.3, 0.2), crumbly(), coarse(0.025));
+    ASSERT_TRUE(trough.ok()) << trough.error();
+    btRigidBody* body = fracture.add(trough.value()).value();
+    const btVector3 middle = body->getCenterOfMassPosition();
+    ASSERT_TRUE(explode(fracture, {middle, 200, 1}).ok());
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events.front().outcome, Outcome::broke) << events.front().message;
+    // Only what the opening lets out.
+    EXPECT_LT(momentumOf(events.front().fragments).linear.length(), 100);
+}
+
+TEST(Explosion, RefusalsSayWhatIsOutOfRange) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0), 0, 1}).error(),
+              "the impulse of the explosion is 0 but must be positive, in N s");
+    EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0), 1, -1}).error(),
+              "the reach of the explosion is -1 but must be positive, in m");
+    EXPECT_EQ(explode(fracture, {btVector3(std::numeric_limits<btScalar>::quiet_NaN(), 0, 0), 1, 1}).error(),
+              "the centre of the explosion is not finite; give it in m");
+    EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0), 1, 1}).value(), 0);
+}
+
+}  // namespace

@@ -1,0 +1,108 @@
+// What an event says of a body that is gone, and how long events and bodies wait.
+
+#include "bullet/event_queue.h"
+#include "bullet/support.h"
+#include "core/numerics/stopwatch.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+TEST(Events, CarryTheAssetAndWhereItStoodWhenTheBlowFell) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    BodyOptions options(btTransform(btQuaternion(btVector3(1, 2, 3), 0.4f), btVector3(1, 2, 3)));
+    options.velocity = btVector3(0.5f, -1, 0.25f);
+    options.angular_velocity = btVector3(0.3f, 0.2f, 1);
+    options.name = "pane";
+    // A plate whose centre of mass is not the origin of its coordinates.
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(0.7, -0.3, -0.03), Vec3(1.3, 0.3, 0.03)),
+                                                crumbly(), coarse(0.06));
+    btRigidBody* body = fracture.add(asset.value(), options).value();
+    const btVector3 ahead = options.start.getBasis().getColumn(2);
+    scene.addBall(2, 0.1, options.start * btVector3(1, 0, 0.2f), -8 * ahead);
+    btTransform stood;
+    btVector3 velocity, spin;
+    for (int i = 0; i < 60; ++i) {
+        stood = fracture.assetTransform(body);
+        velocity = body->getLinearVelocity();
+        spin = body->getAngularVelocity();
+        const BlowEvent event = stepUntilBreak(scene, fracture, 1);
+        if (event.outcome == Outcome::held) continue;
+        ASSERT_EQ(event.outcome, Outcome::broke) << event.message;
+        EXPECT_EQ(event.body, body);
+        EXPECT_EQ(event.name, "pane");
+        EXPECT_EQ(event.asset.surface().vertices.size(), 8u);
+        EXPECT_LT(event.asset_transform.getOrigin().distance(stood.getOrigin()), 1e-6);
+        EXPECT_LT((event.asset_transform.getBasis()[0] - stood.getBasis()[0]).length(), 1e-6);
+        for (int axis = 0; axis < 3; ++axis) {
+            EXPECT_NEAR(event.velocity[axis], velocity[axis], 1e-6);
+            EXPECT_NEAR(event.angular_velocity[axis], spin[axis], 1e-6);
+        }
+        // The blow lies on the surface where that stood.
+        const btVector3 there = event.asset_transform.inverse() * btVector3(btScalar(event.position.x()),
+                                                                            btScalar(event.position.y()),
+                                                                            btScalar(event.position.z()));
+        EXPECT_NEAR(there.z(), 0.03, 0.01);
+        return;
+    }
+    FAIL() << "nothing broke";
+}
+
+TEST(Events, StageTimesCountNothingTwice) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const BreakableAsset asset = plate(crumbly());
+    ASSERT_TRUE(asset.prepare().ok());
+    BodyOptions options;
+    options.fracture = asset.settings().fracture;
+    options.fracture->collision_shape = CollisionShape::convex_parts;  // bodies that take long to make
+    ASSERT_TRUE(fracture.add(asset, options).ok());
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    for (int i = 0; i < 60; ++i) {
+        const Stopwatch watch;
+        scene.step();
+        const double step_ms = watch.milliseconds();
+        const std::vector<BlowEvent> events = fracture.takeEvents();
+        if (events.empty()) continue;
+        ASSERT_EQ(events.front().outcome, Outcome::broke) << events.front().message;
+        const StageTimes& ms = events.front().ms;
+        EXPECT_GT(ms.bodies, ms.resolve_step) << "else nothing is tested";
+        EXPECT_LT(ms.sample + ms.assemble + ms.factor + ms.solve + ms.stress + ms.damage + ms.cluster +
+                      ms.surface + ms.bodies + ms.resolve_step,
+                  step_ms);
+        return;
+    }
+    FAIL() << "nothing broke";
+}
+
+TEST(Events, NobodyTakesThemSoTheOldestAreDroppedWithTheirBodies) {
+    const BreakableAsset asset = plate(crumbly());
+    EventQueue queue;
+    std::weak_ptr<const FractureSettings> first, last;
+    for (int i = 0; i < 1003; ++i) {
+        QueuedEvent queued{BlowEvent(asset), nullptr};
+        queued.event.impulse_n_s = i;
+        if (i == 0 || i == 1002) {
+            const auto settings = std::make_shared<const FractureSettings>();
+            (i == 0 ? first : last) = settings;
+            queued.broken = std::make_unique<Breakable>(asset, settings);
+        }
+        queue.push(std::move(queued));
+    }
+    EXPECT_EQ(queue.dropped(), 3);
+    EXPECT_FALSE(first.expired()) << "alive until the next solve";
+    queue.deleteReleased();
+    EXPECT_TRUE(first.expired());
+    const std::vector<BlowEvent> events = queue.take();
+    ASSERT_EQ(events.size(), 1000u);
+    EXPECT_EQ(events.front().impulse_n_s, 3);
+    EXPECT_EQ(events.back().impulse_n_s, 1002);
+    EXPECT_FALSE(last.expired());
+    queue.deleteReleased();
+    EXPECT_TRUE(last.expired());
+    EXPECT_TRUE(queue.take().empty());
+}
+
+}  // namespace

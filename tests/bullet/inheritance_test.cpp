@@ -1,0 +1,106 @@
+// What fragments take over from the body that broke.
+
+#include <algorithm>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr auto broke = Outcome::broke;
+
+/// A plate that is about to be broken by a ball.
+struct BeforeTheBreak {
+    std::vector<btRigidBody*> breakIt() {
+        const BlowEvent event = stepUntilBreak(scene, fracture);
+        EXPECT_EQ(event.outcome, broke) << event.message;
+        return event.fragments;
+    }
+    TestWorld scene;
+    FractureWorld fracture{scene.world.get()};
+    btRigidBody* body = fracture.add(plate(crumbly(), 0.1), at(0, 0, 0)).value();
+    btRigidBody* ball = scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    btRigidBody* other = scene.addBox(1, btVector3(0.1f, 0.1f, 0.1f), btVector3(2, 0, 0));
+};
+
+bool collide(TestWorld& scene, const btRigidBody& a, const btRigidBody& b) {
+    return scene.dispatcher->needsCollision(&a, &b);
+}
+
+TEST(Inheritance, PiecesCollideWithNothingThatTheWholeLeftAlone) {
+    BeforeTheBreak scene;
+    scene.body->setIgnoreCollisionCheck(scene.other, true);
+    for (const btRigidBody* piece : scene.breakIt()) {
+        EXPECT_FALSE(collide(scene.scene, *piece, *scene.other));
+        EXPECT_TRUE(collide(scene.scene, *piece, *scene.ball));
+    }
+}
+
+TEST(Inheritance, WhatLeftTheWholeAloneLeavesThePiecesAlone) {
+    BeforeTheBreak scene;
+    scene.other->setIgnoreCollisionCheck(scene.body, true);
+    for (const btRigidBody* piece : scene.breakIt()) {
+        EXPECT_FALSE(collide(scene.scene, *piece, *scene.other));
+        EXPECT_TRUE(collide(scene.scene, *piece, *scene.ball));
+    }
+    EXPECT_EQ(scene.other->getNumObjectsWithoutCollision(), 0)
+        << "the whole is gone; another body may get its address";
+}
+
+TEST(Inheritance, PiecesCollideWithWhatOnlyAJointKeptFromTheWhole) {
+    BeforeTheBreak scene;
+    btPoint2PointConstraint joint(*scene.body, *scene.other, btVector3(1, 0, 0), btVector3(-1, 0, 0));
+    scene.scene.world->addConstraint(&joint, true);
+    ASSERT_FALSE(collide(scene.scene, *scene.body, *scene.other));
+    for (const btRigidBody* piece : scene.breakIt()) {
+        EXPECT_TRUE(collide(scene.scene, *piece, *scene.other));
+        EXPECT_EQ(piece->getNumObjectsWithoutCollision(), 0);
+    }
+}
+
+TEST(Inheritance, AJointDoesNotHideWhatTheAppSetItself) {
+    BeforeTheBreak scene;
+    scene.body->setIgnoreCollisionCheck(scene.other, true);
+    btPoint2PointConstraint joint(*scene.body, *scene.other, btVector3(1, 0, 0), btVector3(-1, 0, 0));
+    scene.scene.world->addConstraint(&joint, true);
+    for (const btRigidBody* piece : scene.breakIt()) EXPECT_FALSE(collide(scene.scene, *piece, *scene.other));
+}
+
+TEST(Inheritance, RemovedBodyIsForgottenByWhatLeftItAlone) {
+    BeforeTheBreak scene;
+    scene.other->setIgnoreCollisionCheck(scene.body, true);
+    scene.fracture.remove(scene.body);
+    EXPECT_EQ(scene.other->getNumObjectsWithoutCollision(), 0);
+}
+
+TEST(Inheritance, AnisotropicFrictionWithItsFlags) {
+    for (const int mode : {1, 2, 3}) {
+        BeforeTheBreak scene;
+        scene.body->setAnisotropicFriction(btVector3(1, 0.5f, 0.25f), mode);
+        scene.fracture.onFragment([&](FragmentBirth& birth) {
+            for (const int flag : {1, 2})
+                EXPECT_EQ(birth.body.hasAnisotropicFriction(flag), (mode & flag) != 0);
+            // The factors hold along the axes of a body, and those of a piece are its own. Along the whole's:
+            const btMatrix3x3 turn = birth.parent.getWorldTransform().getBasis().transpose() *
+                                     birth.body.getWorldTransform().getBasis();
+            for (int axis = 0; axis < 3; ++axis) {
+                const btVector3 along(turn[0][axis], turn[1][axis], turn[2][axis]);
+                const btScalar expected = (along * along).dot(btVector3(1, 0.5f, 0.25f));
+                EXPECT_NEAR(birth.body.getAnisotropicFriction()[axis], expected, 1e-5);
+            }
+        });
+        EXPECT_FALSE(scene.breakIt().empty());
+    }
+}
+
+TEST(Inheritance, IsotropicFrictionStaysSo) {
+    BeforeTheBreak scene;
+    for (const btRigidBody* piece : scene.breakIt()) {
+        EXPECT_FALSE(piece->hasAnisotropicFriction(3));
+        EXPECT_EQ(piece->getAnisotropicFriction(), btVector3(1, 1, 1));
+    }
+}
+
+}  // namespace

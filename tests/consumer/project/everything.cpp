@@ -1,0 +1,183 @@
+// A stranger's program that uses every part of the world's interface, and says so where something is not as
+// the headers promise.
+
+#include <btBulletDynamicsCommon.h>
+#include <sherd/sherd.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+void check(bool holds, const char* what) {
+    if (holds) return;
+    std::printf("not so: %s\n", what);
+    std::exit(1);
+}
+
+/// A motion state of the app's own: Bullet writes where to draw the body.
+struct DrawnObject : btMotionState {
+    btTransform place = btTransform::getIdentity();
+    void getWorldTransform(btTransform& centre_of_mass) const override { centre_of_mass = place; }
+    void setWorldTransform(const btTransform& centre_of_mass) override { place = centre_of_mass; }
+};
+
+/// A tile of 0.3 x 0.3 x 0.02 m, lying about its own origin.
+sherd::TriangleMesh tile() {
+    sherd::TriangleMesh mesh;
+    for (const double z : {-0.01, 0.01})
+        for (const double y : {-0.15, 0.15})
+            for (const double x : {-0.15, 0.15}) mesh.vertices.emplace_back(x, y, z);
+    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
+                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
+    return mesh;
+}
+
+btTransform at(btScalar x, btScalar y, btScalar z) {
+    return btTransform(btQuaternion::getIdentity(), btVector3(x, y, z));
+}
+
+struct World {
+    World() {
+        world.setGravity(btVector3(0, 0, -9.81f));
+        floor.translate(btVector3(0, 0, -0.5f));
+        world.addRigidBody(&floor);
+    }
+    ~World() { world.removeRigidBody(&floor); }
+    btBoxShape slab{btVector3(50, 50, 0.5f)};
+    btRigidBody floor{btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &slab)};
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher{&configuration};
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
+};
+
+/// The first event that tells of a break, and how many others there were.
+std::vector<sherd::BlowEvent> breaks(sherd::FractureWorld& fracture) {
+    std::vector<sherd::BlowEvent> broken;
+    for (sherd::BlowEvent& event : fracture.takeEvents())
+        if (event.outcome == sherd::Outcome::broke) broken.push_back(std::move(event));
+    return broken;
+}
+
+}  // namespace
+
+int main() {
+    sherd::Settings settings = sherd::Settings::forQuality(sherd::Quality::preview);
+    settings.strength.seed = 3;
+    settings.strength.field = [](const sherd::Vec3& x) { return x.x() > 0 ? 1.0 : 0.8; };
+    settings.fracture.debris = sherd::Debris::merged;
+    const auto made = sherd::BreakableAsset::fromMesh(tile(), sherd::Material::ceramic(), settings);
+    check(made.ok(), made.error().c_str());
+    const sherd::BreakableAsset asset = made.value();
+    std::thread worker([&] { check(asset.prepare().ok(), "an asset is prepared on another thread"); });
+
+    World scene;
+    sherd::FractureWorld fracture(&scene.world);
+    worker.join();
+
+    // Fragments get motion states of the app's, and say whose they are.
+    std::map<const btRigidBody*, std::unique_ptr<DrawnObject>> drawn;
+    fracture.onFragment([&](sherd::FragmentBirth& birth) {
+        auto object = std::make_unique<DrawnObject>();
+        birth.body.setMotionState(object.get());
+        birth.body.setUserIndex(birth.parent.getUserIndex() + 1);
+        birth.name += "/" + std::to_string(birth.event.fragments.size());
+        birth.collision_mask &= ~32;
+        drawn[&birth.body] = std::move(object);
+    });
+
+    // A falling tile, with all that a body may be given.
+    DrawnObject falling;
+    sherd::BodyOptions options(btTransform(btQuaternion(btVector3(1, 0, 0), 1.2f), btVector3(0, 0, 2)));
+    options.velocity = btVector3(0, 0, -3);
+    options.angular_velocity = btVector3(0, 0.5f, 0);
+    options.collision_group = 4;
+    options.collision_mask = -1;
+    options.user_pointer = &scene;
+    options.user_index = 10;
+    options.motion_state = &falling;
+    options.name = "falling";
+    options.seed = 7;
+    options.fracture = asset.settings().fracture;
+    options.fracture->fragment_count = 6;
+    options.fracture->collision_shape = sherd::CollisionShape::hull;
+    const auto added = fracture.add(asset, options);
+    check(added.ok(), added.error().c_str());
+    check(fracture.name(added.value()) == "falling", "a body keeps its name");
+    std::vector<sherd::BlowEvent> broken;
+    for (int frame = 0; frame < 240 && broken.empty(); ++frame) {
+        scene.world.stepSimulation(1.0f / 60, 10, 1.0f / 240);
+        broken = breaks(fracture);
+    }
+    check(!broken.empty(), "the tile breaks on the floor");
+    {
+        const sherd::BlowEvent& event = broken.front();
+        check(event.name == "falling", "an event has the body's name");
+        check(event.velocity.z() < -3, "an event tells how the body moved");
+        check(event.asset.surface().triangles.size() == 12, "an event carries the asset");
+        check(event.body->getUserPointer() == &scene, "the broken body is still there to be asked");
+        check(event.fragments.size() >= 2, "there are fragments");
+        const btRigidBody* piece = event.fragments.front();
+        check(piece->getUserIndex() == 11, "the callback's user index is kept");
+        check(piece->getBroadphaseHandle()->m_collisionFilterGroup == 4, "fragments inherit the group");
+        check(piece->getBroadphaseHandle()->m_collisionFilterMask == ~32, "the callback's mask is kept");
+        check(fracture.name(piece) == "falling/0", "the callback's name is kept");
+        check(drawn.count(piece) == 1, "fragments have the app's motion states");
+        check(fracture.renderTransform(piece).getOrigin().distance(
+                  fracture.assetTransform(piece).getOrigin()) < 0.1,
+              "a fragment is drawn where it is");
+        std::printf("%s broke into %zu pieces\n", event.name.c_str(), event.fragments.size());
+    }
+
+    // Another body of the same asset, broken by a bullet between two steps, otherwise than the first.
+    sherd::BodyOptions target(at(5, 0, 1));
+    target.fracture = asset.settings().fracture;
+    target.fracture->fragment_count = 3;
+    btRigidBody* shot = fracture.add(asset, target).value();
+    const sherd::Push bullet{btVector3(5, 0, 1.01f), btVector3(0, 0, -3.2f), 0.005, 400};
+    check(fracture.applyBlow(shot, bullet).ok(), "a bullet may be shot at a body");
+    broken = breaks(fracture);
+    check(broken.size() == 1, "the bullet breaks it at once");
+    std::printf("shot into %zu pieces\n", broken.front().fragments.size());
+
+    // A wall of the app's own and a row of tiles, and an explosion between them.
+    btBoxShape brick(btVector3(0.2f, 0.05f, 0.2f));
+    btVector3 inertia;
+    brick.calculateLocalInertia(20, inertia);
+    btRigidBody wall(btRigidBody::btRigidBodyConstructionInfo(20, nullptr, &brick, inertia));
+    wall.setCenterOfMassTransform(at(-5, 0.4f, 0.2f));
+    scene.world.addRigidBody(&wall);
+    sherd::BreakableOptions wall_options;
+    wall_options.name = "wall";
+    const auto breakable = fracture.makeBreakable(&wall, sherd::Material::plaster(), settings, wall_options);
+    check(breakable.ok(), breakable.error().c_str());
+    for (int i = 0; i < 3; ++i) fracture.add(asset, at(-5 + 0.4f * btScalar(i), -0.3f, 0.2f)).value();
+    const auto struck = sherd::explode(fracture, {btVector3(-5, 0, 0.2f), 300, 3});
+    check(struck.ok() && struck.value() == 4, "an explosion strikes what is near");
+    broken = breaks(fracture);
+    check(!broken.empty(), "an explosion breaks what is near");
+    std::printf("%zu of %d broke in the explosion\n", broken.size(), struck.value());
+
+    // What cannot be done is answered with a sentence.
+    sherd::BodyOptions scaled;
+    scaled.start.setBasis(scaled.start.getBasis().scaled(btVector3(2, 2, 2)));
+    check(!fracture.add(asset, scaled).ok(), "a scaled start is refused");
+    check(!fracture.applyBlow(&scene.floor, bullet).ok(), "a floor cannot be struck");
+
+    for (int frame = 0; frame < 30; ++frame) scene.world.stepSimulation(1.0f / 60, 10, 1.0f / 240);
+    fracture.onFragment(nullptr);
+    const sherd::BlowCounts counts = fracture.counts();
+    check(counts.solved > 0 && counts.events_dropped == 0, "blows are counted");
+    for (btRigidBody* body : fracture.bodies())
+        if (body != &wall) fracture.remove(body);
+    check(fracture.bodies().size() <= 1, "bodies can be removed");
+    scene.world.removeRigidBody(&wall);
+    std::puts("all as promised");
+}

@@ -1,0 +1,146 @@
+// 30 cups and a ball of 12 m/s: prints what identifies the motion of all bodies, step by step, or runs itself
+// several times and compares. Beyond Bullet's pool of 4096 contacts the allocator decides where contacts are,
+// and each process has addresses of its own.
+//
+//   cups_reproducibility SHAPE              one run: step, bodies, contacts, hash of all bits so far
+//   cups_reproducibility SHAPE RUNS         several processes; fails at the first step that differs
+//   cups_reproducibility SHAPE RUNS STEPS   with another number of steps than 480
+
+#include <btBulletDynamicsCommon.h>
+#include <sherd/sherd.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace {
+
+constexpr double time_step_s = 1.0 / 240;
+constexpr btScalar row_spacing_m = 0.13f;
+
+/// FNV-1a over the bits.
+void mix(std::uint64_t& hash, const void* data, std::size_t size) {
+    const auto* bytes = static_cast<const unsigned char*>(data);
+    for (std::size_t i = 0; i < size; ++i) hash = (hash ^ bytes[i]) * 0x100000001B3ull;
+}
+
+void mixBody(std::uint64_t& hash, const btRigidBody& body) {
+    btScalar matrix[16];
+    body.getWorldTransform().getOpenGLMatrix(matrix);
+    mix(hash, matrix, sizeof matrix);
+    mix(hash, &body.getLinearVelocity(), 3 * sizeof(btScalar));
+    mix(hash, &body.getAngularVelocity(), 3 * sizeof(btScalar));
+}
+
+bool shapeOf(const std::string& name, sherd::CollisionShape& shape) {
+    if (name == "boxes")
+        shape = sherd::CollisionShape::boxes;
+    else if (name == "hull")
+        shape = sherd::CollisionShape::hull;
+    else if (name == "convex_parts")
+        shape = sherd::CollisionShape::convex_parts;
+    else
+        return false;
+    return true;
+}
+
+int runOnce(sherd::CollisionShape shape, int steps) {
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+    world.setGravity(btVector3(0, 0, -9.81f));
+    btBoxShape slab(btVector3(5, 5, 0.5f));
+    btRigidBody floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &slab));
+    floor.translate(btVector3(0, 0, -0.5f));
+    world.addRigidBody(&floor);
+    btSphereShape sphere(0.05f);
+    btRigidBody ball(2, nullptr, &sphere, btVector3(0.002f, 0.002f, 0.002f));
+    ball.translate(btVector3(-0.3f, 0.02f, 0.06f));
+    ball.setLinearVelocity(btVector3(12, 0, 0));
+    world.addRigidBody(&ball);
+    {
+        sherd::FractureWorld fracture(&world);
+        sherd::Settings settings = sherd::Settings::forQuality(sherd::Quality::preview);
+        settings.fracture.collision_shape = shape;
+        const auto cup = sherd::BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj",
+                                                        sherd::Material::ceramic(), settings);
+        if (!cup) {
+            std::puts(cup.error().c_str());
+            return 1;
+        }
+        for (int i = 0; i < 30; ++i) {
+            const btVector3 place(row_spacing_m * btScalar(i % 6), row_spacing_m * btScalar(i / 6 - 2),
+                                  0.001f);
+            const auto added = fracture.add(cup.value(), btTransform(btQuaternion::getIdentity(), place));
+            if (!added) {
+                std::puts(added.error().c_str());
+                return 1;
+            }
+        }
+        std::uint64_t hash = 0xCBF29CE484222325ull;
+        for (int step = 0; step < steps; ++step) {
+            world.stepSimulation(btScalar(time_step_s), 0);
+            const auto& objects = world.getCollisionObjectArray();
+            for (int i = 0; i < objects.size(); ++i) mixBody(hash, *btRigidBody::upcast(objects[i]));
+            fracture.takeEvents();
+            std::printf("%d %d %d %016llx\n", step, objects.size(), dispatcher.getNumManifolds(),
+                        static_cast<unsigned long long>(hash));
+        }
+    }
+    world.removeRigidBody(&ball);
+    world.removeRigidBody(&floor);
+    return 0;
+}
+
+/// The lines of one process.
+std::vector<std::string> linesOf(const std::string& command) {
+    std::vector<std::string> lines;
+    std::FILE* output = popen(command.c_str(), "r");
+    char line[256];
+    while (output && std::fgets(line, sizeof line, output)) lines.emplace_back(line);
+    if (!output || pclose(output) != 0) lines.clear();
+    return lines;
+}
+
+int compare(const std::string& program, const std::string& shape, int runs, int steps) {
+    const std::string command = "'" + program + "' " + shape + " 1 " + std::to_string(steps);
+    std::vector<std::string> first;
+    for (int run = 0; run < runs; ++run) {
+        const std::vector<std::string> lines = linesOf(command);
+        if (static_cast<int>(lines.size()) != steps) {
+            std::printf("run %d ended after %zu of %d steps\n", run, lines.size(), steps);
+            return 1;
+        }
+        if (run == 0) {
+            first = lines;
+            std::printf("run 0: step, bodies, contacts, bits: %s", lines.back().c_str());
+        }
+        for (int step = 0; step < steps; ++step)
+            if (lines[step] != first[step]) {
+                std::printf("run %d differs from the first:\n%s%s", run, first[step].c_str(),
+                            lines[step].c_str());
+                return 1;
+            }
+    }
+    std::printf("%d runs of %d steps: the same bits\n", runs, steps);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    sherd::CollisionShape shape{};
+    const int runs = count > 2 ? std::atoi(arguments[2]) : 1,
+              steps = count > 3 ? std::atoi(arguments[3]) : 480;
+    if (count < 2 || !shapeOf(arguments[1], shape) || runs < 1 || steps < 1) {
+        std::puts("usage: cups_reproducibility boxes|hull|convex_parts [RUNS [STEPS]]");
+        return 2;
+    }
+    return runs == 1 ? runOnce(shape, steps) : compare(arguments[0], arguments[1], runs, steps);
+}
