@@ -2,10 +2,12 @@
 
 #include <LinearMath/btTransform.h>
 #include <sherd/settings.h>
+#include <sherd/surface_region.h>
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 class btMotionState;
 
@@ -18,6 +20,11 @@ struct BreakableOptions {
     /// blows, in any world. Without one, FractureSettings::seed and the order in which bodies became
     /// breakable decide.
     std::optional<std::uint64_t> seed;
+    /// Parts of the surface that the world holds, in the asset frame; empty: those of the asset, if it is
+    /// anchored. The stress of a blow is solved with these parts at rest. A body that `add` makes with
+    /// supports is static, and one of mass 0 becomes breakable only with them. Its fragments stay as static
+    /// bodies where a support holds them by more than a line; the others fall.
+    std::vector<SurfaceRegion> supports;
 };
 
 /// What `FractureWorld::add` makes a body with; all of it may be left out. A transform alone is a body at
@@ -26,8 +33,8 @@ struct BodyOptions : BreakableOptions {
     BodyOptions(const btTransform& its_start = btTransform::getIdentity()) : start(its_start) {}
 
     btTransform start;  ///< where the asset's own coordinates stand; a rotation and a translation
-    btVector3 velocity = btVector3(0, 0, 0);          ///< of the centre of mass, m/s
-    btVector3 angular_velocity = btVector3(0, 0, 0);  ///< rad/s
+    btVector3 velocity = btVector3(0, 0, 0);          ///< of the centre of mass, m/s; 0 with supports
+    btVector3 angular_velocity = btVector3(0, 0, 0);  ///< rad/s; 0 with supports
     std::optional<FractureSettings> fracture;         ///< how it breaks; none: as the asset says
     std::optional<int> collision_group;               ///< none: Bullet's own choice
     std::optional<int> collision_mask;                ///< none: Bullet's own choice

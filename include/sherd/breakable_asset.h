@@ -3,10 +3,12 @@
 #include <sherd/material.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
+#include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace sherd {
 
@@ -26,6 +28,12 @@ class BreakableAsset {
     static Result<BreakableAsset> fromMesh(const TriangleMesh& surface, const Material& material,
                                            const Settings& settings = {});
 
+    /// The same body, held by the world on parts of its surface: these do not move in the stress of a blow.
+    /// Bodies made of it are static (see BreakableOptions::supports). It is sampled and prepared apart from
+    /// this asset; bodies that are held alike should be made of one. The error says which support touches no
+    /// surface, or that they hold the body by no more than a line.
+    Result<BreakableAsset> anchored(const std::vector<SurfaceRegion>& supports) const;
+
     /// Samples the solid, and assembles and factors its stress problem, now rather than at the first blow.
     /// The error says why that cannot be; blows would say the same.
     ///
@@ -42,6 +50,7 @@ class BreakableAsset {
     const TriangleMesh& surface() const;
     const Material& material() const;
     const Settings& settings() const;
+    const std::vector<SurfaceRegion>& supports() const;  ///< empty: nothing holds it
     int particleCount() const;  ///< samples the solid at the first call; 0 if that cannot be
     double mass() const;        ///< kg
     double volume() const;      ///< m^3

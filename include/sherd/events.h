@@ -42,8 +42,9 @@ struct BlowEvent : BlowFigures {
     /// Sherd's they are disabled. They may be removed once more and deleted at any time.
     std::vector<btTypedConstraint*> removed_constraints;
     std::vector<btMultiBodyConstraint*> removed_multi_body_constraints;  ///< the same with multi-bodies
-    double dropped_mass_kg = 0;     ///< of debris that left the world (FractureSettings::debris)
-    double momentum_error_rel = 0;  ///< linear and angular, of all fragments against the body
+    double dropped_mass_kg = 0;  ///< of debris that left the world (FractureSettings::debris)
+    /// Linear and angular, of all fragments against the body; 0 if the world held it or holds some of them.
+    double momentum_error_rel = 0;
 };
 
 /// Counts since the FractureWorld was made.

@@ -17,7 +17,9 @@ namespace sherd {
 ///   threshold and (as far as it fits) radius of continuous collision, DISABLE_DEACTIVATION;
 /// - collision group and mask, objects that it does not collide with, user pointer, the three user indices,
 ///   custom debug colour, the name and the FractureSettings;
-/// - its share of the momentum and of the forces that wait for the solver.
+/// - its share of the momentum and of the forces that wait for the solver. Where the world holds it on a
+///   support (BreakableOptions::supports) it is static; then, and where it comes off a static body, Bullet
+///   chooses its group and mask anew unless the app had chosen them.
 /// Its own are mass, inertia, place, collision shape (FractureSettings::collision_shape) and motion state: a
 /// btDefaultMotionState that begins where the whole body was drawn.
 struct FragmentBirth {

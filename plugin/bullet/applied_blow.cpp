@@ -42,15 +42,18 @@ Status checkPush(const Push& push) {
     return success();
 }
 
-ContactImpulse asContact(const btRigidBody& body, const btTransform& asset_from_world, const Push& push) {
+ContactImpulse asContact(const Breakable& breakable, const btTransform& asset_from_world, const Push& push) {
     const double impulse = push.impulse_n_s.length();
     const btVector3 direction = push.impulse_n_s.normalized();
     ContactImpulse contact;
     contact.point = fromBullet(asset_from_world * push.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * direction).normalized();
     contact.impulse = impulse * contact.normal;
-    contact.approach_m_s =
-        push.speed_m_s > 0 ? push.speed_m_s : impulse * body.computeImpulseDenominator(push.point, direction);
+    // A body that is held would be moved as fast if it were not.
+    const btRigidBody& body = *breakable.body;
+    const double inverse_mass = body.getInvMass() > 0 ? body.computeImpulseDenominator(push.point, direction)
+                                                      : 1 / breakable.asset.mass();
+    contact.approach_m_s = push.speed_m_s > 0 ? push.speed_m_s : impulse * inverse_mass;
     contact.effective_mass_kg = impulse / contact.approach_m_s;
     contact.patch_radius_m = push.patch_radius_m;
     return contact;
@@ -72,7 +75,7 @@ StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes
     struck.breakable = &breakable;
     struck.before = stateOf(body);
     for (const Push& push : pushes) {
-        struck.blow.contacts.push_back(asContact(body, asset_from_world, push));
+        struck.blow.contacts.push_back(asContact(breakable, asset_from_world, push));
         const double impulse = push.impulse_n_s.length();
         if (!(impulse > struck.impulse_n_s)) continue;
         struck.impulse_n_s = impulse;

@@ -40,17 +40,19 @@ void inheritSurface(const btRigidBody& parent, btRigidBody& piece) {
     if (parent.getCollisionFlags() & surface_flags)
         piece.setContactStiffnessAndDamping(parent.getContactStiffness(), parent.getContactDamping());
     piece.setContactProcessingThreshold(parent.getContactProcessingThreshold());
-    piece.setCollisionFlags(parent.getCollisionFlags());
+    const int is_static = btCollisionObject::CF_STATIC_OBJECT;  // each body's own
+    piece.setCollisionFlags((parent.getCollisionFlags() & ~is_static) |
+                            (piece.getCollisionFlags() & is_static));
     inheritAnisotropicFriction(parent, piece);
 }
 
-void inheritMotionRules(const btRigidBody& parent, btRigidBody& piece) {
+void inheritMotionRules(const btRigidBody& parent, const btVector3& world_gravity, btRigidBody& piece) {
     piece.setDamping(parent.getLinearDamping(), parent.getAngularDamping());
     piece.setSleepingThresholds(parent.getLinearSleepingThreshold(), parent.getAngularSleepingThreshold());
     piece.setFlags(parent.getFlags());
     piece.setLinearFactor(parent.getLinearFactor());
     piece.setAngularFactor(parent.getAngularFactor());
-    piece.setGravity(parent.getGravity());
+    piece.setGravity(parent.getInvMass() > 0 ? parent.getGravity() : world_gravity);
     piece.setCcdMotionThreshold(parent.getCcdMotionThreshold());
     btVector3 centre;
     btScalar radius;
@@ -68,41 +70,63 @@ void inheritAppData(btRigidBody& parent, btRigidBody& piece) {
     if (parent.getCustomDebugColor(colour)) piece.setCustomDebugColor(colour);
 }
 
+/// The app's own filter; where it left the choice to Bullet, what Bullet chooses for the piece.
+CollisionFilter inheritedFilter(const btRigidBody& parent, const btRigidBody& piece) {
+    const btBroadphaseProxy* proxy = parent.getBroadphaseHandle();
+    const CollisionFilter usual = CollisionFilter::usual(piece.isStaticObject());
+    if (!proxy) return usual;
+    const CollisionFilter given{proxy->m_collisionFilterGroup, proxy->m_collisionFilterMask};
+    return given == CollisionFilter::usual(parent.isStaticObject()) ? usual : given;
+}
+
+bool isHeld(const std::unique_ptr<Breakable>& piece) {
+    return piece->body->isStaticObject();
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
                                                            const std::vector<Fragment>& fragments,
-                                                           bool inside_step) {
+                                                           const btVector3& world_gravity, bool inside_step) {
     btRigidBody& whole = *parent.body;
-    const double mass_scale = 1 / (whole.getInvMass() * parent.asset.mass());
+    const bool was_static = whole.getInvMass() == 0;
+    const double mass_scale = was_static ? 1 : 1 / (whole.getInvMass() * parent.asset.mass());
     const btTransform world_from_asset = parent.placed(whole.getWorldTransform());
     const btTransform drawn_from_asset = parent.placed(renderedTransform(whole));
-    const btBroadphaseProxy* proxy = whole.getBroadphaseHandle();
     std::vector<std::unique_ptr<Breakable>> pieces;
-    std::vector<btRigidBody*> bodies;
+    std::vector<btRigidBody*> moving;
     for (const Fragment& fragment : fragments) {
         auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid), parent.fracture);
-        piece->owned =
-            makeRigidBody(*fragment.solid, parent.fracture->collision_shape, fragment.boxes, mass_scale);
+        piece->owned = makeRigidBody(*fragment.solid, parent.fracture->collision_shape, fragment.boxes,
+                                     fragment.solid->isAnchored() ? 0 : mass_scale);
         piece->body = piece->owned.body.get();
         piece->body_from_asset = principalFrame(fragment.solid->moments()).body_from_asset;
         const btTransform asset_from_body = piece->body_from_asset.inverse();
         placeBody(piece->owned, world_from_asset * asset_from_body, drawn_from_asset * asset_from_body,
                   piece->body_from_asset);
         piece->name = parent.name;
-        if (proxy) piece->filter = {proxy->m_collisionFilterGroup, proxy->m_collisionFilterMask};
+        piece->filter = inheritedFilter(whole, *piece->body);
         inheritSurface(whole, *piece->body);
-        inheritMotionRules(whole, *piece->body);
+        inheritMotionRules(whole, world_gravity, *piece->body);
         inheritAppData(whole, *piece->body);
-        bodies.push_back(piece->body);
+        if (!isHeld(piece)) moving.push_back(piece->body);
         pieces.push_back(std::move(piece));
     }
-    shareMotion(whole, bodies);
-    shareForces(whole, bodies, inside_step);
+    if (was_static) {
+        for (btRigidBody* piece : moving)
+            if (inside_step) piece->applyGravity();
+    } else if (moving.size() < pieces.size()) {
+        followMotion(whole, moving);
+        shareForces(whole, moving, inside_step);
+    } else {
+        shareMotion(whole, moving);
+        shareForces(whole, moving, inside_step);
+    }
     return pieces;
 }
 
 double momentumError(const btRigidBody& parent, const std::vector<std::unique_ptr<Breakable>>& fragments) {
+    if (parent.isStaticObject() || std::any_of(fragments.begin(), fragments.end(), isHeld)) return 0;
     std::vector<const btRigidBody*> bodies;
     for (const auto& fragment : fragments) bodies.push_back(fragment->body);
     return momentumDifference(parent, bodies);
@@ -112,7 +136,8 @@ double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::uniqu
     double mass = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!fragments[i].dropped) continue;
-        mass += 1 / static_cast<double>(pieces[i]->body->getInvMass());
+        const double inverse_mass = pieces[i]->body->getInvMass();
+        mass += inverse_mass > 0 ? 1 / inverse_mass : pieces[i]->asset.mass();
         pieces[i].reset();
     }
     pieces.erase(std::remove(pieces.begin(), pieces.end(), nullptr), pieces.end());

@@ -19,6 +19,14 @@ namespace sherd {
 struct CollisionFilter {
     int group = btBroadphaseProxy::DefaultFilter;
     int mask = btBroadphaseProxy::AllFilter;
+
+    /// Bullet's for a body that moves, or for one that does not.
+    static CollisionFilter usual(bool is_static) {
+        if (!is_static) return {};
+        return {btBroadphaseProxy::StaticFilter,
+                btBroadphaseProxy::AllFilter ^ btBroadphaseProxy::StaticFilter};
+    }
+    bool operator==(const CollisionFilter& other) const { return group == other.group && mask == other.mask; }
 };
 
 /// A body that can break, with its asset.
@@ -52,6 +60,10 @@ struct Breakable {
     btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
     /// An app may make a body static at any time.
     bool isDynamic() const { return !body->isStaticOrKinematicObject() && body->getInvMass() > 0; }
+    /// Whether blows count: of bodies that move, and of static ones that are held on parts of their surface.
+    bool canBeStruck() const {
+        return isDynamic() || (asset.solid()->isAnchored() && !body->isKinematicObject());
+    }
     /// Whether it may break at that simulated time: neither debris nor just born.
     bool breaksAt(double time_s) const;
 };

@@ -23,6 +23,10 @@ bool joins(const btPersistentManifold& manifold, btDispatcher& dispatcher) {
     return in_world && manifold.getNumContacts() > 0 && dispatcher.needsResponse(a, b);
 }
 
+bool isSeed(const std::vector<char>& is_seed, const btCollisionObject& object) {
+    return object.getWorldArrayIndex() >= 0 && is_seed[object.getWorldArrayIndex()];
+}
+
 /// Calls visit(object, object) for every contact and every joint between two objects.
 template <class Visit>
 void forEachJoint(btDiscreteDynamicsWorld& world, const Visit& visit) {
@@ -46,8 +50,16 @@ Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btColli
     forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {
         if (connects(a) && connects(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
     });
-    std::vector<char> wanted(objects.size(), 0);
-    for (const btCollisionObject* seed : seeds) wanted[groups.root(seed->getWorldArrayIndex())] = 1;
+    std::vector<char> wanted(objects.size(), 0), is_seed(objects.size(), 0);
+    for (const btCollisionObject* seed : seeds) is_seed[seed->getWorldArrayIndex()] = 1;
+    const auto want = [&](const btCollisionObject& object) {
+        wanted[groups.root(object.getWorldArrayIndex())] = 1;
+    };
+    for (const btCollisionObject* seed : seeds) want(*seed);
+    forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {  // of static seeds
+        if (connects(a) && isSeed(is_seed, b)) want(a);
+        if (connects(b) && isSeed(is_seed, a)) want(b);
+    });
     const auto inside = [&](const btCollisionObject& object) {
         return connects(object) && wanted[groups.root(object.getWorldArrayIndex())];
     };

@@ -119,7 +119,8 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
 }
 
 bool ContactCollector::listens(const Breakable& breakable) const {
-    return breakable.isDynamic() && breakable.body->isActive() && breakable.breaksAt(time_s_);
+    return breakable.canBeStruck() && (!breakable.isDynamic() || breakable.body->isActive()) &&
+           breakable.breaksAt(time_s_);
 }
 
 ContactImpulse ContactCollector::contactOn(const Breakable& breakable, const Side& own,

@@ -14,6 +14,7 @@ namespace sherd {
 namespace {
 
 void push(btRigidBody& body, const std::vector<Push>& pushes) {
+    if (body.isStaticOrKinematicObject()) return;
     body.activate();
     for (const Push& push : pushes)
         body.applyImpulse(push.impulse_n_s, push.point - body.getCenterOfMassPosition());
@@ -33,8 +34,10 @@ Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>
     if (!breakable) return Error{"the body is not breakable; use add or makeBreakable first"};
     if (!isInWorld(world_, body))
         return Error{"the body is not in this world; add it with addRigidBody first"};
-    if (!breakable->isDynamic())
-        return Error{"the body is static or kinematic; only dynamic bodies can break"};
+    if (!breakable->canBeStruck())
+        return Error{
+            "the body is static or kinematic; only bodies that move, and static ones with supports, can "
+            "break"};
     blows_.push_back({breakable->serial, body, pushes});
     if (!insideStep()) finish(0);
     return success();
@@ -64,7 +67,7 @@ void FractureWorld::Impl::removeRequested() {
 
 void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s) {
     Breakable* target = targetOf(blow);
-    if (!target || !isInWorld(world_, target->body) || !target->isDynamic()) return;
+    if (!target || !isInWorld(world_, target->body) || !target->canBeStruck()) return;
     const StruckBreakable struck = asContacts(*target, blow.pushes);
     push(*target->body, blow.pushes);
     if (!target->breaksAt(time_s_)) return;

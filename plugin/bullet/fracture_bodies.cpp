@@ -70,18 +70,27 @@ Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> bre
     return breakables_.add(std::move(breakable));
 }
 
-Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& asset, const BodyOptions& options) {
+Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, const BodyOptions& options) {
     if (const Status usable = checkHook(); !usable) return Error{usable.error()};
     if (insideStep())
         return Error{"a body cannot be added while the world is inside a step; add it after stepSimulation"};
     if (const Status valid = checkOptions(options); !valid) return Error{valid.error()};
+    const Result<BreakableAsset> held =
+        options.supports.empty() ? free_asset : free_asset.anchored(options.supports);
+    if (!held) return Error{held.error()};
+    const BreakableAsset& asset = held.value();
+    const bool is_static = asset.solid()->isAnchored();
+    if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
+        return Error{"a body with supports is static, so its velocities must be 0"};
     const Result<std::vector<Box>> boxes = collisionBoxes(*asset.solid());
     if (!boxes) return Error{boxes.error()};
     auto breakable = std::make_unique<Breakable>(
         asset, fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
-    breakable->owned = makeRigidBody(*asset.solid(), breakable->fracture->collision_shape, boxes.value());
+    breakable->owned =
+        makeRigidBody(*asset.solid(), breakable->fracture->collision_shape, boxes.value(), is_static ? 0 : 1);
     breakable->body = breakable->owned.body.get();
     breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;
+    breakable->filter = CollisionFilter::usual(is_static);
     breakable->name = options.name;
     breakable->seed = options.seed;
     setUp(breakable->owned, breakable->body_from_asset, options);
@@ -96,7 +105,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& asset, const
     return body;
 }
 
-Status FractureWorld::Impl::refusal(btRigidBody* body) const {
+Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& options) const {
     if (const Status usable = checkHook(); !usable) return usable;
     if (insideStep())
         return Error{
@@ -105,8 +114,13 @@ Status FractureWorld::Impl::refusal(btRigidBody* body) const {
     if (!isInWorld(world_, body))
         return Error{"the body is not in this world; add it with addRigidBody first"};
     if (breakables_.find(body)) return Error{"the body is breakable already"};
-    if (body->isStaticOrKinematicObject() || body->getInvMass() == 0)
-        return Error{"the body is static or kinematic and has no mass; only dynamic bodies can break"};
+    if (body->isKinematicObject())
+        return Error{"the body is kinematic; only dynamic and static bodies can break"};
+    if (body->getInvMass() == 0 && options.supports.empty())
+        return Error{
+            "the body is static, so it can break only where something holds it: name the parts of its "
+            "surface "
+            "that are held (BreakableOptions::supports), or give it a mass"};
     if (giveToken(*body) == no_token)
         return Error{
             "the body's extension pointer (internalSetExtensionPointer), by which Sherd knows it, is used by "
@@ -117,14 +131,16 @@ Status FractureWorld::Impl::refusal(btRigidBody* body) const {
 Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& material,
                                           const Settings& settings, const BreakableOptions& options) {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
-    if (const Status refused = refusal(body); !refused) return refused;
+    if (const Status refused = refusal(body, options); !refused) return refused;
     const auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
     const auto surface = uniteConvexParts(parts.value());
     if (!surface) return Error{surface.error()};
     Material own = material;
-    own.density_kg_m3 = 1 / (body->getInvMass() * solidMoments(surface.value()).volume);
-    const auto asset = BreakableAsset::fromMesh(surface.value(), own, settings);
+    if (body->getInvMass() > 0)
+        own.density_kg_m3 = 1 / (body->getInvMass() * solidMoments(surface.value()).volume);
+    auto asset = BreakableAsset::fromMesh(surface.value(), own, settings);
+    if (asset && !options.supports.empty()) asset = asset.value().anchored(options.supports);
     if (!asset) return Error{asset.error()};
     auto breakable =
         std::make_unique<Breakable>(asset.value(), fractureSettingsFor(asset.value(), settings.fracture));

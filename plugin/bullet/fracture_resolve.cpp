@@ -81,7 +81,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
     std::vector<std::unique_ptr<Breakable>> pieces;
     try {
         const Stopwatch watch;
-        pieces = makeFragmentBodies(parent, broken.outcome.fragments, time_step_s > 0);
+        pieces = makeFragmentBodies(parent, broken.outcome.fragments, world_.getGravity(), time_step_s > 0);
         event.ms.bodies += watch.milliseconds();
     } catch (const std::exception& trouble) {
         event.outcome = Outcome::failed;

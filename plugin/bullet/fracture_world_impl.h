@@ -31,7 +31,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void deleteIfReleased();
 
     // Called by the app.
-    Result<btRigidBody*> add(const BreakableAsset& asset, const BodyOptions& options);
+    Result<btRigidBody*> add(const BreakableAsset& free_asset, const BodyOptions& options);
     Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings,
                          const BreakableOptions& options);
     void remove(btRigidBody* body);
@@ -84,7 +84,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
-    Status refusal(btRigidBody* body) const;
+    Status refusal(btRigidBody* body, const BreakableOptions& options) const;
     bool insideStep() const { return isInsideStep(world_); }
     bool isToBeRemoved(const Breakable& breakable) const;
     BodyToken tokenToRemove(const btRigidBody* body) const;

@@ -73,6 +73,14 @@ void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
     }
 }
 
+void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
+    for (btRigidBody* piece : pieces) {
+        const btVector3 arm = piece->getCenterOfMassPosition() - whole.getCenterOfMassPosition();
+        piece->setLinearVelocity(whole.getLinearVelocity() + whole.getAngularVelocity().cross(arm));
+        piece->setAngularVelocity(whole.getAngularVelocity());
+    }
+}
+
 void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces, bool gravity_if_none) {
     const Vec3 force = fromBullet(whole.getTotalForce()), torque = fromBullet(whole.getTotalTorque());
     // Bullet applies no gravity to a body that sleeps when the step begins. Its fragments are active and get

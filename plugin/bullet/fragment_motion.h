@@ -12,6 +12,10 @@ namespace sherd {
 /// conserved rather than spin.
 void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
+/// Gives the pieces the whole's own motion, each at its place: of a body some of whose pieces the world
+/// holds.
+void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
+
 /// Distributes the forces and torques that the solve will apply (gravity and the app's own), such that all
 /// pieces accelerate as parts of the rigid whole. `gravity_if_none`: inside a step, where a body without any
 /// force is one that slept, and got no gravity.

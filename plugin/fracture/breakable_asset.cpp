@@ -1,6 +1,7 @@
 #include <sherd/breakable_asset.h>
 
 #include "fracture/breakable_solid.h"
+#include "fracture/supports.h"
 #include "geometry/surface_checks.h"
 
 namespace sherd {
@@ -22,6 +23,19 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
     return BreakableAsset(std::move(solid).value());
 }
 
+Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>& supports) const {
+    if (supports.empty())
+        return Error{"no support was given to hold the body on; name parts of its surface (SurfaceRegion)"};
+    if (const auto points = pointsOfSupports(surface(), supports, solid_->spacing()); !points)
+        return Error{points.error()};
+    if (supportsThatHold(surface(), supports, solid_->spacing()).empty())
+        return Error{
+            "the supports hold the body by no more than a line or a point, about which it can turn; give "
+            "them "
+            "more of its surface"};
+    return BreakableAsset(solid_->anchored(supports));
+}
+
 Status BreakableAsset::prepare() const {
     const auto solver = solid_->stressSolver();
     if (!solver) return Error{solver.error()};
@@ -40,6 +54,9 @@ const Material& BreakableAsset::material() const {
 }
 const Settings& BreakableAsset::settings() const {
     return solid_->settings();
+}
+const std::vector<SurfaceRegion>& BreakableAsset::supports() const {
+    return solid_->supports();
 }
 double BreakableAsset::mass() const {
     return solid_->mass();

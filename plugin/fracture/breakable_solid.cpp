@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "core/damage/particle_strengths.h"
-#include "core/loads/surface_region.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
 #include "fracture/spacing.h"
+#include "fracture/supports.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 
@@ -24,18 +24,6 @@ double boundingRadiusAbout(const Vec3& centre, const TriangleMesh& surface) {
 /// Spline functions are integrated with moments of twice their degree; other forms need none.
 int momentOrder(const StressSettings& stress) {
     return stress.trial_function == TrialFunction::spline ? 2 * splineDegree(stress.basis) : 0;
-}
-
-Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
-                                                   const std::vector<SurfaceRegion>& regions,
-                                                   double spacing) {
-    std::vector<SupportPoint> supports;
-    for (const SurfaceRegion& region : regions) {
-        const auto points = regionQuadrature(surface, region, spacing);
-        if (!points) return Error{"A support cannot be placed: " + points.error()};
-        for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
-    }
-    return supports;
 }
 
 }  // namespace
@@ -69,7 +57,16 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_ = fragmentSpacing(spacing_, volume);
+    piece->supports_ = supportsThatHold(piece->surface_, supports_, piece->spacing_);
     return piece;
+}
+
+std::shared_ptr<const BreakableSolid> BreakableSolid::anchored(std::vector<SurfaceRegion> supports) const {
+    std::shared_ptr<BreakableSolid> solid(new BreakableSolid(surface_, material_, settings_));
+    solid->wall_thickness_ = wall_thickness_;
+    solid->spacing_ = spacing_;
+    solid->supports_ = std::move(supports);
+    return solid;
 }
 
 const FailureCriterion& BreakableSolid::failureCriterion() const {

@@ -34,6 +34,7 @@ class BreakableSolid {
     const FailureCriterion& failureCriterion() const;
     const Moments& moments() const { return moments_; }
     const std::vector<SurfaceRegion>& supports() const { return supports_; }
+    bool isAnchored() const { return !supports_.empty(); }
     double mass() const { return material_.density_kg_m3 * moments_.volume; }
     double wallThickness() const { return wall_thickness_; }
     double boundingRadius() const { return bounding_radius_; }
@@ -57,7 +58,9 @@ class BreakableSolid {
     /// Whether the factored stress problem is there already. Never waits.
     bool prepared() const;
 
-    /// A piece of this solid: same material, settings and limits. It has no supports.
+    /// The same solid held on `supports` instead of its own; sampled and factored anew.
+    std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
+    /// A piece of this solid: same material, settings and limits, and those supports that hold it.
     std::shared_ptr<const BreakableSolid> makeFragment(TriangleMesh surface) const;
 
   private:

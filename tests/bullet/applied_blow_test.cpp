@@ -131,7 +131,9 @@ TEST(AppliedBlow, RefusalsSayWhy) {
     EXPECT_EQ(refusal(good), "the body is not in this world; add it with addRigidBody first");
     body->setMassProps(0, btVector3(0, 0, 0));
     scene.world->addRigidBody(body);
-    EXPECT_EQ(refusal(good), "the body is static or kinematic; only dynamic bodies can break");
+    EXPECT_EQ(
+        refusal(good),
+        "the body is static or kinematic; only bodies that move, and static ones with supports, can break");
 }
 
 /// Runs a piece of a test where Bullet calls the app: at the near callback of its first pair.

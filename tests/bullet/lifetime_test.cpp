@@ -65,7 +65,9 @@ TEST(MakeBreakable, RefusesWithASentence) {
               "there is no body to make breakable (nullptr)");
     btRigidBody* floor = scene.addFloor();
     EXPECT_EQ(fracture.makeBreakable(floor, material).error(),
-              "the body is static or kinematic and has no mass; only dynamic bodies can break");
+              "the body is static, so it can break only where something holds it: name the parts of its "
+              "surface that "
+              "are held (BreakableOptions::supports), or give it a mass");
     btRigidBody* body = addAppsBody(scene);
     scene.world->removeRigidBody(body);
     EXPECT_EQ(fracture.makeBreakable(body, material).error(),

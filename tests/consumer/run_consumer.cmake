@@ -29,7 +29,7 @@ extract_program("${SHERD_SOURCE}/README.md" "${WORK}/project/main.cpp")
 
 run("Installing" ${CMAKE_COMMAND} --install "${SHERD_BUILD}" --config "${CONFIG}" --prefix "${WORK}/prefix")
 run("Configuring" ${CMAKE_COMMAND} -S "${WORK}/project" -B "${WORK}/build" -G "${GENERATOR}"
-  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
+  "-DCMAKE_CXX_COMPILER=${COMPILER}" "-DCMAKE_CXX_FLAGS=${FLAGS}" "-DCMAKE_BUILD_TYPE=${CONFIG}"
   "-DCMAKE_RUNTIME_OUTPUT_DIRECTORY=$<1:${WORK}/bin>" "-DCMAKE_PREFIX_PATH=${WORK}/prefix")
 run("Building" ${CMAKE_COMMAND} --build "${WORK}/build" --config "${CONFIG}")
 

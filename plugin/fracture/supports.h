@@ -1,0 +1,24 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/surface_region.h>
+#include <sherd/triangle_mesh.h>
+
+#include <vector>
+
+#include "core/mlpg/stress_solver.h"
+
+namespace sherd {
+
+/// Quadrature points, about `spacing_m` apart, of the parts of the surface that regions take. Crack faces are
+/// held by nothing. The error says which region touches no surface.
+Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
+                                                   const std::vector<SurfaceRegion>& regions,
+                                                   double spacing_m);
+
+/// Those regions that hold a piece of a broken body; none if together they leave it free to turn.
+/// `spacing_m`: between its particles; regions that touch less than a particle's face hold nothing.
+std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
+                                            const std::vector<SurfaceRegion>& regions, double spacing_m);
+
+}  // namespace sherd
