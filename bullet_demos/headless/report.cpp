@@ -105,6 +105,7 @@ ordered_json describe(const TimedEvent& timed) {
     entry["largest_stress_pa"] = event.largest_stress_pa;
     entry["dropped_mass_kg"] = event.dropped_mass_kg;
     entry["message"] = event.message;
+    entry["warnings"] = event.warnings;
     return entry;
 }
 

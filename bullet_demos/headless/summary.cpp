@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <set>
+#include <vector>
 
 #include "headless/stage_times.h"
 
@@ -46,8 +47,10 @@ std::string messages(const SceneRun& run) {
     std::set<std::string> said;
     std::string text;
     for (const TimedEvent& timed : run.events) {
-        const std::string& message = timed.event.message;
-        if (!message.empty() && said.insert(message).second) text += "note: " + message + "\n";
+        std::vector<std::string> sentences = timed.event.warnings;
+        sentences.push_back(timed.event.message);
+        for (const std::string& sentence : sentences)
+            if (!sentence.empty() && said.insert(sentence).second) text += "note: " + sentence + "\n";
     }
     return text;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace sherd {
 
@@ -33,7 +34,8 @@ struct BlowFigures {
     double volume_error_rel = 0;  ///< the same of the volume
     double residual_rel = 0;      ///< of the linear solve
     StageTimes ms;
-    std::string message;  ///< failure, fallbacks and warnings, as sentences
+    std::string message;                ///< failure and fallbacks, as sentences
+    std::vector<std::string> warnings;  ///< what limits trust in the stress, with the remedy
 };
 
 }  // namespace sherd

@@ -66,7 +66,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     out.peak_force_n = peak_force_n;
     out.contact_time_s = stress.pulse.duration_s;
     out.residual_rel = stress.unit.residual_rel;
-    for (const std::string& warning : stress.unit.warnings) addSentence(out.message, warning);
+    out.warnings = stress.unit.warnings;
 
     const Strength strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
     Damage damage =

@@ -56,6 +56,16 @@ TEST(Strike, StressGrowsWithTheSpeedOfTheBlow) {
     }
 }
 
+TEST(Strike, WarningsOfTheStressReachTheOutcome) {
+    Material soft = Material::plaster();
+    EXPECT_TRUE(strike(*plate(soft), blowInTheMiddle(1, 10), 1).warnings.empty());
+    soft.poisson_ratio = 0.48;
+    const BlowOutcome out = strike(*plate(soft), blowInTheMiddle(1, 10), 1);
+    ASSERT_EQ(out.warnings.size(), 1u);
+    EXPECT_NE(out.warnings[0].find("Poisson"), std::string::npos) << out.warnings[0];
+    EXPECT_TRUE(out.message.empty()) << out.message;
+}
+
 TEST(Strike, ABodyThatNothingCanBreakHolds) {
     Material hard = Material::plaster();
     hard.tensile_strength_pa = 1e15;
