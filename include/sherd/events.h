@@ -32,7 +32,7 @@ struct BlowEvent : BlowFigures {
     /// the event was taken; a body of the app's for as long as the app keeps it.
     btRigidBody* body = nullptr;
 
-    Vec3 position = Vec3::Zero();  ///< of the contact with the largest impulse, m
+    Vec3 position = Vec3::Zero();  ///< of the strike that was met first, m
     Vec3 normal = Vec3::Zero();    ///< unit direction in which the body was pushed there
 
     /// Empty unless it broke. The FractureWorld owns them. Each is valid until it is removed or the

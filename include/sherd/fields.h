@@ -208,8 +208,6 @@ IfFieldsOf<Self, ContactSettings> visitFields(Self& s, Visitor&& visit) {
           s.partner_poisson_ratio);
     visit(Field{"shortest_contact_s", "shortest duration of a contact", Range::positive("s")},
           s.shortest_contact_s);
-    visit(Field{"longest_contact_s", "longest duration of a contact", Range::positive("s")},
-          s.longest_contact_s);
     visit(Field{"smallest_patch", "smallest radius of the loaded patch",
                 Range::positive().with("fraction of the wall thickness")},
           s.smallest_patch);

@@ -11,7 +11,7 @@ struct Push {
     double patch_radius_m = 0;  ///< of the part of the surface that is hit; 0: as small as the settings allow
     /// Of what strikes, m/s: the push then brings the energy J v / 2, as a striker that is stopped does (a
     /// bullet of 8 g at 400 m/s: 3.2 N s, 640 J). 0: not known, and the energy is what the impulse alone
-    /// gives to the body, J^2 / 2 m.
+    /// gives to the body, J^2 / 2 m; a lower speed than J / m counts as that.
     double speed_m_s = 0;
 };
 

@@ -113,10 +113,10 @@ struct ContactSettings {
     /// Elastic constants of a partner that is not breakable itself. The defaults suit rock.
     double partner_youngs_modulus_pa = 5e10;
     double partner_poisson_ratio = 0.25;
-    /// Duration of a contact, at least and at most; in this order.
+    /// Duration of a contact, at least.
     double shortest_contact_s = 2e-5;
-    double longest_contact_s = 1e-2;
-    /// Radius of the loaded patch, at least this fraction of the wall thickness.
+    /// Radius of the loaded patch, and of the curvature that the contact is given, at least this fraction of
+    /// the wall thickness.
     double smallest_patch = 0.25;
     /// Radius of the loaded patch, at most this fraction of the radius of the sphere about the centre of mass
     /// that holds the body.

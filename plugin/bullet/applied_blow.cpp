@@ -42,6 +42,20 @@ Status checkPush(const Push& push) {
     return success();
 }
 
+/// 1/kg; 0 for a body that is held.
+double inverseMassAt(const btRigidBody& body, const Push& push) {
+    return body.getInvMass() > 0 ? body.computeImpulseDenominator(push.point, push.impulse_n_s.normalized())
+                                 : 0;
+}
+
+/// A striker that is stopped with the impulse of the push from its speed; one that does not give way if no
+/// faster striker is needed for that.
+Mobility strikerOf(const btRigidBody& body, const ContactImpulse& contact, const Push& push) {
+    const double both = contact.approach_m_s / push.impulse_n_s.length();
+    const double inverse_mass = both - inverseMassAt(body, push);
+    return inverse_mass > 1e-6 * both ? Mobility::ofPoint(1 / inverse_mass, contact.point) : Mobility{};
+}
+
 ContactImpulse asContact(const Breakable& breakable, const btTransform& asset_from_world, const Push& push) {
     const double impulse = push.impulse_n_s.length();
     const btVector3 direction = push.impulse_n_s.normalized();
@@ -49,12 +63,10 @@ ContactImpulse asContact(const Breakable& breakable, const btTransform& asset_fr
     contact.point = fromBullet(asset_from_world * push.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * direction).normalized();
     contact.impulse = impulse * contact.normal;
+    const double given = inverseMassAt(*breakable.body, push);
     // A body that is held would be moved as fast if it were not.
-    const btRigidBody& body = *breakable.body;
-    const double inverse_mass = body.getInvMass() > 0 ? body.computeImpulseDenominator(push.point, direction)
-                                                      : 1 / breakable.asset.mass();
-    contact.approach_m_s = push.speed_m_s > 0 ? push.speed_m_s : impulse * inverse_mass;
-    contact.effective_mass_kg = impulse / contact.approach_m_s;
+    const double own = given > 0 ? given : 1 / breakable.asset.mass();
+    contact.approach_m_s = std::max(push.speed_m_s, impulse * own);
     contact.patch_radius_m = push.patch_radius_m;
     return contact;
 }
@@ -74,11 +86,15 @@ StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes
     StruckBreakable struck;
     struck.breakable = &breakable;
     struck.before = stateOf(body);
+    double hardest = 0;
     for (const Push& push : pushes) {
-        struck.blow.contacts.push_back(asContact(breakable, asset_from_world, push));
+        ContactImpulse contact = asContact(breakable, asset_from_world, push);
+        contact.partner = static_cast<int>(struck.blow.partners.size());
+        struck.blow.partners.push_back(strikerOf(body, contact, push));
+        struck.blow.contacts.push_back(contact);
         const double impulse = push.impulse_n_s.length();
-        if (!(impulse > struck.impulse_n_s)) continue;
-        struck.impulse_n_s = impulse;
+        if (!(impulse > hardest)) continue;
+        hardest = impulse;
         struck.position = fromBullet(push.point);
         struck.normal = fromBullet(push.impulse_n_s / push.impulse_n_s.length());
     }

@@ -5,9 +5,12 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <algorithm>
+#include <cmath>
+#include <tuple>
+#include <utility>
 
+#include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
-#include "bullet/multi_body_state.h"
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
 
@@ -15,31 +18,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double resting_steps = 2;  // of free fall: slower contacts are those of a body at rest
-
-/// Before and after the solve, at one point.
-struct PointMotion {
-    btVector3 before = btVector3(0, 0, 0), after = btVector3(0, 0, 0);
-    btScalar inverse_mass = 0;       // n . K n
-    btScalar free_acceleration = 0;  // along the normal, by gravity and what the app applies
-};
-
-PointMotion motionAt(const btCollisionObject& object, const StepSnapshot& snapshot, const btVector3& point,
-                     const btVector3& normal) {
-    PointMotion motion;
-    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
-        const BodyState* state = snapshot.find(&object);
-        const btVector3 origin = state ? state->transform.getOrigin() : body->getCenterOfMassPosition();
-        motion.after = body->getLinearVelocity() + body->getAngularVelocity().cross(point - origin);
-        motion.before = state ? state->velocityAt(point) : motion.after;
-        if (body->isStaticOrKinematicObject()) return motion;
-        motion.inverse_mass = body->computeImpulseDenominator(point, normal);
-        motion.free_acceleration = std::abs(body->getTotalForce().dot(normal)) * body->getInvMass();
-    } else if (linkMotion(object, point, motion.before, motion.inverse_mass)) {
-        motion.after = motion.before;  // Bullet adds what the solve gave to multi-bodies only later
-    }
-    return motion;
-}
+constexpr double resting_steps = 2;     // of free fall: slower contacts are those of a body at rest
+constexpr double largest_gap_m = 1e-3;  // between bodies that rest on each other
 
 /// Predictive contacts (continuous collision) put the centre of the swept sphere where other contacts have
 /// the point.
@@ -84,28 +64,47 @@ ContactCollector::ContactCollector(const BreakableRegistry& breakables, const St
 btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a,
                                            int, int index_a, const btCollisionObjectWrapper* wrapper_b, int,
                                            int index_b) {
-    if (point.m_appliedImpulse <= 0) return 0;
+    // A point that overlaps and carries nothing matters where a strike comes by it: others, met later and
+    // further down, may have stopped the body.
+    if (point.m_appliedImpulse <= 0 && point.getDistance() > 0) return 0;
     const btVector3 normal = point.m_normalWorldOnB;
     btVector3 impulse =
         normal * point.m_appliedImpulse + point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1;
     if (two_friction_directions_) impulse += point.m_lateralFrictionDir2 * point.m_appliedImpulseLateral2;
     const Side a{wrapper_a->getCollisionObject(), point.getPositionWorldOnA(), normal, impulse, index_a};
     const Side b{wrapper_b->getCollisionObject(), point.getPositionWorldOnB(), -normal, -impulse, index_b};
-    addSide(a, b, point.m_appliedImpulse);
-    addSide(b, a, point.m_appliedImpulse);
+    addSide(a, b, point);
+    addSide(b, a, point);
     return 0;
 }
 
-void ContactCollector::addSide(const Side& own, const Side& other, btScalar normal_impulse) {
+void ContactCollector::addSide(const Side& own, const Side& other, const btManifoldPoint& point) {
     Breakable* breakable = breakables_.find(own.object);
     if (!breakable || !listens(*breakable)) return;
+    const BodyState* state = before_.find(own.object);
+    const btTransform& stood = state ? state->transform : own.object->getWorldTransform();
+    const btTransform asset_from_world = breakable->placed(stood).inverse();
+    ContactImpulse contact = contactOn(own, other, asset_from_world, point);
+    const bool rests = contact.supports() && point.getDistance() <= largest_gap_m;
+    if (!contact.strikes() && !rests) return;
     StruckBreakable& entry = entryOf(*breakable);
-    entry.blow.contacts.push_back(contactOn(*breakable, own, other));
-    if (normal_impulse > entry.impulse_n_s) {
-        entry.impulse_n_s = normal_impulse;
-        entry.position = fromBullet(own.point);
-        entry.normal = fromBullet(own.push);
-    }
+    contact.partner = entry.numberOf(other.object);
+    if (contact.partner == static_cast<int>(entry.blow.partners.size()))
+        entry.blow.partners.push_back(mobilityOf(*other.object, asset_from_world, own.point));
+    entry.blow.contacts.push_back(contact);
+    const auto order = std::make_tuple(contact.strikes(), contact.strikes() ? contact.touched_s : 0,
+                                       double(point.m_appliedImpulse));
+    if (entry.blow.contacts.size() > 1 && order <= entry.foremost) return;
+    entry.foremost = order;
+    entry.position = fromBullet(own.point);
+    entry.normal = fromBullet(own.push);
+}
+
+int StruckBreakable::numberOf(const btCollisionObject* partner) {
+    const auto known = std::find(partners.begin(), partners.end(), partner);
+    const auto number = known - partners.begin();
+    if (known == partners.end()) partners.push_back(partner);
+    return static_cast<int>(number);
 }
 
 StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
@@ -123,23 +122,28 @@ bool ContactCollector::listens(const Breakable& breakable) const {
            breakable.breaksAt(time_s_);
 }
 
-ContactImpulse ContactCollector::contactOn(const Breakable& breakable, const Side& own,
-                                           const Side& other) const {
-    const BodyState* state = before_.find(own.object);
-    const btTransform& stood = state ? state->transform : own.object->getWorldTransform();
-    const btTransform asset_from_world = breakable.placed(stood).inverse();
-    const PointMotion self = motionAt(*own.object, before_, own.point, own.push);
-    const PointMotion partner = motionAt(*other.object, before_, other.point, own.push);
+ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
+                                           const btTransform& asset_from_world,
+                                           const btManifoldPoint& point) const {
+    const PointMotion self =
+        motionAt(*own.object, before_.find(own.object), own.point, own.push, time_step_s_);
+    const PointMotion partner =
+        motionAt(*other.object, before_.find(other.object), own.point, own.push, time_step_s_);
+    const btVector3 meeting = partner.velocity - self.velocity;
+    const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
 
     ContactImpulse contact;
     contact.point = fromBullet(asset_from_world * own.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
-    const double approach = (partner.before - self.before).dot(own.push);
-    const double fall = time_step_s_ * (self.free_acceleration + partner.free_acceleration);
-    contact.approach_m_s = approach > resting_steps * fall ? approach : std::min(approach, 0.0);
-    contact.closing_after_m_s = (partner.after - self.after).dot(own.push);
-    contact.effective_mass_kg = 1 / (self.inverse_mass + partner.inverse_mass);
+    // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
+    const double rest = resting_steps * time_step_s_ * (std::abs(self.gravity) + std::abs(partner.gravity));
+    contact.approach_m_s = closing > rest
+                               ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
+                               : std::min(closing, 0.0);
+    contact.touched_s = closing > 0 ? std::clamp(depth_m / closing, -time_step_s_, time_step_s_) : 0;
+    contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
+    contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = strikingRadius(*other.object->getCollisionShape(), other.child);
     if (const Breakable* other_breakable = breakables_.find(other.object)) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;

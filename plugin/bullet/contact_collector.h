@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 
+#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -17,11 +18,16 @@ namespace sherd {
 /// A breakable body and what a solved step did to it.
 struct StruckBreakable {
     Breakable* breakable = nullptr;
-    BodyState before;              ///< the solve, or the applied blow
-    Blow blow;                     ///< asset frame
-    Vec3 position = Vec3::Zero();  ///< of the hardest contact, world frame, m
-    Vec3 normal = Vec3::Zero();    ///< direction in which the body was pushed there, world frame
-    double impulse_n_s = 0;        ///< normal impulse there
+    BodyState before;                                ///< the solve, or the applied blow
+    Blow blow;                                       ///< asset frame
+    std::vector<const btCollisionObject*> partners;  ///< what touches it, by the numbers in the blow
+    Vec3 position =
+        Vec3::Zero();  ///< of the strike that was met first, else of the hardest contact, world frame, m
+    Vec3 normal = Vec3::Zero();                 ///< direction in which the body was pushed there, world frame
+    std::tuple<bool, double, double> foremost;  ///< strikes, how long ago it was met, normal impulse there
+
+    /// The number of a partner; a new one gets the next.
+    int numberOf(const btCollisionObject* partner);
 };
 
 /// The state of a body as it is now.
@@ -31,7 +37,7 @@ BodyState stateOf(const btRigidBody& body);
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
 /// that inside the solver. So a body at rest shows none, with one exception: now and then Bullet drops a
 /// resting contact for a step, and the body comes back with what it fell meanwhile. Closing speeds up to two
-/// steps of free fall count as none.
+/// steps of free fall of both bodies count as none. What the app pushes is no such case: it strikes.
 class ContactCollector final : public btCollisionWorld::ContactResultCallback {
   public:
     ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,
@@ -55,8 +61,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
         int child;
     };
     StruckBreakable& entryOf(Breakable& breakable);
-    void addSide(const Side& own, const Side& other, btScalar normal_impulse);
-    ContactImpulse contactOn(const Breakable& breakable, const Side& own, const Side& other) const;
+    void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
+    ContactImpulse contactOn(const Side& own, const Side& other, const btTransform& asset_from_world,
+                             const btManifoldPoint& point) const;
     bool listens(const Breakable& breakable) const;
 
     const BreakableRegistry& breakables_;

@@ -6,26 +6,41 @@
 
 #include <vector>
 
+#include "core/loads/blow.h"
 #include "core/loads/contact_loads.h"
-#include "core/loads/contact_pulse.h"
 #include "core/mlpg/stress_solver.h"
 #include "fracture/strike_context.h"
 
 namespace sherd {
 
-/// The stress of a blow at the peak of its pulse: `unit` times `pulse.peak_force_n`.
+/// The stress of a blow when it presses hardest: `unit` times `pulse.peak_force_n`.
 struct BlowStress {
-    StressField unit;  ///< under loads of 1 N in total
+    std::vector<PointForce> strike;  ///< what strikes, 1 N in total; empty: nothing does
+    std::vector<PointForce> loads;   ///< that, and what the supports of the body answer to it
+    StressField unit;                ///< under `loads`
     ContactPulse pulse;
-    double strain_energy_j = 0;  ///< at the peak
+    double strain_energy_j = 0;  ///< at the peak; never more than the blow brings
 };
+
+/// What the loads need to know of a solid. Refers to it.
+ContactBody struckBody(const BreakableSolid& solid);
+
+/// Whether a solid is anchored or rests on something, so that it may not give way to a blow.
+bool isHeld(const BreakableSolid& solid, const Blow& blow);
+
+/// Energy that a blow brings to a solid at most, J. Reads the surface near the contacts; solves nothing.
+double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const ContactSettings& contact);
 
 /// Stress under loads of 1 N in total, with free surfaces free of traction. Adds the times to `ms`.
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms);
 
-/// The same, and the pulse that body and contact make of the blow together.
-Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver,
-                              const ContactLoads& loads, StageTimes& ms);
+/// The stress of a blow, and the pulse that body and contact make of it together. Without supports that takes
+/// one solve: what the body stores under a unit force decides how the energy is shared, and so the peak force
+/// and the duration. Supports answer the more the longer the pulse is, and lengthen it themselves, so the
+/// solve is repeated until their answer stays. Weight is left out: the body bears it before and after the
+/// blow as well.
+Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
+                              StageTimes& ms);
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/damage/particle_strengths.h"
+#include "fracture/blow_stress.h"
 #include "fracture/crack_energy.h"
 
 namespace sherd {
@@ -25,10 +26,12 @@ double smallestFailureEnergy(const BreakableSolid& solid) {
 
 }  // namespace
 
-// The solid stores no more energy than the blow brings.
+// The solid stores no more energy than the blow brings. The first bound costs nothing; the second one reads
+// the surface, and is closer.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
-    const double energy = blowEnergy(blow);
-    return energy > smallestCrackEnergy(solid, fracture) && energy > smallestFailureEnergy(solid);
+    const double needed = std::max(smallestCrackEnergy(solid, fracture), smallestFailureEnergy(solid));
+    return blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed &&
+           broughtEnergy(solid, blow, fracture.contact) > needed;
 }
 
 }  // namespace sherd

@@ -31,11 +31,6 @@ const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
     return solver;
 }
 
-ContactLoads loadsOf(const Blow& blow, const BreakableSolid& solid, const ContactSettings& settings) {
-    const ContactBody body{solid.surface(), solid.material(), solid.wallThickness(), solid.boundingRadius()};
-    return contactLoads(body, blow, settings);
-}
-
 void addSentence(std::string& message, const std::string& sentence) {
     message += (message.empty() ? "" : " ") + sentence;
 }
@@ -46,7 +41,7 @@ void noteDamage(const Damage& damage, BlowOutcome& out) {
 }
 
 /// A blow that `canBreak` lets through
-///   -> loads of 1 N in total -> stress per newton, peak force, strain energy
+///   -> loads of 1 N in total -> what the supports answer, stress per newton, peak force, strain energy
 ///   -> damaged particles                    held: there are none, or the energy pays for no crack
 ///   -> more damage, solved without those    (settings.damage_waves; none by default)
 ///   -> a label for each particle            held: all have the same
@@ -60,8 +55,8 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     const Discretisation& sampling = *valueOrFail(solid.discretisation());  // the solid keeps it
     const StrikeContext struck{solid, sampling, fracture, seed};
 
-    const ContactLoads loads = loadsOf(blow, solid, fracture.contact);
-    const BlowStress stress = valueOrFail(blowStress(struck, solver, loads, out.ms));
+    const BlowStress stress = valueOrFail(blowStress(struck, solver, blow, out.ms));
+    if (stress.strike.empty()) return;
     const double peak_force_n = stress.pulse.peak_force_n;
     out.peak_force_n = peak_force_n;
     out.contact_time_s = stress.pulse.duration_s;
@@ -73,11 +68,12 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
         timed(out.ms.damage, [&] { return damagedParticles(stress.unit, peak_force_n, sampling, strength); });
     noteDamage(damage, out);
     if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
-    damage = valueOrFail(furtherWaves(struck, loads.unit, peak_force_n, strength, std::move(damage), out.ms));
+    damage =
+        valueOrFail(furtherWaves(struck, stress.loads, peak_force_n, strength, std::move(damage), out.ms));
     noteDamage(damage, out);
 
     FragmentLabels labels = timed(out.ms.cluster, [&] {
-        return labelParticles(struck, damage, stress.strain_energy_j, axisOf(loads.unit));
+        return labelParticles(struck, damage, stress.strain_energy_j, axisOf(stress.strike));
     });
     if (labels.count < 2) return;
 

@@ -27,9 +27,8 @@ Blow blowInTheMiddle(double mass, double speed) {
     contact.normal = -Vec3::UnitZ();
     contact.impulse = -Vec3::UnitZ() * mass * speed;
     contact.approach_m_s = speed;
-    contact.effective_mass_kg = mass;
     contact.partner_radius_m = 0.03;
-    return {{contact}};
+    return {{contact}, {Mobility::ofPoint(mass)}};
 }
 
 TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {
@@ -101,16 +100,19 @@ Material crushable(const std::string& failure_criterion) {
     return material;
 }
 
-/// A cube of 0.1 m, struck from above and from below at once by 0.5 kg each.
+/// A cube of 0.1 m, struck from above and from below at once; each strike stops 0.5 kg.
 BlowOutcome squeezeCube(const Material& material, double speed, const Settings& settings,
                         bool* passes = nullptr) {
     const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3::Constant(-0.05), Vec3::Constant(0.05)),
                                                 material, settings);
     EXPECT_TRUE(asset.ok()) << asset.error();
-    Blow blow = blowInTheMiddle(0.5, speed);
+    const double partner = 1 / (1 / 0.5 - 1 / asset.value().mass());  // of which a free cube stops 0.5 kg
+    Blow blow = blowInTheMiddle(partner, speed);
     blow.contacts.push_back(blow.contacts[0]);
+    blow.partners.push_back(blow.partners[0]);
     for (const int side : {0, 1}) {
         ContactImpulse& contact = blow.contacts[side];
+        contact.partner = side;
         contact.normal = Vec3::UnitZ() * (side ? 1 : -1);
         contact.point = -0.05 * contact.normal;
         contact.impulse = 0.5 * speed * contact.normal;

@@ -33,9 +33,8 @@ Blow blowOf(double mass, double speed) {
     contact.normal = -Vec3::UnitZ();
     contact.impulse = -Vec3::UnitZ() * mass * speed;
     contact.approach_m_s = speed;
-    contact.effective_mass_kg = mass;
     contact.partner_radius_m = 0.03;
-    return {{contact}};
+    return {{contact}, {Mobility::ofPoint(mass)}};
 }
 
 std::vector<double> volumesOf(const BlowOutcome& outcome) {

@@ -20,10 +20,9 @@ TEST(LayersWithoutBullet, BreakAPlate) {
     contact.normal = -Vec3::UnitZ();
     contact.impulse = -10 * Vec3::UnitZ();
     contact.approach_m_s = 10;
-    contact.effective_mass_kg = 1;
     contact.partner_radius_m = 0.03;
     const BreakableSolid& solid = *asset.value().solid();
-    const BlowOutcome out = strike(solid, {{contact}}, solid.settings().fracture, 1);
+    const BlowOutcome out = strike(solid, {{contact}, {Mobility::ofPoint(1)}}, solid.settings().fracture, 1);
     EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
 }
 

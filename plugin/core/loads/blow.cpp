@@ -4,30 +4,53 @@
 
 namespace sherd {
 
+namespace {
+
+/// The largest mass that a strike can stop.
+double largestMass(double body_mass_kg, const Mobility& partner, bool held) {
+    if (partner.fixed()) return body_mass_kg;
+    return 1 / ((held ? 0 : 1 / body_mass_kg) + partner.inverse_mass);
+}
+
+}  // namespace
+
+Mobility Blow::partner(int number) const {
+    const auto place = static_cast<std::size_t>(number);
+    return place < partners.size() ? partners[place] : Mobility{};
+}
+
+int Blow::partnerCount() const {
+    int count = 0;
+    for (const ContactImpulse& contact : contacts) count = std::max(count, contact.partner + 1);
+    return count;
+}
+
+bool Blow::isStruckBy(int partner) const {
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
+        return contact.partner == partner && contact.strikes() && contact.pushed() > 0;
+    });
+}
+
+bool Blow::isSupported() const {
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const ContactImpulse& contact) { return contact.supports(); });
+}
+
 double normalImpulse(const Blow& blow) {
     double sum = 0;
-    for (const ContactImpulse& contact : blow.contacts)
-        sum += std::max(0.0, contact.impulse.dot(contact.normal));
+    for (const ContactImpulse& contact : blow.contacts) sum += std::max(0.0, contact.pushed());
     return sum;
 }
 
-ContactShare contactShare(const ContactImpulse& contact) {
-    ContactShare share;
-    const double pushed = contact.impulse.dot(contact.normal);
-    if (!(contact.approach_m_s > 0) || !(pushed > 0)) return share;
-    // A speculative contact stops only part of the motion in its first step, and restitution turns it round:
-    // the quotient is the same mass in all cases. The mass of the two free bodies at this point bounds it.
-    const double change = contact.approach_m_s - contact.closing_after_m_s;
-    share.mass_kg = contact.effective_mass_kg;
-    if (change > 0) share.mass_kg = std::min(share.mass_kg, pushed / change);
-    share.speed_m_s = contact.approach_m_s;
-    share.energy_j = 0.5 * share.mass_kg * share.speed_m_s * share.speed_m_s;
-    return share;
-}
-
-double blowEnergy(const Blow& blow) {
+double blowEnergy(const Blow& blow, double mass_kg, bool held) {
     double energy = 0;
-    for (const ContactImpulse& contact : blow.contacts) energy += contactShare(contact).energy_j;
+    for (int number = 0; number < blow.partnerCount(); ++number) {
+        if (!blow.isStruckBy(number)) continue;
+        double speed = 0;
+        for (const ContactImpulse& contact : blow.contacts)
+            if (contact.partner == number) speed = std::max(speed, contact.approach_m_s);
+        energy += 0.5 * largestMass(mass_kg, blow.partner(number), held) * speed * speed;
+    }
     return energy;
 }
 

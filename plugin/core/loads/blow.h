@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "core/loads/mobility.h"
+
 namespace sherd {
 
 /// One solved contact point, in the frame of the struck asset.
@@ -11,36 +13,46 @@ struct ContactImpulse {
     Vec3 point = Vec3::Zero();    ///< m
     Vec3 normal = Vec3::Zero();   ///< unit, the direction in which the body is pushed
     Vec3 impulse = Vec3::Zero();  ///< normal and friction impulse on the body, N s
-    double approach_m_s =
-        0;  ///< closing speed along the normal before the solve and without this step's gravity
-    double closing_after_m_s = 0;  ///< the same after the solve; below zero when the bodies part
-    double effective_mass_kg = 0;  ///< 1 / (n . (K_a + K_b) n) of the two bodies at the point
-    double partner_radius_m = 0;   ///< radius of curvature of the striking shape; 0: not known or flat
-    double patch_radius_m = 0;     ///< of the part of the surface that is struck; 0: Hertz's
+    /// Closing speed along the normal when the surfaces met; 0 or less for contacts that merely press, and
+    /// for those of bodies at rest.
+    double approach_m_s = 0;
+    /// How long before the step's solve the surfaces met, s; below zero where they are still apart.
+    double touched_s = 0;
+    Vec3 slip_m_s = Vec3::Zero();  ///< velocity of the partner against the body along the surface
+    double friction = -1;  ///< coefficient; below 0: not known, the force has the direction of the impulse
+    int partner = 0;       ///< numbers the bodies that touch this one
+    double partner_radius_m = 0;  ///< radius of curvature of the striking shape; 0: not known or flat
+    double patch_radius_m = 0;    ///< of the part of the surface that is struck; 0: Hertz's
     double partner_youngs_modulus_pa = 0;  ///< 0: the settings' value
     double partner_poisson_ratio = 0;
+
+    double pushed() const { return impulse.dot(normal); }
+    bool strikes() const { return approach_m_s > 0; }
+    bool supports() const { return !strikes() && pushed() > 0; }
 };
 
 /// All contacts of one body in one step.
 struct Blow {
     std::vector<ContactImpulse> contacts;
+    std::vector<Mobility> partners;  ///< by their numbers; those that are not there do not give way
+
+    Mobility partner(int number) const;
+    /// All numbers of partners are below it.
+    int partnerCount() const;
+    /// Whether a partner strikes: some contact of it closes, and some impulse came of that.
+    bool isStruckBy(int partner) const;
+    /// Whether something touches the body without striking it.
+    bool isSupported() const;
 };
 
 /// Sum of the normal impulses, N s.
 double normalImpulse(const Blow& blow);
 
-/// The part of a blow that one contact point carries, whatever the time step.
-struct ContactShare {
-    double mass_kg = 0;    ///< J / (speed before - speed after): the mass that the contact stops
-    double speed_m_s = 0;  ///< closing speed; 0 for contacts that merely press
-    double energy_j = 0;   ///< 1/2 m v^2
-};
-
-/// The share of a contact point. Points of the same blow share its mass in proportion to their impulses.
-ContactShare contactShare(const ContactImpulse& contact);
-
-/// Energy that all contacts together bring to the body at most, J.
-double blowEnergy(const Blow& blow);
+/// Energy that all strikes together bring to a body of `mass_kg` at most, J: whatever the body stands on or
+/// leans against, and wherever on the body a partner touches first. `held`: something keeps the body from
+/// giving way, so that a partner is stopped with all of its own mass. A partner that cannot give way brings
+/// what it takes to stop the body's mass, held or not.
+double blowEnergy(const Blow& blow, double mass_kg, bool held);
 
 /// Where and along which direction a body is struck.
 struct BlowAxis {

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/loads/contact_pulse.h"
-#include "core/loads/load_patch.h"
-
 namespace sherd {
 
 namespace {
@@ -16,50 +13,128 @@ namespace {
 constexpr double cap_height = 0.02;
 constexpr double cap_reach = 1.0;
 
-HertzContact hertzContact(const ContactBody& body, const ContactImpulse& contact, const SurfaceSpot& spot,
-                          const ContactSettings& settings) {
+constexpr double alike = 0.9;  // cosine of the angle between normals of one patch
+
+StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
+                        const ContactSettings& settings) {
+    const SurfaceSpot spot = nearestSurfacePoint(body.surface, contact.point, contact.normal);
     const double wall = body.wall_thickness_m;
     const double own =
         contactRadius(body.surface, spot.point, contact.normal, cap_reach * wall, cap_height * wall);
     const double curvature =
         (own > 0 ? 1 / own : 0) + (contact.partner_radius_m > 0 ? 1 / contact.partner_radius_m : 0);
-    const bool known = contact.partner_youngs_modulus_pa > 0;
     HertzContact hertz;
     hertz.radius_m = std::clamp(curvature > 0 ? 1 / curvature : body.radius_m, settings.smallest_patch * wall,
                                 std::max(body.radius_m, settings.smallest_patch * wall));
-    hertz.contact_modulus_pa =
-        contactModulus(body.material.youngs_modulus_pa, body.material.poisson_ratio,
-                       known ? contact.partner_youngs_modulus_pa : settings.partner_youngs_modulus_pa,
-                       known ? contact.partner_poisson_ratio : settings.partner_poisson_ratio);
-    return hertz;
+    hertz.contact_modulus_pa = contactModulus(body, contact, settings);
+    return {&contact, spot, hertz, 1, contact.normal};
+}
+
+/// The striking contacts of a partner as they were met, without those that share a patch with an earlier one:
+/// boxes side by side give the same point twice.
+std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, const Blow& blow, int partner,
+                                                    const ContactSettings& settings) {
+    std::vector<const ContactImpulse*> met, separate;
+    for (const ContactImpulse& contact : blow.contacts)
+        if (contact.partner == partner && contact.strikes()) met.push_back(&contact);
+    std::stable_sort(met.begin(), met.end(), [](const ContactImpulse* a, const ContactImpulse* b) {
+        return a->touched_s > b->touched_s;
+    });
+    const double patch = settings.smallest_patch * body.wall_thickness_m;
+    for (const ContactImpulse* contact : met) {
+        const auto shared = [&](const ContactImpulse* other) {
+            return (contact->point - other->point).norm() < patch &&
+                   contact->normal.dot(other->normal) > alike;
+        };
+        if (std::none_of(separate.begin(), separate.end(), shared)) separate.push_back(contact);
+    }
+    return separate;
+}
+
+/// A patch that the app gives is that of a contact of its size: it takes up as much of the energy.
+void giveCurvature(double smallest_patch_m, Strike& strike) {
+    for (StrikePoint& point : strike.points) {
+        const double given = point.contact->patch_radius_m;
+        const double energy = 0.5 * point.share * strike.mass(0) * strike.speed_m_s * strike.speed_m_s;
+        if (given > 0 && energy > 0)
+            point.hertz.radius_m =
+                hertzRadiusOfPatch(point.hertz.contact_modulus_pa, std::max(given, smallest_patch_m), energy);
+    }
+}
+
+Strike strikeOf(const ContactBody& body, const Blow& blow, int partner, const ContactSettings& settings) {
+    Strike strike;
+    const ContactImpulse* first = firstTouch(blow, partner);
+    if (!first) return strike;
+    const StrikePoint first_point = strikePoint(body, *first, settings);
+    strike.points = {first_point};
+    shareOut(body.mobility, blow.partner(partner), strike);
+    const double duration = strike.hertzDuration();
+
+    strike.points.clear();
+    for (const ContactImpulse* contact : separateContacts(body, blow, partner, settings)) {
+        const double present = presence(first->touched_s - contact->touched_s, duration);
+        if (!(present > 0)) break;
+        strike.points.push_back(contact == first ? first_point : strikePoint(body, *contact, settings));
+        strike.points.back().share = present;
+    }
+    shareOut(body.mobility, blow.partner(partner), strike);
+    giveCurvature(settings.smallest_patch * body.wall_thickness_m, strike);
+    return strike;
 }
 
 }  // namespace
 
-ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
-    ContactLoads loads;
-    const double pushed = normalImpulse(blow);
+double contactModulus(const ContactBody& body, const ContactImpulse& contact,
+                      const ContactSettings& settings) {
+    const bool known = contact.partner_youngs_modulus_pa > 0;
+    return contactModulus(body.material.youngs_modulus_pa, body.material.poisson_ratio,
+                          known ? contact.partner_youngs_modulus_pa : settings.partner_youngs_modulus_pa,
+                          known ? contact.partner_poisson_ratio : settings.partner_poisson_ratio);
+}
+
+std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
+    std::vector<Strike> strikes;
+    for (int partner = 0; partner < blow.partnerCount(); ++partner) {
+        Strike strike = strikeOf(body, blow, partner, settings);
+        if (!strike.points.empty()) strikes.push_back(std::move(strike));
+    }
+    return strikes;
+}
+
+Impact impactOf(const std::vector<Strike>& strikes, double held) {
+    Impact all;
     double energy = 0;
-    if (!(pushed > 0)) return loads;
+    for (const Strike& strike : strikes) {
+        const double mass = strike.mass(held);
+        for (const StrikePoint& point : strike.points)
+            all.hertz_force_n += hertzPeakForce(point.hertz, point.share * mass, strike.speed_m_s);
+        all.mass_kg += mass;
+        energy += 0.5 * mass * strike.speed_m_s * strike.speed_m_s;
+    }
+    if (energy > 0) all.speed_m_s = std::sqrt(2 * energy / all.mass_kg);
+    return all;
+}
+
+std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
+                                  const ContactSettings& settings) {
+    double momentum = 0;
+    for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
-    for (const ContactImpulse& contact : blow.contacts) {
-        if (!(contact.impulse.dot(contact.normal) > 0)) continue;
-        const SurfaceSpot spot = nearestSurfacePoint(body.surface, contact.point, contact.normal);
-        HertzContact hertz = hertzContact(body, contact, spot, settings);
-        const ContactShare share = contactShare(contact);
-        const double given = contact.patch_radius_m > 0 ? std::max(contact.patch_radius_m, smallest) : 0;
-        if (given > 0 && share.energy_j > 0)
-            hertz.radius_m = hertzRadiusOfPatch(hertz.contact_modulus_pa, given, share.energy_j);
-        const double peak = share.energy_j > 0 ? hertzPeakForce(hertz, share.mass_kg, share.speed_m_s) : 0;
-        const double patch = given > 0 ? given : std::clamp(hertzPatchRadius(hertz, peak), smallest, largest);
-        const auto forces = spreadForce(body.surface, spot, contact.normal, patch, contact.impulse / pushed);
-        loads.unit.insert(loads.unit.end(), forces.begin(), forces.end());
-        loads.hertz_force_n += peak;
-        loads.mass_kg += share.mass_kg;
-        energy += share.energy_j;
-    }
-    if (energy > 0) loads.speed_m_s = std::sqrt(2 * energy / loads.mass_kg);
+    std::vector<PointForce> loads;
+    for (const Strike& strike : strikes)
+        for (const StrikePoint& point : strike.points) {
+            const double mass = point.share * strike.mass(0);
+            const double peak = hertzPeakForce(point.hertz, mass, strike.speed_m_s);
+            const double given = point.contact->patch_radius_m;
+            const double patch = given > 0
+                                     ? std::max(given, smallest)
+                                     : std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
+            const auto forces = spreadForce(body.surface, point.spot, point.contact->normal, patch,
+                                            mass * strike.speed_m_s / momentum * point.push);
+            loads.insert(loads.end(), forces.begin(), forces.end());
+        }
     return loads;
 }
 

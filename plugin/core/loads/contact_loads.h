@@ -7,6 +7,9 @@
 #include <vector>
 
 #include "core/loads/blow.h"
+#include "core/loads/contact_pulse.h"
+#include "core/loads/mobility.h"
+#include "core/loads/strike.h"
 
 namespace sherd {
 
@@ -14,22 +17,29 @@ namespace sherd {
 struct ContactBody {
     const TriangleMesh& surface;
     const Material& material;
+    Mobility mobility;
     double wall_thickness_m = 0;
     double radius_m = 0;  ///< of the sphere about its centre that holds it
 };
 
-/// A blow as tractions of 1 N in total (the sum of the normal forces), and what scales them.
-struct ContactLoads {
-    std::vector<PointForce> unit;
-    double mass_kg = 0;        ///< stopped by all contacts
-    double speed_m_s = 0;      ///< the closing speed at which that mass carries the blow's energy
-    double hertz_force_n = 0;  ///< peak force if the body were rigid but for the contact: an upper bound
-};
+/// What strikes a body, partner by partner. What carries its weight or answers the strike elsewhere is no
+/// part of it (see Foundation). The radius of curvature is read off the surface and the partner, and kept
+/// between a fraction of the wall and the body's own radius (flat on flat). Of a partner's contacts those
+/// count that have met by the time at which the first one presses hardest: how far bodies overlap, and so how
+/// many contacts there are, is a matter of the time step, not of the blow. Refers to the contacts of `blow`.
+std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings);
 
-/// Spreads each contact over its Hertz patch on the true surface, in proportion to the impulses. The radius
-/// of curvature is read off the surface and the partner, and kept between a fraction of the wall and the
-/// body's own radius (flat on flat).
-ContactLoads contactLoads(const ContactBody& body, const Blow& blow, const ContactSettings& settings);
+/// Of all strikes, with supports that take the share `held` of the body's mobility away.
+Impact impactOf(const std::vector<Strike>& strikes, double held);
+
+/// The strikes as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
+/// patch on the true surface.
+std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
+                                  const ContactSettings& settings);
+
+/// The modulus of a contact; the settings stand in for what is not known of the partner.
+double contactModulus(const ContactBody& body, const ContactImpulse& contact,
+                      const ContactSettings& settings);
 
 /// Where forces act on the whole, their places weighted with their size, and the direction of their sum.
 BlowAxis axisOf(const std::vector<PointForce>& forces);

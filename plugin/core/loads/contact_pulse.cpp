@@ -44,16 +44,17 @@ double sharedForce(double hertz_force, double a, double e) {
 
 }  // namespace
 
-ContactPulse contactPulse(double hertz_force_n, double body_energy_j_n2, double mass_kg, double speed_m_s,
-                          double shortest_s, double longest_s) {
+double pulseDuration(double peak_force_n, double momentum_n_s) {
+    return pi * momentum_n_s / peak_force_n;
+}
+
+ContactPulse contactPulse(const Impact& impact, double body_energy_j_n2, double shortest_s) {
     ContactPulse pulse;
-    const double energy = 0.5 * mass_kg * speed_m_s * speed_m_s;
-    if (!(energy > 0) || !(hertz_force_n > 0)) return pulse;
-    const double force = sharedForce(hertz_force_n, body_energy_j_n2, energy);
-    // Half a sine that stops the mass and throws it back: 2 m v = (2 / pi) F T.
-    const double momentum = pi * mass_kg * speed_m_s;
-    pulse.duration_s = std::clamp(momentum / force, shortest_s, longest_s);
-    pulse.peak_force_n = momentum / pulse.duration_s;
+    if (!(impact.energy() > 0) || !(impact.hertz_force_n > 0)) return pulse;
+    const double momentum = impact.mass_kg * impact.speed_m_s;
+    const double force = sharedForce(impact.hertz_force_n, body_energy_j_n2, impact.energy());
+    pulse.duration_s = std::max(pulseDuration(force, momentum), shortest_s);
+    pulse.peak_force_n = pi * momentum / pulse.duration_s;
     return pulse;
 }
 

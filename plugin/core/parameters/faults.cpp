@@ -16,11 +16,6 @@ void checkTogether(RangeChecks& checks, const SamplingSettings& s) {
                  "at least largest_factor_millions");
 }
 
-void checkTogether(RangeChecks& checks, const ContactSettings& s) {
-    checks.require(s.longest_contact_s >= s.shortest_contact_s, "longest_contact_s", s.longest_contact_s,
-                   "at least shortest_contact_s, in s");
-}
-
 void checkTogether(RangeChecks& checks, const GuideField& g) {
     checks
         .require(g.kind != GuideField::Kind::constant || isPositive(g.direction.norm()), "direction",

@@ -14,7 +14,6 @@ template <class Struct>
 void checkTogether(RangeChecks&, const Struct&) {}
 void checkTogether(RangeChecks& checks, const Material& material);
 void checkTogether(RangeChecks& checks, const SamplingSettings& sampling);
-void checkTogether(RangeChecks& checks, const ContactSettings& contact);
 void checkTogether(RangeChecks& checks, const GuideField& guide);
 void checkTogether(RangeChecks& checks, const FractureSettings& fracture);
 

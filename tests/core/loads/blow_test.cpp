@@ -6,33 +6,43 @@ namespace {
 
 using namespace sherd;
 
-ContactImpulse contact(double impulse, double before, double after, double mass_bound) {
+ContactImpulse striking(double impulse, double approach, int partner = 0) {
     ContactImpulse c;
     c.normal = Vec3::UnitZ();
     c.impulse = Vec3(0.3 * impulse, 0, impulse);
-    c.approach_m_s = before;
-    c.closing_after_m_s = after;
-    c.effective_mass_kg = mass_bound;
+    c.approach_m_s = approach;
+    c.partner = partner;
     return c;
 }
 
-TEST(Blow, EnergyDoesNotDependOnHowFarTheStepGot) {
-    // One kilogram at 4 m/s: stopped at once, stopped by a quarter (speculative contact), and thrown back.
-    for (const double after : {0.0, 3.0, -2.0})
-        EXPECT_NEAR(blowEnergy({{contact(4 - after, 4, after, 10)}}), 8, 1e-12) << after;
+TEST(Blow, EnergyIsThatOfTheReducedMass) {
+    EXPECT_NEAR(blowEnergy({{striking(1, 4)}, {Mobility::ofPoint(1)}}, 3, false), 0.5 * 0.75 * 16, 1e-12);
+    EXPECT_NEAR(blowEnergy({{striking(1, 4)}, {Mobility::ofPoint(1)}}, 3, true), 0.5 * 16, 1e-12);
+    for (const bool held : {false, true})
+        EXPECT_NEAR(blowEnergy({{striking(1, 4)}, {}}, 3, held), 0.5 * 3 * 16, 1e-12)
+            << "the partner does not give way";
 }
 
-TEST(Blow, PointsOfOneContactShareTheMass) {
-    Blow blow;
-    for (int i = 0; i < 4; ++i) blow.contacts.push_back(contact(0.5, 2, 0, 1));
-    EXPECT_NEAR(blowEnergy(blow), 2, 1e-12);
+TEST(Blow, WhatHoldsTheBodyAddsToIt) {
+    Blow blow{{striking(1, 4), striking(2, 0, 1)}, {Mobility::ofPoint(1), Mobility{}}};
+    EXPECT_TRUE(blow.isSupported());
+    EXPECT_NEAR(blowEnergy(blow, 3, blow.isSupported()), 0.5 * 16, 1e-12);
 }
 
-TEST(Blow, PenetrationPushBringsNoEnergy) {
-    EXPECT_NEAR(blowEnergy({{contact(100, 1, 0, 2)}}), 1, 1e-12);  // bounded by the mass of the two bodies
-    EXPECT_EQ(blowEnergy({{contact(5, 0, -1, 2)}}), 0);            // presses, does not strike
-    EXPECT_EQ(blowEnergy({{contact(5, -0.1, -1, 2)}}), 0);
-    EXPECT_EQ(blowEnergy({}), 0);
+TEST(Blow, ImpulsesDoNotCount) {
+    // Neither how many points there are, nor what stopped the body, nor a push out of penetration.
+    for (const double impulse : {0.001, 1.0, 100.0}) {
+        Blow blow{{striking(impulse, 2), striking(0, 2), striking(0, 1.5)}, {Mobility::ofPoint(1)}};
+        EXPECT_NEAR(blowEnergy(blow, 1, false), 0.5 * 0.5 * 4, 1e-12);
+    }
+    EXPECT_EQ(blowEnergy({{striking(0, 2)}, {Mobility::ofPoint(1)}}, 1, false), 0)
+        << "went by without touching";
+}
+
+TEST(Blow, WhatMerelyPressesBringsNoEnergy) {
+    EXPECT_EQ(blowEnergy({{striking(5, 0)}, {Mobility::ofPoint(1)}}, 1, false), 0);
+    EXPECT_EQ(blowEnergy({{striking(5, -0.1)}, {Mobility::ofPoint(1)}}, 1, false), 0);
+    EXPECT_EQ(blowEnergy({}, 1, false), 0);
 }
 
 }  // namespace

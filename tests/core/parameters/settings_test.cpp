@@ -46,7 +46,6 @@ TEST(Settings, WhatIsOutOfRangeIsNamed) {
     named([](Settings& s) { s.fracture.contact.partner_poisson_ratio = 0.6; },
           "contact.partner_poisson_ratio");
     named([](Settings& s) { s.fracture.contact.shortest_contact_s = 0; }, "contact.shortest_contact_s");
-    named([](Settings& s) { s.fracture.contact.longest_contact_s = 1e-6; }, "contact.longest_contact_s");
     named([](Settings& s) { s.fracture.contact.smallest_patch = 0; }, "contact.smallest_patch");
     named([](Settings& s) { s.fracture.contact.largest_patch = 1.5; }, "contact.largest_patch");
     named([](Settings& s) { s.fracture.fragment_count = -1; }, "fragment_count");

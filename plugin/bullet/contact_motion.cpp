@@ -1,0 +1,71 @@
+#include "bullet/contact_motion.h"
+
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/conversions.h"
+#include "bullet/multi_body_state.h"
+
+namespace sherd {
+
+namespace {
+
+/// Whether gravity has had its way with a body: what rests, or has been let go just now, moves by less than
+/// half of what a step of it gives.
+bool falls(const btRigidBody& body, const btVector3& velocity, double time_step_s) {
+    const btVector3& gravity = body.getGravity();
+    return std::abs(velocity.dot(gravity)) > time_step_s / 2 * gravity.length2();
+}
+
+}  // namespace
+
+bool canMove(const btRigidBody& body) {
+    return !body.isStaticOrKinematicObject() && body.getInvMass() > 0;
+}
+
+PointMotion motionAt(const btCollisionObject& object, const BodyState* state, const btVector3& point,
+                     const btVector3& normal, double time_step_s) {
+    PointMotion motion;
+    btScalar unused = 0;
+    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
+        const btVector3 linear = state ? state->linear : body->getLinearVelocity();
+        motion.velocity = state ? state->velocityAt(point)
+                                : body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition());
+        if (!canMove(*body)) return motion;
+        motion.gravity = body->getGravity().dot(normal);
+        motion.fall = falls(*body, linear, time_step_s) ? motion.gravity : 0;
+    } else {
+        linkMotion(object, point, motion.velocity, unused);
+    }
+    return motion;
+}
+
+double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, double time_step_s) {
+    const double now = closing_m_s + gravity_m_s2 * time_step_s / 2;
+    const double way = std::clamp(depth_m, -now * time_step_s, now * time_step_s);
+    return std::sqrt(std::max(now * now - 2 * gravity_m_s2 * way, closing_m_s * closing_m_s / 4));
+}
+
+Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,
+                    const btVector3& point) {
+    Mobility mobility;
+    btVector3 unused;
+    btScalar inverse_mass = 0;
+    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
+        if (!canMove(*body)) return mobility;
+        const btMatrix3x3& turn = frame_from_world.getBasis();
+        const btMatrix3x3 inertia = turn * body->getInvInertiaTensorWorld() * turn.transpose();
+        mobility.inverse_mass = body->getInvMass();
+        mobility.centre = fromBullet(frame_from_world * body->getCenterOfMassPosition());
+        for (int row = 0; row < 3; ++row)
+            mobility.inverse_inertia.row(row) = fromBullet(inertia[row]).transpose();
+    } else if (linkMotion(object, point, unused, inverse_mass)) {
+        if (inverse_mass > 0)
+            mobility = Mobility::ofPoint(1 / inverse_mass, fromBullet(frame_from_world * point));
+    }
+    return mobility;
+}
+
+}  // namespace sherd

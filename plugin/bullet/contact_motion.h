@@ -1,0 +1,38 @@
+#pragma once
+
+#include <LinearMath/btTransform.h>
+
+#include "bullet/island_state.h"
+#include "core/loads/mobility.h"
+
+class btCollisionObject;
+class btRigidBody;
+
+namespace sherd {
+
+/// Of one point of an object before the solve. Accelerations are along the normal, in m/s^2.
+struct PointMotion {
+    btVector3 velocity = btVector3(0, 0, 0);
+    btScalar gravity = 0;
+    btScalar fall = 0;  ///< the same while the body falls or flies, 0 while something holds it
+};
+
+/// `state` may be nullptr: then the object moves as it does now.
+PointMotion motionAt(const btCollisionObject& object, const BodyState* state, const btVector3& point,
+                     const btVector3& normal, double time_step_s);
+
+/// Closing speed at the moment at which the surfaces met, m/s. Bullet notices that up to a step later, and by
+/// then gravity has gone on pulling: v^2 = v_now^2 - 2 g depth. Bullet moves bodies with the velocity that it
+/// has just changed, so that the speed at the place where they are now is the mean of those before and after
+/// this step's pull.
+double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, double time_step_s);
+
+/// How an object gives way, in the frame that `frame_from_world` leads to. Of a multi-body's link only its
+/// own mass counts, felt at `point` (world frame).
+Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,
+                    const btVector3& point);
+
+/// Whether a body is dynamic and has a finite mass.
+bool canMove(const btRigidBody& body);
+
+}  // namespace sherd

@@ -1,0 +1,157 @@
+#include "core/loads/foundation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numeric>
+
+#include "core/loads/footprint.h"
+#include "core/numerics/pi.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double alike = 0.9;          // cosine of the angle below which contacts of a partner push alike
+constexpr double flatness = 0.05;      // depth of a foundation, in wall thicknesses
+constexpr double largest_tilt = 2e-3;  // of a body that rests, against its foundation
+constexpr double faint = 1e-3;         // stiffness that counts, against the foundation's greatest
+constexpr double widest = 4;           // heights over a foundation within which it is not faint
+constexpr double point_count = 200;    // of a foundation, about
+
+/// Contacts that become one foundation.
+struct Group {
+    const ContactImpulse* first = nullptr;
+    std::vector<Vec3> points;
+    Vec3 push = Vec3::Zero();
+};
+
+std::vector<Group> groupsOf(const Blow& blow) {
+    std::vector<Group> groups;
+    for (const ContactImpulse& contact : blow.contacts) {
+        if (!contact.supports()) continue;
+        const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
+            return group.first->partner == contact.partner && group.first->normal.dot(contact.normal) > alike;
+        });
+        Group& group = same == groups.end() ? groups.emplace_back() : *same;
+        if (!group.first) group.first = &contact;
+        group.points.push_back(contact.point);
+        group.push += contact.normal;
+    }
+    for (Group& group : groups) group.push.normalize();
+    return groups;
+}
+
+/// A load over a foundation: its place in the plane, its height over it, and its share of the whole.
+struct Above {
+    Vec2 place;
+    double height_m, share;
+};
+
+/// Of the bed's stiffness right below a load.
+double stiffnessBelow(const std::vector<Above>& loads, const Vec2& place) {
+    double stiffness = 0;
+    for (const Above& load : loads) {
+        const double slope = (place - load.place).norm() / load.height_m;
+        stiffness += load.share * std::pow(1 + slope * slope, -2.5);
+    }
+    return stiffness;
+}
+
+std::vector<Above> loadsAbove(const std::vector<Strike>& strikes, const Footprint& footprint,
+                              const Vec3& plane, double least_height) {
+    std::vector<Above> loads;
+    for (const Strike& strike : strikes)
+        for (const StrikePoint& point : strike.points) {
+            const double height = std::abs((point.spot.point - plane).dot(footprint.push()));
+            loads.push_back(
+                {footprint.project(point.spot.point), std::max(height, least_height), point.share});
+        }
+    return loads;
+}
+
+/// Between points of a foundation: as close as its width and the pressure below the loads ask for.
+double pointSpacing(const Footprint& footprint, const std::vector<Above>& loads) {
+    double height = std::numeric_limits<double>::infinity();
+    for (const Above& load : loads) height = std::min(height, load.height_m);
+    const double loaded = std::min(footprint.area(), pi * widest * widest * height * height);
+    return std::max(std::min(height / 2, footprint.width() / 4), std::sqrt(loaded / point_count));
+}
+
+/// Puts parts that lie in the same square of a grid together, each with its share of the stiffness.
+std::vector<FoundationPoint> merged(const std::vector<FootprintPart>& parts, const std::vector<double>& areas,
+                                    const Footprint& footprint, double size) {
+    std::map<std::array<long, 2>, FoundationPoint> squares;
+    double sum = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const Vec2 place = footprint.project(parts[i].centre) / size;
+        FoundationPoint& square = squares[{std::lround(place.x()), std::lround(place.y())}];
+        square.position += areas[i] * parts[i].centre;
+        square.share += areas[i];
+        sum += areas[i];
+    }
+    std::vector<FoundationPoint> points;
+    for (const auto& [place, square] : squares)
+        if (square.share > 0) points.push_back({square.position / square.share, square.share / sum});
+    return points;
+}
+
+/// What every part counts for: its area, times the bed's stiffness there over the greatest, m^2.
+std::vector<double> countedAreas(const std::vector<FootprintPart>& parts, const std::vector<Above>& loads,
+                                 const Footprint& footprint) {
+    std::vector<double> areas;
+    for (const FootprintPart& part : parts)
+        areas.push_back(stiffnessBelow(loads, footprint.project(part.centre)));
+    const double greatest = parts.empty() ? 0 : *std::max_element(areas.begin(), areas.end());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        areas[i] = areas[i] > faint * greatest ? parts[i].area_m2 * areas[i] / greatest : 0;
+    return areas;
+}
+
+double nearestDistance(const std::vector<FoundationPoint>& points, const std::vector<Strike>& strikes) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const FoundationPoint& point : points)
+        for (const Strike& strike : strikes)
+            for (const StrikePoint& struck : strike.points)
+                nearest = std::min(nearest, (point.position - struck.spot.point).norm());
+    return nearest;
+}
+
+Foundation foundationOf(const ContactBody& body, const Group& group, const Mobility& partner,
+                        const std::vector<Strike>& strikes, const ContactSettings& settings) {
+    const double margin = settings.smallest_patch * body.wall_thickness_m;
+    const Footprint footprint(group.points, group.push, margin);
+    const std::vector<Above> loads = loadsAbove(strikes, footprint, group.points.front(), margin);
+    const double size = pointSpacing(footprint, loads);
+    const double depth = flatness * body.wall_thickness_m + largest_tilt * footprint.length();
+    const std::vector<FootprintPart> parts = partsOver(body.surface, footprint, size, depth);
+    const std::vector<double> areas = countedAreas(parts, loads, footprint);
+    const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+
+    Foundation foundation;
+    foundation.push = group.push;
+    foundation.points = merged(parts, areas, footprint, size);
+    foundation.stiffness_n_m = 2 * contactModulus(body, *group.first, settings) * std::sqrt(area / pi);
+    foundation.distance_m = nearestDistance(foundation.points, strikes);
+    foundation.partner_number = group.first->partner;
+    foundation.partner = partner;
+    return foundation;
+}
+
+}  // namespace
+
+std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
+                                      const std::vector<Strike>& strikes, const ContactSettings& settings) {
+    std::vector<Foundation> foundations;
+    if (strikes.empty()) return foundations;
+    for (const Group& group : groupsOf(blow)) {
+        Foundation foundation =
+            foundationOf(body, group, blow.partner(group.first->partner), strikes, settings);
+        if (!foundation.points.empty()) foundations.push_back(std::move(foundation));
+    }
+    return foundations;
+}
+
+}  // namespace sherd

@@ -1,0 +1,192 @@
+// Blows on bodies that stand on something, and blows by bodies that are pushed: neither weight nor the time
+// step nor a force of the app's changes what a strike does.
+
+#include <cmath>
+
+#include "bullet/contact_collector.h"
+#include "bullet/support.h"
+#include "fracture/blow_stress.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr double rates[] = {60, 120, 240, 960};
+
+/// Bears what these tests do to it, and is solved all the same.
+Material strongPlaster() {
+    Material material = Material::plaster();
+    material.tensile_strength_pa = 50e6;
+    return material;
+}
+
+/// The first solved blow on a plaster wall of 1 x 0.09 x 1 m that a steel ball of 0.88 kg strikes in its
+/// middle at 8 m/s.
+BlowEvent blowOnWall(bool stands, double rate, double settled_s = 0) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    static const auto asset = BreakableAsset::fromMesh(
+        shapes::box(Vec3(-0.5, -0.045, -0.5), Vec3(0.5, 0.045, 0.5), 8, 1, 8), strongPlaster());
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    if (stands) scene.addFloor();
+    if (stands) scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+    EXPECT_TRUE(fracture.add(asset.value(), at(0, 0, 0.5f)));
+    scene.step(static_cast<int>(settled_s * rate), 1 / rate);
+    btRigidBody* ball = scene.addBall(0.882, 0.03, btVector3(0, -0.08f, 0.5f), btVector3(0, 8, 0));
+    ball->setCcdMotionThreshold(0.015f);
+    ball->setCcdSweptSphereRadius(0.015f);
+    for (int i = 0; i < 30; ++i) {
+        scene.step(1, 1 / rate);
+        for (BlowEvent& event : fracture.takeEvents()) return event;
+    }
+    ADD_FAILURE() << "no blow was solved at " << rate << " Hz";
+    return noBreak();
+}
+
+TEST(Standing, AWallStruckInItsMiddleIsStressedAsOneThatFloats) {
+    for (const double settled_s : {0.0, 0.5})
+        for (const double rate : rates) {
+            const double floats = blowOnWall(false, rate).largest_stress_pa;
+            const double stands = blowOnWall(true, rate, settled_s).largest_stress_pa;
+            std::printf("%g Hz: floating %.3f MPa, standing %.3f MPa\n", rate, floats / 1e6, stands / 1e6);
+            EXPECT_NEAR(stands / floats, 1, 0.03) << rate << " Hz, settled for " << settled_s << " s";
+        }
+}
+
+/// The first solved blow of a ball of 5 kg that touches a plate at 8 m/s with a force behind it; outcome
+/// `held` and no stress if none was solved.
+BlowEvent blowOfPushedBall(double force_n, double rate) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* struck = scene.addBox(25, btVector3(0.3f, 0.3f, 0.03f), btVector3(0, 0, 0));
+    EXPECT_TRUE(fracture.makeBreakable(struck, strongPlaster(), coarse(0.06)));
+    btRigidBody* ball = scene.addBall(5, 0.1, btVector3(0, 0, 0.1305f), btVector3(0, 0, -8));
+    for (int i = 0; i < 20; ++i) {
+        ball->applyCentralForce(btVector3(0, 0, btScalar(-force_n)));
+        scene.step(1, 1 / rate);
+        for (BlowEvent& event : fracture.takeEvents()) return event;
+    }
+    ADD_FAILURE() << "no blow was solved at " << rate << " Hz with " << force_n << " N";
+    return noBreak();
+}
+
+TEST(Standing, APushedStrikerStrikesAsAFreeOneDoes) {
+    for (const double rate : rates) {
+        const BlowEvent free = blowOfPushedBall(0, rate);
+        for (const double force_n : {-500.0, 500.0, 1500.0, 15000.0}) {
+            const BlowEvent pushed = blowOfPushedBall(force_n, rate);
+            std::printf("%g Hz, %g N: %.3f MPa, free %.3f MPa\n", rate, force_n,
+                        pushed.largest_stress_pa / 1e6, free.largest_stress_pa / 1e6);
+            EXPECT_NEAR(pushed.largest_stress_pa / free.largest_stress_pa, 1, 0.01)
+                << rate << " Hz, " << force_n;
+        }
+    }
+}
+
+TEST(Standing, ABodyThatIsPushedAgainstAWallRests) {
+    for (const double rate : rates)
+        for (const double force_n : {100.0, 1500.0}) {
+            TestWorld scene;
+            scene.addFloor();
+            FractureWorld fracture(scene.world.get());
+            btRigidBody* pushed = scene.addBox(5, btVector3(0.1f, 0.1f, 0.1f), btVector3(0, 0, 0.1f));
+            ASSERT_TRUE(fracture.makeBreakable(pushed, crumbly(), coarse(0.1)));
+            for (int i = 0; i < static_cast<int>(3 * rate); ++i) {
+                pushed->activate();
+                pushed->applyCentralForce(btVector3(0, 0, btScalar(-force_n)));
+                scene.step(1, 1 / rate);
+            }
+            EXPECT_EQ(fracture.counts().solved, 0) << rate << " Hz, " << force_n;
+        }
+}
+
+/// A brick of 0.1 x 0.1 x 0.25 m that stands on its end, on a floor or on nothing, and the first blow on it
+/// by a hammer of 1 kg with a rounded head of 3 cm, from above.
+struct StruckBrick {
+    StruckBrick(bool stands, double rate, double speed) {
+        if (stands) scene.addFloor();
+        if (stands) scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+        btRigidBody* brick = scene.addBox(mass, btVector3(0.05f, 0.05f, 0.125f), btVector3(0, 0, 0.125f));
+        auto breakable =
+            std::make_unique<Breakable>(asset(), fractureSettingsFor(asset(), asset().settings().fracture));
+        breakable->body = brick;
+        registry.add(std::move(breakable));
+        scene.step(static_cast<int>(rate / 4), 1 / rate);
+        const double top = brick->getWorldTransform().getOrigin().z() + 0.125;
+        btRigidBody* hammer = scene.addBall(1, head, btVector3(0, 0, btScalar(top + head + 1e-4)),
+                                            btVector3(0, 0, btScalar(-speed)));
+        hammer->setGravity(btVector3(0, 0, 0));
+        before.take(*scene.world);
+        scene.step(1, 1 / rate);
+        ContactCollector collector(registry, before, 0, scene.world->getSolverInfo());
+        feedSolvedContacts(*scene.world, collector);
+        const auto struck = collector.takeStruck();
+        EXPECT_EQ(struck.size(), 1u) << rate << " Hz";
+        if (!struck.empty()) blow = struck[0].blow;
+    }
+
+    static const BreakableAsset& asset() {
+        static const auto made = BreakableAsset::fromMesh(shapes::slab(Vec3(0.1, 0.1, 0.25), 4, 4, 10),
+                                                          Material::brick(), Settings{});
+        return made.value();
+    }
+
+    static constexpr double mass = 0.1 * 0.1 * 0.25 * 1800, head = 0.03;
+    TestWorld scene;
+    BreakableRegistry registry;
+    StepSnapshot before;
+    Blow blow;
+};
+
+/// Mean stress along z over the section at z, Pa.
+double sectionStress(const BreakableSolid& brick, const BlowStress& stress, double z) {
+    std::vector<Vec3> points;
+    for (double x = -0.045; x < 0.05; x += 0.01)
+        for (double y = -0.045; y < 0.05; y += 0.01) points.emplace_back(x, y, z);
+    const auto field = brick.stressSolver().value()->solve(stress.loads, points);
+    EXPECT_TRUE(field.ok()) << field.error();
+    double sum = 0;
+    for (const SymmetricTensor& s : field.value().points) sum += s[2];
+    return stress.pulse.peak_force_n * sum / static_cast<double>(points.size());
+}
+
+// The strike of a hammer lasts long against the way of a wave through the brick and back: it squeezes the
+// brick between hammer and floor. With the brick a rod between a Hertz contact (Johnson 1985, 4.2) and a
+// floor that does not give way, 1/2 m v^2 = 2/5 F d(F) + F^2 h / (2 E A), and every section carries F / A. A
+// brick that floats is stopped by its own inertia: sections carry the less the further they are from the
+// hammer.
+TEST(Standing, ABrickStruckFromAboveIsSqueezedOnAFloor) {
+    const BreakableSolid& brick = *StruckBrick::asset().solid();
+    const Material& m = brick.material();
+    const double speed = 0.5, area = 0.01, height = 0.25;
+    const double modulus = contactModulus(m.youngs_modulus_pa, m.poisson_ratio, 5e10, 0.25);
+    const auto peakForce = [&](double mass, double rod_share) {
+        const double hertz = hertzPeakForce({StruckBrick::head, modulus}, mass, speed);
+        const double rod = rod_share * height / (2 * m.youngs_modulus_pa * area);
+        return contactPulse({mass, speed, hertz}, rod, 0).peak_force_n;
+    };
+    // Inertia makes the force in a free rod fall off to nothing at its far end: a third of the energy.
+    const double standing = peakForce(1, 1), floating = peakForce(1 / (1 + 1 / StruckBrick::mass), 1.0 / 3);
+    for (const bool stands : {true, false})
+        for (const double rate : rates) {
+            const StruckBrick struck(stands, rate, speed);
+            StageTimes ms;
+            const auto stress =
+                blowStress({brick, *brick.discretisation().value(), brick.settings().fracture, 1},
+                           *brick.stressSolver().value(), struck.blow, ms);
+            ASSERT_TRUE(stress.ok()) << stress.error();
+            const double force = stands ? standing : floating;
+            std::printf("%s, %g Hz: %.0f N, closed form %.0f N, %.3g s;", stands ? "standing" : "floating",
+                        rate, stress.value().pulse.peak_force_n, force, stress.value().pulse.duration_s);
+            for (const double z : {-0.0625, 0.0, 0.0625}) {
+                const double share = stands ? 1 : 0.5 + z / height;
+                const double found = sectionStress(brick, stress.value(), z);
+                std::printf(" %.4f (%.4f)", found / 1e6, -force * share / area / 1e6);
+                EXPECT_NEAR(found / (-force * share / area), 1, 0.05) << rate << " Hz, z = " << z;
+            }
+            std::printf(" MPa\n");
+        }
+}
+
+}  // namespace

@@ -1,0 +1,201 @@
+#include "core/loads/support_answer.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double slow_s = 1, fast_s = 1e-6;
+
+/// A box on a floor, struck from above or from the side.
+struct Standing {
+    explicit Standing(const Vec3& size, const Vec3& struck_at, const Vec3& push)
+        : half(size / 2), mesh(shapes::slab(size, 5, 5, 5)) {
+        material.name = "brick";
+        ContactImpulse strike;
+        strike.point = struck_at;
+        strike.normal = push;
+        strike.impulse = push;
+        strike.approach_m_s = 1;
+        strike.partner_radius_m = 0.01;
+        blow.contacts.push_back(strike);
+        stand({{-half.x(), -half.y()}, {half.x(), -half.y()}, {half.x(), half.y()}, {-half.x(), half.y()}});
+        blow.partners = {Mobility::ofPoint(1), Mobility{}};
+    }
+
+    /// Bullet's points, at the corners of what touches the floor.
+    void stand(const std::vector<Vec2>& points) {
+        blow.contacts.resize(1);
+        for (const Vec2& p : points) {
+            ContactImpulse c;
+            c.point = Vec3(p.x(), p.y(), -half.z());
+            c.normal = Vec3::UnitZ();
+            c.impulse = 1e-3 * Vec3::UnitZ();
+            c.partner = 1;
+            blow.contacts.push_back(c);
+        }
+    }
+
+    ContactBody body() const {
+        Moments moments;
+        moments.volume = 8 * half.prod();
+        for (int k = 0; k < 3; ++k) moments.second(k, k) = moments.volume * half[k] * half[k] / 3;
+        return {mesh, material, Mobility::of(moments, material.density_kg_m3), 2 * half.minCoeff(),
+                half.norm()};
+    }
+    std::vector<Foundation> foundations() const {
+        return foundationsOf(body(), blow, strikesOf(body(), blow, settings), settings);
+    }
+    SupportAnswer answer(double duration_s) const {
+        return supportAnswer(body(), foundations(),
+                             unitLoads(body(), strikesOf(body(), blow, settings), settings), duration_s);
+    }
+
+    Vec3 half;
+    TriangleMesh mesh;
+    Material material = Material::brick();
+    ContactSettings settings;
+    Blow blow;
+};
+
+Vec3 sum(const SupportAnswer& answer) {
+    Vec3 total = Vec3::Zero();
+    for (const PointForce& f : answer.forces) total += f.force;
+    return total;
+}
+
+Vec3 centre(const SupportAnswer& answer) {
+    Vec3 total = Vec3::Zero();
+    for (const PointForce& f : answer.forces) total += f.force.norm() * f.position;
+    return total / answer.sum_n;
+}
+
+TEST(SupportAnswer, AFloorAnswersASlowStrikeInFullBelowIt) {
+    for (const double x : {0.0, 0.02, 0.04}) {
+        const Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(x, 0, 0.05), -Vec3::UnitZ());
+        const SupportAnswer answer = brick.answer(slow_s);
+        EXPECT_NEAR(sum(answer).z(), 1, 1e-3);
+        EXPECT_NEAR(centre(answer).x(), x, 2e-3);
+        EXPECT_NEAR(answer.held, 1, 1e-3);
+    }
+}
+
+TEST(SupportAnswer, InertiaTakesUpAShortStrike) {
+    const Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0, 0, 0.05), -Vec3::UnitZ());
+    EXPECT_EQ(brick.answer(fast_s).sum_n, 0);
+    EXPECT_LT(brick.answer(1e-4).sum_n, 0.7);
+}
+
+TEST(SupportAnswer, NothingAnswersAPushAlongTheFloor) {
+    const Standing wall(Vec3(1, 0.09, 1), Vec3(0, -0.045, 0), Vec3::UnitY());
+    for (const double duration_s : {1e-4, 1e-3, 1e-2}) EXPECT_LT(wall.answer(duration_s).sum_n, 1e-9);
+}
+
+TEST(SupportAnswer, AWallPushedAboveItsMiddleTipsOverItsFarEdge) {
+    const Standing wall(Vec3(1, 0.09, 1), Vec3(0, -0.045, 0.4), Vec3::UnitY());
+    EXPECT_LT(wall.answer(1e-4).sum_n, 0.02);
+    const SupportAnswer answer = wall.answer(slow_s);
+    EXPECT_GT(answer.sum_n, 0.1);
+    EXPECT_GT(centre(answer).y(), 0.02);
+    for (const PointForce& f : answer.forces) EXPECT_GT(f.force.z(), 0) << "springs do not pull";
+}
+
+TEST(SupportAnswer, AStrikeBeyondTheEdgeIsAnsweredAtTheEdge) {
+    Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0.09, 0, 0.05), -Vec3::UnitZ());
+    brick.stand({{-0.1, -0.05}, {0, -0.05}, {0, 0.05}, {-0.1, 0.05}});  // half of it over a table
+    const SupportAnswer answer = brick.answer(slow_s);
+    EXPECT_NEAR(centre(answer).x(), 0, 0.035);
+    EXPECT_LT(answer.held, 0.95) << "it tips";
+}
+
+TEST(SupportAnswer, APartnerGivesWayAsItsMassLetsIt) {
+    Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0, 0, 0.05), -Vec3::UnitZ());
+    const double brick_kg = 0.2 * 0.1 * 0.1 * brick.material.density_kg_m3;
+    EXPECT_NEAR(brick.answer(1e-3).sum_n, 1, 1e-3);
+    for (const double mass : {0.1, 1.0, 10.0, 1e6}) {
+        brick.blow.partners[1].inverse_mass = 1 / mass;
+        const SupportAnswer answer = brick.answer(1e-3);
+        const double share = mass / (mass + brick_kg);  // both move on together
+        EXPECT_NEAR(answer.sum_n, share, 0.01 * share) << mass;
+        EXPECT_NEAR(answer.held, share, 0.01 * share) << mass;
+    }
+}
+
+TEST(SupportAnswer, AThinPlateIsPressedRightBelow) {
+    const Standing plate(Vec3(1, 1, 0.02), Vec3(0.2, 0.1, 0.01), -Vec3::UnitZ());
+    const SupportAnswer answer = plate.answer(5e-4);
+    EXPECT_GT(answer.sum_n, 0.9);
+    double near = 0;
+    for (const PointForce& f : answer.forces)
+        if ((f.position - Vec3(0.2, 0.1, -0.01)).norm() < 0.04) near += f.force.z();
+    EXPECT_GT(near / answer.sum_n, 0.8);
+}
+
+// x'' + omega^2 x = F sin(pi t / T) / m up to T / 2, against k x over F.
+TEST(SupportAnswer, SpringShareIsThatOfAHalfSinePulseUntilItIsStatic) {
+    const double duration = 1;
+    for (const double omega : {0.3, 1.0, 2.0, pi, 4.0, 4.8}) {
+        double x = 0, v = 0;
+        const int steps = 100000;
+        const double dt = duration / 2 / steps;
+        for (int i = 0; i < steps; ++i) {
+            const double t = (i + 0.5) * dt;
+            x += 0.5 * dt * v;
+            v += dt * (std::sin(pi * t / duration) - omega * omega * x);
+            x += 0.5 * dt * v;
+        }
+        EXPECT_NEAR(springShare(omega, duration), omega * omega * x, 1e-5) << omega;
+    }
+    for (const double omega : {5.0, 10.0, 1e3, 1e9}) EXPECT_EQ(springShare(omega, duration), 1);
+    EXPECT_EQ(springShare(0, duration), 0);
+}
+
+TEST(SupportAnswer, AWaveHasToComeThroughFirst) {
+    EXPECT_EQ(waveShare(0, 1e-3), 1);
+    EXPECT_EQ(waveShare(0.3e-3, 1e-3), 1);
+    EXPECT_NEAR(waveShare(0.4e-3, 1e-3), 2 * std::cos(0.4 * pi), 1e-12);
+    EXPECT_EQ(waveShare(0.5e-3, 1e-3), 0);
+}
+
+TEST(Foundation, IsWhatTheContactsEnclose) {
+    const Standing brick(Vec3(0.2, 0.1, 0.3), Vec3(0, 0, 0.15), -Vec3::UnitZ());
+    ASSERT_EQ(brick.foundations().size(), 1u);
+    const Foundation whole = brick.foundations()[0];
+    // 2 E* a of a disc of nearly the same area: the bed is a little softer away from the load.
+    const double modulus = contactModulus(12e9, 0.16, brick.settings.partner_youngs_modulus_pa,
+                                          brick.settings.partner_poisson_ratio);
+    EXPECT_NEAR(whole.stiffness_n_m, 2 * modulus * std::sqrt(0.02 / pi), 0.1 * whole.stiffness_n_m);
+    EXPECT_NEAR(whole.distance_m, 0.3, 0.01);
+    Standing half = brick;
+    half.stand({{-0.1, -0.05}, {0, -0.05}, {0, 0.05}, {-0.1, 0.05}});
+    const double reach = half.settings.smallest_patch * 0.1;
+    for (const FoundationPoint& p : half.foundations()[0].points) {
+        EXPECT_LT(p.position.x(), reach + 1e-9);
+        EXPECT_NEAR(p.position.z(), -0.15, 1e-9);
+    }
+    half.stand({});
+    EXPECT_TRUE(half.foundations().empty());
+}
+
+TEST(Foundation, PartnersAndDirectionsStandForThemselves) {
+    Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0, 0, 0.05), -Vec3::UnitZ());
+    ContactImpulse side;
+    side.point = Vec3(0.1, 0, 0);
+    side.normal = -Vec3::UnitX();
+    side.impulse = -Vec3::UnitX();
+    side.partner = 1;
+    brick.blow.contacts.push_back(side);
+    EXPECT_EQ(brick.foundations().size(), 2u);
+    brick.blow.contacts.back().impulse.setZero();
+    EXPECT_EQ(brick.foundations().size(), 1u) << "does not press";
+    brick.blow.contacts[1].partner = 2;
+    EXPECT_EQ(brick.foundations().size(), 2u);
+}
+
+}  // namespace
