@@ -175,7 +175,9 @@ TEST(Foundation, IsWhatTheContactsEnclose) {
     Standing half = brick;
     half.stand({{-0.1, -0.05}, {0, -0.05}, {0, 0.05}, {-0.1, 0.05}});
     const double reach = half.settings.smallest_patch * 0.1;
-    for (const FoundationPoint& p : half.foundations()[0].points) {
+    const std::vector<Foundation> of_half = half.foundations();
+    ASSERT_EQ(of_half.size(), 1u);
+    for (const FoundationPoint& p : of_half[0].points) {
         EXPECT_LT(p.position.x(), reach + 1e-9);
         EXPECT_NEAR(p.position.z(), -0.15, 1e-9);
     }
