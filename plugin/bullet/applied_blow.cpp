@@ -22,10 +22,6 @@ std::string words(const btVector3& v) {
     return text.str();
 }
 
-bool isFinite(const btVector3& v) {
-    return std::isfinite(v.x()) && std::isfinite(v.y()) && std::isfinite(v.z());
-}
-
 bool isNotNegative(double value) {
     return std::isfinite(value) && value >= 0;
 }

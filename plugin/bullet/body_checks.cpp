@@ -6,14 +6,6 @@
 
 namespace sherd {
 
-namespace {
-
-bool isFinite(const btVector3& v) {
-    return fromBullet(v).allFinite();
-}
-
-}  // namespace
-
 Status checkOptions(const BodyOptions& options) {
     constexpr double rigid = 1e-3;
     const Mat3 turn = fromBullet(options.start.getBasis());
@@ -21,8 +13,7 @@ Status checkOptions(const BodyOptions& options) {
     if (!((turn * turn.transpose() - Mat3::Identity()).norm() < rigid) || turn.determinant() < 0)
         return Error{
             "the start is not a rotation and a translation (its matrix scales, mirrors or is not finite); "
-            "scale "
-            "the mesh instead"};
+            "scale the mesh instead"};
     if (!isFinite(options.velocity)) return Error{"the velocity is not finite; give it in m/s"};
     if (!isFinite(options.angular_velocity))
         return Error{"the angular velocity is not finite; give it in rad/s"};
@@ -33,8 +24,8 @@ Status checkWorld(const btDiscreteDynamicsWorld& world) {
     if (world.getWorldType() == BT_DEFORMABLE_MULTIBODY_DYNAMICS_WORLD)
         return Error{
             "bodies cannot break in a btDeformableMultiBodyDynamicsWorld, since it does not tell its "
-            "constraint solver "
-            "when a solve begins; use a btSoftRigidDynamicsWorld or a btMultiBodyDynamicsWorld"};
+            "constraint solver when a solve begins; use a btSoftRigidDynamicsWorld or a "
+            "btMultiBodyDynamicsWorld"};
     return success();
 }
 

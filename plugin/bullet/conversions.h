@@ -9,6 +9,10 @@ inline Vec3 fromBullet(const btVector3& v) {
     return Vec3(v.x(), v.y(), v.z());
 }
 
+inline bool isFinite(const btVector3& v) {
+    return fromBullet(v).allFinite();
+}
+
 inline btVector3 toBullet(const Vec3& v) {
     return btVector3(static_cast<btScalar>(v.x()), static_cast<btScalar>(v.y()),
                      static_cast<btScalar>(v.z()));

@@ -60,10 +60,14 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     const auto read = demo::readScene(written(scene(
         R"(, "seed": 5, "duration_s": 3, "gravity_m_s2": [0, 0, -1.6], "floor": {"friction": 0.1},
            "balls": [{"diameter_m": 0.3, "velocity_m_s": [0, 4, 0]}])",
-        R"({"shape": {"obj": "../thing.obj"}, "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2], "spin_rad_s": [1, 0, 0],
-            "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"}, "look": {"gloss": 0.5},
-            "settings": {"quality": "film", "sampling": {"smallest_count": 3000}, "stress": {"resampling_rounds": 1},
-                         "fracture": {"contact": {"smallest_patch": 0.3}, "fragment_count": 7, "guide": {"kind": "radial", "cost_along": 0.1}}}})")));
+        R"({"shape": {"obj": "../thing.obj"}, "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2],
+            "spin_rad_s": [1, 0, 0],
+            "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"},
+            "look": {"gloss": 0.5},
+            "settings": {"quality": "film", "sampling": {"smallest_count": 3000},
+                         "stress": {"resampling_rounds": 1},
+                         "fracture": {"contact": {"smallest_patch": 0.3}, "fragment_count": 7,
+                                      "guide": {"kind": "radial", "cost_along": 0.1}}}})")));
     ASSERT_TRUE(read) << read.error();
     const demo::Scene& scene = read.value();
     const demo::BreakableBody& thing = scene.bodies.at(0);
