@@ -49,12 +49,25 @@ void setTouch(btRigidBody& body, const Touch& touch) {
 
 using Announce = std::function<void(const std::string&)>;
 
+/// Reads and repairs it as the scene says; what was changed, and a size that is hardly meant, is announced.
+sherd::Result<sherd::TriangleMesh> readMesh(const ObjFile& file, const Announce& announce) {
+    const auto mesh = sherd::readObj(file.path);
+    if (!mesh) return mesh;
+    auto repaired = sherd::repairMesh(mesh.value(), file.repair);
+    if (!repaired) return sherd::Error{file.path + ": " + repaired.error()};
+    std::vector<std::string> said = repaired.value().report.sentences();
+    said.push_back(sherd::sizeWarning(repaired.value().mesh));
+    for (const std::string& sentence : said)
+        if (announce && !sentence.empty()) announce(file.path + ": " + sentence);
+    return std::move(repaired.value().mesh);
+}
+
 sherd::Result<sherd::TriangleMesh> makeSurface(const Shape& shape, const std::string& meshes,
                                                const Announce& announce) {
     if (const auto* box = std::get_if<Box>(&shape)) return boxMesh(*box);
     if (const auto* mesh = std::get_if<Generated>(&shape))
         return storedMesh(mesh->name, mesh->triangles, meshes, announce);
-    return sherd::readObj(std::get<ObjFile>(shape).path);
+    return readMesh(std::get<ObjFile>(shape), announce);
 }
 
 /// The body's settings, with the strength that its surface is painted with.

@@ -14,6 +14,7 @@ using sherd::Vec3;
 /// A surface from a Wavefront OBJ.
 struct ObjFile {
     std::string path;
+    sherd::Repair repair = {};
 };
 
 /// The surface of a box, centred on the origin, in triangles with legs of about `edge_m`.

@@ -40,6 +40,17 @@ Generated readGenerated(Fields& fields) {
     return mesh;
 }
 
+/// How the mesh of an OBJ is taken in.
+void readRepair(Fields& fields, sherd::Repair& repair) {
+    fields.read({"repair", "what may be changed in the mesh"}, repair.mode);
+    fields.read({"scale", "multiplies the coordinates", Range::between(1e-6, 1e6)}, repair.scale);
+    fields.read({"up_axis", "the axis of the mesh that points up"}, repair.up_axis);
+    fields.read({"shell_thickness_m", "walls of a hollow body", Range::between(0, 100, "m")},
+                repair.shell_thickness_m);
+    fields.read({"wrap_detail", "what the wrap closes, over the size", Range::between(0.001, 0.1)},
+                repair.wrap_detail);
+}
+
 void readShape(Fields& fields, Shape& shape, const fs::path& folder) {
     std::string path;
     fields.read({"obj", "path of a Wavefront OBJ"}, path);
@@ -47,7 +58,11 @@ void readShape(Fields& fields, Shape& shape, const fs::path& folder) {
     fields.object("box", [&](Fields& part) { readBox(part, box); });
     if (fields.has("obj") + fields.has("box") + fields.has("generator") != 1)
         throw BadKey{fields.path() + " must have one of obj, box and generator."};
-    if (fields.has("obj")) shape = ObjFile{(folder / path).lexically_normal().string()};
+    if (fields.has("obj")) {
+        ObjFile file{(folder / path).lexically_normal().string(), {}};
+        readRepair(fields, file.repair);
+        shape = file;
+    }
     if (fields.has("box")) shape = box;
     if (fields.has("generator")) shape = readGenerated(fields);
 }

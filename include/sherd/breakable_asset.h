@@ -1,6 +1,7 @@
 #pragma once
 
 #include <sherd/material.h>
+#include <sherd/repair.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/surface_region.h>
@@ -19,14 +20,14 @@ class BreakableSolid;  // internal: the sampled solid behind an asset
 /// one asset.
 class BreakableAsset {
   public:
-    /// Reads a Wavefront OBJ and checks it. The error says what is wrong with the file or the surface, where,
-    /// and what to do.
+    /// Reads a Wavefront OBJ and checks it, or mends it where `repair` allows that. The error says everything
+    /// that is wrong with the file or the surface, where, and what to do.
     static Result<BreakableAsset> fromObj(const std::string& path, const Material& material,
-                                          const Settings& settings = {});
+                                          const Settings& settings = {}, const Repair& repair = {});
 
     /// The same for a surface in memory.
     static Result<BreakableAsset> fromMesh(const TriangleMesh& surface, const Material& material,
-                                           const Settings& settings = {});
+                                           const Settings& settings = {}, const Repair& repair = {});
 
     /// The same body, held by the world on parts of its surface: these do not move in the stress of a blow.
     /// Bodies made of it are static (see BreakableOptions::supports). It is sampled and prepared apart from
@@ -48,6 +49,11 @@ class BreakableAsset {
 
     // These, too, may be called from any thread.
     const TriangleMesh& surface() const;
+    /// What was changed in the mesh that the asset was made from.
+    const RepairReport& repairs() const { return *repairs_; }
+    /// What is probably not meant: a size that a slip in the file's unit explains better. The event of the
+    /// first blow on each body says the same. Empty for fragments.
+    const std::vector<std::string>& warnings() const { return *warnings_; }
     const Material& material() const;
     const Settings& settings() const;
     const std::vector<SurfaceRegion>& supports() const;  ///< empty: nothing holds it
@@ -56,11 +62,17 @@ class BreakableAsset {
     double volume() const;      ///< m^3
 
     // Internal.
-    explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid) : solid_(std::move(solid)) {}
+    explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid, const RepairReport& repairs = {},
+                            std::vector<std::string> warnings = {})
+        : solid_(std::move(solid)),
+          repairs_(std::make_shared<const RepairReport>(repairs)),
+          warnings_(std::make_shared<const std::vector<std::string>>(std::move(warnings))) {}
     const std::shared_ptr<const BreakableSolid>& solid() const { return solid_; }
 
   private:
     std::shared_ptr<const BreakableSolid> solid_;
+    std::shared_ptr<const RepairReport> repairs_;
+    std::shared_ptr<const std::vector<std::string>> warnings_;
 };
 
 }  // namespace sherd

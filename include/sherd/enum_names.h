@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sherd/repair.h>
 #include <sherd/settings.h>
 
 #include <cstddef>
@@ -63,6 +64,21 @@ inline constexpr NamedValue<CollisionShape> enum_names<CollisionShape>[] = {
     {"boxes", CollisionShape::boxes},
     {"hull", CollisionShape::hull},
     {"convex_parts", CollisionShape::convex_parts},
+};
+
+template <>
+inline constexpr NamedValue<Repair::Mode> enum_names<Repair::Mode>[] = {
+    {"off", Repair::Mode::off},
+    {"mend", Repair::Mode::mend},
+    {"automatic", Repair::Mode::automatic},
+    {"wrap", Repair::Mode::wrap},
+};
+
+template <>
+inline constexpr NamedValue<UpAxis> enum_names<UpAxis>[] = {
+    {"x", UpAxis::x},
+    {"y", UpAxis::y},
+    {"z", UpAxis::z},
 };
 
 template <>

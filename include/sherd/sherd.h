@@ -11,6 +11,7 @@
 #include <sherd/material.h>
 #include <sherd/outcome.h>
 #include <sherd/push.h>
+#include <sherd/repair.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/strength_field.h>

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <sherd/material.h>
+#include <sherd/repair.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 #include <sherd/stress_field.h>
@@ -28,6 +29,7 @@ struct StressModelReport {
     double spacing_m = 0;         ///< between particles
     double wall_thickness_m = 0;  ///< the tenth percentile of those that rays see from the surface inward
     double sample_ms = 0, assemble_ms = 0, factor_ms = 0;
+    RepairReport repairs;               ///< what was changed in the mesh
     std::vector<std::string> warnings;  ///< what limits trust in the stresses, with the remedy
 };
 
@@ -36,13 +38,14 @@ struct StressModelReport {
 /// Cheap to copy; all members may be called from several threads at once.
 class StressModel {
   public:
-    /// Checks the surface, samples the solid, and factors its stress problem. Where `supports` name parts of
-    /// the surface the displacement is zero; without any, loads are balanced by rigid acceleration.
-    /// Supports have to hold more than a point or a straight line. The error
+    /// Checks the surface, or mends it where `repair` allows that, samples the solid, and factors its stress
+    /// problem. Where `supports` name parts of the surface the displacement is zero; without any, loads are
+    /// balanced by rigid acceleration. Supports have to hold more than a point or a straight line. The error
     /// says what is wrong with the surface, a constant, a setting or a support, and what to do.
     static Result<StressModel> make(const TriangleMesh& surface, const Material& material,
                                     const Settings& settings = {},
-                                    const std::vector<SurfaceRegion>& supports = {});
+                                    const std::vector<SurfaceRegion>& supports = {},
+                                    const Repair& repair = {});
 
     /// Stress at the particles, at the surface points, and at `points` (m, in or on the solid) under `loads`
     /// and the inertia loads of a steady spin about the centre of mass. The stress at surface points agrees
@@ -62,9 +65,11 @@ class StressModel {
     std::vector<Vec3> surfaceNormals() const;
 
   private:
-    explicit StressModel(std::shared_ptr<const BreakableSolid> body) : solid_(std::move(body)) {}
+    StressModel(std::shared_ptr<const BreakableSolid> body, const RepairReport& repairs)
+        : solid_(std::move(body)), repairs_(repairs) {}
 
     std::shared_ptr<const BreakableSolid> solid_;
+    RepairReport repairs_;
 };
 
 }  // namespace sherd

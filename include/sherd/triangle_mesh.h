@@ -13,6 +13,9 @@ namespace sherd {
 /// What a triangle of a fragment's surface is: part of the body's first surface, or a face that a crack made.
 enum class SurfaceKind : std::uint8_t { original, crack };
 
+/// The axis of a mesh file that points up. Sherd's own is z.
+enum class UpAxis : std::uint8_t { x, y, z };
+
 /// A triangle surface. For a breakable body it is closed, oriented outward and free of self-intersection; it
 /// may have several parts, and cavities (oriented into the hollow).
 /// Below, #V is the number of vertices, #T that of triangles.
@@ -20,6 +23,8 @@ struct TriangleMesh {
     std::vector<Vec3> vertices;                 ///< #V points, m
     std::vector<std::array<int, 3>> triangles;  ///< #T, three vertices, counter-clockwise seen from outside
     std::vector<SurfaceKind> kinds;             ///< #T; empty: all are original
+    /// #T, the face of the file that each triangle came from, counted from 1; empty for other meshes.
+    std::vector<int> file_faces;
 
     // What a renderer wants to know. Each is empty where a mesh has none of it. Fragments keep it: triangles
     // that no crack crosses have what they had, parts of crossed ones have it interpolated.
@@ -34,8 +39,9 @@ struct TriangleMesh {
 /// `f`, `usemtl` and the group `crack`. Polygons are split into triangles. Vertices at the same position
 /// become one, which has their mean colour; texture coordinates and normals belong to corners, so seams stay.
 /// Corners without texture coordinates or a normal get zeros if others have some, vertices without a colour
-/// are white. The error names the file and the line.
-Result<TriangleMesh> readObj(const std::string& path);
+/// are white. Coordinates are multiplied with `scale`, to be metres, and the mesh is turned so that
+/// `up_axis` becomes z. The error names the file and the lines.
+Result<TriangleMesh> readObj(const std::string& path, double scale = 1, UpAxis up_axis = UpAxis::z);
 
 /// Writes numbers with up to 17 digits, so that reading them gives the same bits; crack faces are in the
 /// group `crack`. Materials are named (`usemtl`), not described: there is no MTL file.

@@ -84,6 +84,40 @@ struct Overrides {
     }
 };
 
+/// The options that say how the mesh is taken in.
+struct MeshOptions {
+    std::string repair = "off", up_axis = "z";
+    double scale = 1, shell_thickness_m = 0, wrap_detail = Repair().wrap_detail;
+
+    void addTo(CLI::App& app) {
+        app.add_option("--repair", repair, "What may be changed in a mesh that is no closed surface")
+            ->check(CLI::IsMember(namesInFiles<Repair::Mode>()))
+            ->capture_default_str();
+        app.add_option("--scale", scale, "Multiplies the mesh's coordinates; the case is in m after that")
+            ->check(CLI::PositiveNumber)
+            ->type_name("S");
+        app.add_option("--up-axis", up_axis, "The mesh's axis that points up; it is turned to z")
+            ->check(CLI::IsMember(namesInFiles<UpAxis>()))
+            ->capture_default_str();
+        app.add_option("--shell-thickness", shell_thickness_m, "Makes the body hollow, with such walls")
+            ->check(CLI::PositiveNumber)
+            ->type_name("M");
+        app.add_option("--wrap-detail", wrap_detail, "What a wrap closes, over the size of the mesh")
+            ->check(CLI::Range(0.001, 0.1))
+            ->capture_default_str();
+    }
+
+    Repair chosen() const {
+        Repair taken;
+        taken.mode = *valueNamed<Repair::Mode>(repair);
+        taken.up_axis = *valueNamed<UpAxis>(up_axis);
+        taken.scale = scale;
+        taken.shell_thickness_m = shell_thickness_m;
+        taken.wrap_detail = wrap_detail;
+        return taken;
+    }
+};
+
 std::string checkVtkName(const std::string& path) {
     const std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
     return end == ".vtk" || end == ".vtu" ? "" : path + " has to end in .vtk or .vtu";
@@ -94,6 +128,7 @@ std::string checkVtkName(const std::string& path) {
 Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
     Overrides overrides;
+    MeshOptions mesh;
 
     CLI::App app("Brittle fracture without a mesh: work on single bodies from the command line.");
     app.name("sherd");
@@ -111,6 +146,7 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     stress->add_option("--quality", arguments.quality, "Preset that the options below change")
         ->check(CLI::IsMember(namesInFiles<Quality>()))
         ->capture_default_str();
+    mesh.addTo(*stress);
     overrides.addTo(*stress);
     try {
         app.parse(argc, argv);
@@ -123,6 +159,7 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     arguments.settings = Settings::forQuality(*valueNamed<Quality>(arguments.quality));
     if (const Status applied = overrides.applyTo(arguments.settings); !applied)
         return Error{applied.error() + " (see --help)"};
+    arguments.repair = mesh.chosen();
     return arguments;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sherd/repair.h>
 #include <sherd/result.h>
 #include <sherd/settings.h>
 
@@ -16,6 +17,7 @@ struct Arguments {
     std::string vtk;     ///< .vtk or .vtu; empty: none
     std::string quality = "game";
     Settings settings;  ///< of the quality, with what other options change
+    Repair repair;      ///< how the case's mesh is taken in
     std::string help;   ///< the text to show and leave, if asked for
 };
 

@@ -41,6 +41,7 @@ ordered_json makeReport(const Arguments& arguments, const StressCase& problem, c
     report["material"] = ordered_json::parse(problem.material.toJson());
     report["settings"] = ordered_json::parse(model.settings().toJson());
     report["ms"] = milliseconds(made, field);
+    report["repairs"] = made.repairs.sentences();
     report["warnings"] = made.warnings;
     for (const std::string& warning : field.warnings)  // which hold those of the solver again
         if (std::find(made.warnings.begin(), made.warnings.end(), warning) == made.warnings.end())

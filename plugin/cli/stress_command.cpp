@@ -23,10 +23,11 @@ std::vector<T> firstOf(const std::vector<T>& list, std::size_t count) {
     return {list.begin(), list.begin() + std::ptrdiff_t(count)};
 }
 
-Result<StressModel> makeModel(const StressCase& problem, const Settings& settings) {
+Result<StressModel> makeModel(const StressCase& problem, const Arguments& arguments) {
     const Result<TriangleMesh> surface = readObj(problem.mesh);
     if (!surface) return Error{surface.error()};
-    auto model = StressModel::make(surface.value(), problem.material, settings, problem.supports);
+    auto model = StressModel::make(surface.value(), problem.material, arguments.settings, problem.supports,
+                                   arguments.repair);
     if (!model) return Error{problem.mesh + ": " + model.error()};
     return model;
 }
@@ -63,6 +64,7 @@ Status writeAll(const Arguments& arguments, const StressCase& problem, const Str
     for (const std::string& key : problem.unknown_keys)
         std::cerr << "warning: " << arguments.case_file << ": the key \"" << key
                   << "\" is not known and was passed over\n";
+    for (const std::string repair : report["repairs"]) std::cerr << "note: " << repair << "\n";
     for (const std::string warning : report["warnings"]) std::cerr << "warning: " << warning << "\n";
     return status;
 }
@@ -79,7 +81,7 @@ Status runStress(const Arguments& arguments) {
         wanted = std::move(points).value();
     }
 
-    const Result<StressModel> model = makeModel(problem.value(), arguments.settings);
+    const Result<StressModel> model = makeModel(problem.value(), arguments);
     if (!model) return Error{model.error()};
     std::vector<Vec3> points = wanted;
     if (!arguments.vtk.empty()) append(points, model.value().surface().vertices);

@@ -2,25 +2,28 @@
 
 #include "fracture/breakable_solid.h"
 #include "fracture/supports.h"
-#include "geometry/surface_checks.h"
 
 namespace sherd {
 
 Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Material& material,
-                                               const Settings& settings) {
+                                               const Settings& settings, const Repair& repair) {
     const Result<TriangleMesh> surface = readObj(path);
     if (!surface) return Error{surface.error()};
-    Result<BreakableAsset> asset = fromMesh(surface.value(), material, settings);
+    Result<BreakableAsset> asset = fromMesh(surface.value(), material, settings, repair);
     if (!asset) return Error{path + ": " + asset.error()};
     return asset;
 }
 
 Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, const Material& material,
-                                                const Settings& settings) {
-    if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
-    auto solid = BreakableSolid::make(surface, material, settings);
+                                                const Settings& settings, const Repair& repair) {
+    Result<RepairedMesh> sound = repairMesh(surface, repair);
+    if (!sound) return Error{sound.error()};
+    auto solid = BreakableSolid::make(std::move(sound.value().mesh), material, settings);
     if (!solid) return Error{solid.error()};
-    return BreakableAsset(std::move(solid).value());
+    std::vector<std::string> warnings;
+    if (const std::string size = sizeWarning(solid.value()->surface()); !size.empty())
+        warnings.push_back(size);
+    return BreakableAsset(std::move(solid).value(), sound.value().report, std::move(warnings));
 }
 
 Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>& supports) const {
@@ -33,7 +36,7 @@ Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>
             "the supports hold the body by no more than a line or a point, about which it can turn; give "
             "them "
             "more of its surface"};
-    return BreakableAsset(solid_->anchored(supports));
+    return BreakableAsset(solid_->anchored(supports), *repairs_, *warnings_);
 }
 
 Status BreakableAsset::prepare() const {

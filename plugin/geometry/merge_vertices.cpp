@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
+#include "geometry/by_position.h"
 #include "geometry/mesh_attributes.h"
 
 namespace sherd {
 namespace {
-
-bool precedes(const Vec3& a, const Vec3& b) {
-    return std::lexicographical_compare(a.data(), a.data() + 3, b.data(), b.data() + 3);
-}
 
 /// For every vertex the first one at the same position.
 std::vector<int> firstAtPosition(const std::vector<Vec3>& vertices) {
@@ -53,6 +50,7 @@ TriangleMesh mergeEqualVertices(const TriangleMesh& mesh) {
         if (triangle[0] == triangle[1] || triangle[1] == triangle[2] || triangle[2] == triangle[0]) continue;
         merged.triangles.push_back(triangle);
         if (!mesh.kinds.empty()) merged.kinds.push_back(mesh.kinds[t]);
+        if (!mesh.file_faces.empty()) merged.file_faces.push_back(mesh.file_faces[t]);
         copyCorners(mesh, static_cast<int>(t), merged);
         for (const int corner : triangle) used[corner] = 1;
     }

@@ -7,11 +7,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
+#include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "core/numerics/mesh_measures.h"
+#include "geometry/sentences.h"
+#include "geometry/shells.h"
 #include "geometry/surface_topology.h"
 
 namespace sherd {
@@ -20,83 +26,46 @@ namespace {
 using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Point = Kernel::Point_3;
 using CgalMesh = CGAL::Surface_mesh<Point>;
+using Faults = std::vector<std::string>;
 
 Point toPoint(const Vec3& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-std::array<Vec3, 3> corners(const TriangleMesh& mesh, std::size_t triangle) {
-    const auto& [a, b, c] = mesh.triangles[triangle];
-    return {mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]};
-}
-
 Vec3 centre(const TriangleMesh& mesh, std::size_t triangle) {
-    const auto [a, b, c] = corners(mesh, triangle);
+    const auto [a, b, c] = cornersOf(mesh, triangle);
     return (a + b + c) / 3;
 }
 
-Status checkNumbers(const TriangleMesh& mesh) {
-    if (mesh.triangles.empty())
-        return Error{"The surface is empty: it has no triangles; give the closed surface of a solid."};
-    for (std::size_t v = 0; v < mesh.vertices.size(); ++v)
-        if (!mesh.vertices[v].allFinite())
-            return Error{"Vertex " + std::to_string(v) + " of the surface is at " +
-                         describePlace(mesh.vertices[v]) + ", which is not finite; correct its coordinates."};
-    const int count = static_cast<int>(mesh.vertices.size());
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        for (const int corner : mesh.triangles[t])
-            if (corner < 0 || corner >= count)
-                return Error{"Triangle " + std::to_string(t) + " of the surface names vertex " +
-                             std::to_string(corner) + ", but vertices are numbered 0 to " +
-                             std::to_string(count - 1) + "; correct the number."};
-    return success();
+std::string capitalised(std::string text) {
+    if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
+    return text;
 }
 
-Status checkAreas(const TriangleMesh& mesh) {
+void checkAreas(const TriangleMesh& mesh, Faults& faults) {
+    std::vector<int> flat;
     for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        const auto [a, b, c] = corners(mesh, t);
-        if (CGAL::collinear(toPoint(a), toPoint(b), toPoint(c)))
-            return Error{"Triangle " + std::to_string(t) + " at " + describePlace(centre(mesh, t)) +
-                         " has no area: its corners lie on one line or coincide; collapse its short edge, or "
-                         "flip its long one."};
+        const auto [a, b, c] = cornersOf(mesh, t);
+        if (CGAL::collinear(toPoint(a), toPoint(b), toPoint(c))) flat.push_back(static_cast<int>(t));
     }
-    return success();
+    if (flat.empty()) return;
+    const std::string others =
+        flat.size() < 2
+            ? ""
+            : " (" + std::to_string(flat.size()) + " such triangles: " + describeTriangles(mesh, flat) + ")";
+    faults.push_back(capitalised(describeTriangle(mesh, flat[0])) + " at " +
+                     describePlace(centre(mesh, flat[0])) +
+                     " has no area: its corners lie on one line or coincide" + others +
+                     "; collapse its short edge, or flip its long one.");
 }
 
-/// A connected part of the surface.
-struct Shell {
-    std::vector<int> triangles;
-    Eigen::AlignedBox3d box;
-    double volume = 0;  ///< signed: negative when the triangles face inward
-    double area = 0;
-    int first_vertex = -1;
-};
-
-std::vector<Shell> splitShells(const TriangleMesh& mesh, const std::vector<SharedEdge>& edges) {
-    const std::vector<int> shell_of = shellOfTriangle(mesh, edges);
-    std::vector<Shell> shells(*std::max_element(shell_of.begin(), shell_of.end()) + 1);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-        Shell& shell = shells[shell_of[t]];
-        if (shell.triangles.empty()) shell.first_vertex = mesh.triangles[t][0];
-        shell.triangles.push_back(static_cast<int>(t));
-        const Vec3 origin = mesh.vertices[shell.first_vertex];
-        const auto [a, b, c] = corners(mesh, t);
-        shell.box.extend(a).extend(b).extend(c);
-        shell.volume += (a - origin).dot((b - origin).cross(c - origin)) / 6;
-        shell.area += (b - a).cross(c - a).norm() / 2;
-    }
-    return shells;
-}
-
-Status checkVolumes(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
-    // A sheet of side L and thickness 1e-8 L is still a solid; rounding is far below that.
-    for (const Shell& shell : shells)
-        if (std::abs(shell.volume) < 1e-9 * std::pow(shell.area, 1.5))
-            return Error{
-                "The part of the surface at " + describePlace(mesh.vertices[shell.first_vertex]) +
-                " (triangle " + std::to_string(shell.triangles.front()) +
-                ") encloses no volume: its two sides lie on each other; give it a thickness, or remove it."};
-    return success();
+void checkVolumes(const TriangleMesh& mesh, const std::vector<Shell>& shells, Faults& faults) {
+    const auto isFlat = [](const Shell& shell) { return shell.isFlat(); };
+    const auto first = std::find_if(shells.begin(), shells.end(), isFlat);
+    if (first == shells.end()) return;
+    faults.push_back(describeShell(mesh, *first) + " encloses no volume: its two sides lie on each other" +
+                     suchParts(std::count_if(shells.begin(), shells.end(), isFlat)) +
+                     "; give it a thickness, or remove it.");
 }
 
 CgalMesh toCgalMesh(const TriangleMesh& mesh, const std::vector<int>& triangles) {
@@ -116,26 +85,33 @@ CgalMesh toCgalMesh(const TriangleMesh& mesh, const std::vector<int>& triangles)
 
 Vec3 overlapCentre(const TriangleMesh& mesh, std::size_t first, std::size_t second) {
     Eigen::AlignedBox3d boxes[2];
-    for (const Vec3& corner : corners(mesh, first)) boxes[0].extend(corner);
-    for (const Vec3& corner : corners(mesh, second)) boxes[1].extend(corner);
+    for (const Vec3& corner : cornersOf(mesh, first)) boxes[0].extend(corner);
+    for (const Vec3& corner : cornersOf(mesh, second)) boxes[1].extend(corner);
     return boxes[0].intersection(boxes[1]).center();
 }
 
-Status checkCrossings(const TriangleMesh& mesh) {
+/// Pairs of triangles that cross, the lower number first.
+using Crossings = std::vector<std::pair<int, int>>;
+
+Crossings crossingsOf(const TriangleMesh& mesh) {
     std::vector<int> all(mesh.triangles.size());
     for (std::size_t t = 0; t < all.size(); ++t) all[t] = static_cast<int>(t);
     const CgalMesh whole = toCgalMesh(mesh, all);
-    std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> crossings;
-    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(whole,
-                                                                            std::back_inserter(crossings));
-    if (crossings.empty()) return success();
-    for (auto& [a, b] : crossings)
-        if (b < a) std::swap(a, b);
+    std::vector<std::pair<CgalMesh::Face_index, CgalMesh::Face_index>> found;
+    CGAL::Polygon_mesh_processing::self_intersections<CGAL::Sequential_tag>(whole, std::back_inserter(found));
+    Crossings crossings;
+    for (const auto& [a, b] : found)
+        crossings.push_back(std::minmax(static_cast<int>(a), static_cast<int>(b)));
+    return crossings;
+}
+
+void describeCrossings(const TriangleMesh& mesh, const Crossings& crossings, Faults& faults) {
+    if (crossings.empty()) return;
     const auto [a, b] = *std::min_element(crossings.begin(), crossings.end());
-    return Error{"The surface intersects itself: triangles " + std::to_string(std::size_t(a)) + " and " +
-                 std::to_string(std::size_t(b)) + " cross near " + describePlace(overlapCentre(mesh, a, b)) +
-                 " (" + std::to_string(crossings.size()) +
-                 " such pairs); unite overlapping parts into one surface, or pull them apart."};
+    faults.push_back("The surface intersects itself: " + describeTriangles(mesh, {a, b}) + " cross near " +
+                     describePlace(overlapCentre(mesh, a, b)) + " (" +
+                     counted(crossings.size(), "such pair", "such pairs") +
+                     "); unite overlapping parts into one surface, or pull them apart.");
 }
 
 /// Tells whether points lie inside one shell; the search tree is made when first asked.
@@ -155,59 +131,101 @@ class ShellInterior {
     std::optional<CGAL::Side_of_triangle_mesh<CgalMesh, Kernel>> side_;
 };
 
-/// How many other shells each shell lies in: solid begins at even depths, a cavity at odd ones.
-std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
+using ShellPairs = std::set<std::pair<int, int>>;
+
+ShellPairs crossingShells(const std::vector<Shell>& shells, const Crossings& crossings) {
+    std::map<int, int> shell_of;
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        for (const int t : shells[s].triangles) shell_of[t] = static_cast<int>(s);
+    ShellPairs pairs;
+    for (const auto& [a, b] : crossings) pairs.insert(std::minmax(shell_of.at(a), shell_of.at(b)));
+    return pairs;
+}
+
+/// How many other shells each shell lies in: solid begins at even depths, a cavity at odd ones. Shells that
+/// cross do not lie in each other.
+std::vector<int> nestingDepths(const TriangleMesh& mesh, const std::vector<Shell>& shells,
+                               const ShellPairs& crossing) {
     std::vector<int> depths(shells.size(), 0);
     if (shells.size() == 1) return depths;
     std::vector<ShellInterior> interiors(shells.size());
     for (std::size_t inner = 0; inner < shells.size(); ++inner)
         for (std::size_t outer = 0; outer < shells.size(); ++outer)
-            if (inner != outer &&
+            if (inner != outer && !crossing.count(std::minmax(int(inner), int(outer))) &&
                 interiors[outer].contains(mesh, shells[outer], mesh.vertices[shells[inner].first_vertex]))
                 ++depths[inner];
     return depths;
 }
 
-Status checkOrientation(const TriangleMesh& mesh, const std::vector<Shell>& shells) {
-    const std::vector<int> depths = nestingDepths(mesh, shells);
-    const auto isInverted = [&](std::size_t s) { return (shells[s].volume > 0) != (depths[s] % 2 == 0); };
+void checkOrientation(const TriangleMesh& mesh, const std::vector<Shell>& shells, const Crossings& crossings,
+                      Faults& faults) {
+    const std::vector<int> depths = nestingDepths(mesh, shells, crossingShells(shells, crossings));
+    const auto isInverted = [&](std::size_t s) { return (shells[s].volume_m3 > 0) != (depths[s] % 2 == 0); };
     std::size_t inverted = 0, first = shells.size();
     for (std::size_t s = 0; s < shells.size(); ++s) {
-        if (!isInverted(s)) continue;
+        if (shells[s].isFlat() || !isInverted(s)) continue;
         ++inverted;
         first = std::min(first, s);
     }
-    if (inverted == 0) return success();
+    if (inverted == 0) return;
     if (inverted == shells.size())
-        return Error{
+        return faults.push_back(
             "The surface is inside out: its triangles face inward, so its volume is negative; reverse the "
-            "order of the corners in every face."};
-    const std::string part = "The part of the surface at " +
-                             describePlace(mesh.vertices[shells[first].first_vertex]) + " (triangle " +
-                             std::to_string(shells[first].triangles.front()) + ")";
+            "order of the corners in every face.");
+    const std::string part = describeShell(mesh, shells[first]);
     if (depths[first] % 2 == 0)
-        return Error{part + " is inside out; reverse the order of the corners in its faces."};
-    return Error{part +
-                 " lies inside another part and faces outward; if it is a cavity, reverse the order of the "
-                 "corners in its faces, otherwise remove it."};
+        return faults.push_back(part + " is inside out" + suchParts(inverted) +
+                                "; reverse the order of the corners in its faces.");
+    faults.push_back(part + " lies inside another part and faces outward" + suchParts(inverted) +
+                     "; if it is a cavity, reverse the order of the corners in its faces, otherwise remove "
+                     "it.");
 }
 
-Status checkEverything(const TriangleMesh& mesh) {
-    if (Status numbers = checkNumbers(mesh); !numbers) return numbers;
-    if (Status areas = checkAreas(mesh); !areas) return areas;
-    const Result<std::vector<SharedEdge>> edges = closedManifoldEdges(mesh);
-    if (!edges) return Error{edges.error()};
-    const std::vector<Shell> shells = splitShells(mesh, edges.value());
-    if (Status volumes = checkVolumes(mesh, shells); !volumes) return volumes;
-    if (Status crossings = checkCrossings(mesh); !crossings) return crossings;
-    return checkOrientation(mesh, shells);
+/// Of an open surface the volume about its own middle says which way most of it faces.
+void checkOpenOrientation(const TriangleMesh& mesh, Faults& faults) {
+    const Vec3 middle = boundingBox(mesh).center();
+    constexpr double clearly = 0.02;  // of area^1.5; a whole ball has 0.094
+    if (enclosedVolume(mesh.vertices, mesh.triangles, middle) < -clearly * std::pow(surfaceArea(mesh), 1.5))
+        faults.push_back(
+            "Most of the surface is inside out: its triangles face inward; reverse the order of the corners "
+            "in every face.");
+}
+
+Faults faultsOf(const TriangleMesh& mesh) {
+    if (Status numbers = checkNumbers(mesh); !numbers) return {numbers.error()};
+    Faults faults;
+    checkAreas(mesh, faults);
+    const bool no_flat_ones = faults.empty();
+    SurfaceTopology topology = surfaceTopology(mesh);
+    const bool closed = topology.faults.empty();
+    faults.insert(faults.end(), topology.faults.begin(), topology.faults.end());
+    // Only a manifold, with or without borders, can be searched for crossings.
+    const Crossings crossings = topology.manifold && no_flat_ones ? crossingsOf(mesh) : Crossings{};
+    if (!closed) {
+        checkOpenOrientation(mesh, faults);
+    } else {
+        const std::vector<Shell> shells = shellsOf(mesh, topology.edges);
+        checkVolumes(mesh, shells, faults);
+        if (no_flat_ones || shells.size() == 1) checkOrientation(mesh, shells, crossings, faults);
+    }
+    describeCrossings(mesh, crossings, faults);
+    return faults;
+}
+
+std::string joined(const Faults& faults) {
+    if (faults.size() == 1) return faults[0];
+    std::string text = "The surface has " + std::to_string(faults.size()) + " kinds of faults:";
+    for (std::size_t i = 0; i < faults.size(); ++i) text += " (" + std::to_string(i + 1) + ") " + faults[i];
+    return text;
 }
 
 }  // namespace
 
 Status checkSurface(const TriangleMesh& mesh) {
     try {
-        return checkEverything(mesh);
+        const Faults faults = faultsOf(mesh);
+        if (!faults.empty()) return Error{joined(faults)};
+        return success();
     } catch (const std::exception& fault) {
         return Error{std::string("The surface could not be checked: ") + fault.what() +
                      "; simplify or repair the mesh."};

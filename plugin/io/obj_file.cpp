@@ -7,6 +7,7 @@
 #include <map>
 
 #include "geometry/merge_vertices.h"
+#include "geometry/mesh_frame.h"
 
 namespace sherd {
 namespace {
@@ -69,7 +70,8 @@ std::string formatObj(const TriangleMesh& mesh) {
 
 }  // namespace
 
-Result<TriangleMesh> readObj(const std::string& path) {
+Result<TriangleMesh> readObj(const std::string& path, double scale, UpAxis up_axis) {
+    if (const Status valid = checkScale(scale); !valid) return Error{path + ": " + valid.error()};
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
         return Error{path + " is a folder; name an OBJ file in it."};
@@ -79,7 +81,7 @@ Result<TriangleMesh> readObj(const std::string& path) {
     if (file.bad()) return Error{path + " cannot be read to its end; check the disk."};
     Result<TriangleMesh> mesh = parseObj(text, path);
     if (!mesh) return mesh;
-    return mergeEqualVertices(mesh.value());
+    return placed(mergeEqualVertices(mesh.value()), scale, up_axis);
 }
 
 Status writeObj(const TriangleMesh& mesh, const std::string& path) {

@@ -1,71 +1,33 @@
-#include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <limits>
+#include <deque>
 #include <optional>
-#include <type_traits>
 
 #include "geometry/mesh_attributes.h"
+#include "geometry/sentences.h"
 #include "io/obj_file.h"
+#include "io/obj_words.h"
 
 namespace sherd {
 namespace {
-
-constexpr std::string_view blanks = " \t\r";
-
-/// Takes the next word off the front of `line`; empty at the end.
-std::string_view takeWord(std::string_view& line) {
-    const std::size_t begin = std::min(line.find_first_not_of(blanks), line.size());
-    const std::size_t end = std::min(line.find_first_of(blanks, begin), line.size());
-    const std::string_view word = line.substr(begin, end - begin);
-    line.remove_prefix(end);
-    return word;
-}
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = std::min(text.find_first_not_of(blanks), text.size());
-    return text.substr(begin, text.find_last_not_of(blanks) + 1 - begin);
-}
-
-/// Takes what is before the next slash off the front of `word`, and the slash.
-std::string_view takeIndex(std::string_view& word) {
-    const std::size_t end = std::min(word.find('/'), word.size());
-    const std::string_view index = word.substr(0, end);
-    word.remove_prefix(std::min(end + 1, word.size()));
-    return index;
-}
-
-/// The whole word as a number, whatever the locale; infinite where a double cannot hold it.
-template <class Number>
-std::optional<Number> parseNumber(std::string_view word) {
-    if (!word.empty() && word.front() == '+') word.remove_prefix(1);
-    Number value{};
-    const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), value);
-    if constexpr (std::is_floating_point_v<Number>)
-        if (fault == std::errc::result_out_of_range) return std::numeric_limits<Number>::infinity();
-    if (fault != std::errc() || end != word.data() + word.size()) return std::nullopt;
-    return value;
-}
 
 /// A corner of a face: numbers of its vertex, texture coordinates and normal, -1 for none.
 struct Corner {
     int vertex = -1, texture = -1, normal = -1;
 };
 
-/// Reads records line by line and keeps the first fault.
+/// Reads records line by line; keeps the first fault and the lines of all.
 class ObjParser {
   public:
     explicit ObjParser(const std::string& name) : name_(name) {}
 
     Result<TriangleMesh> parse(std::string_view text) {
-        while (!text.empty() && fault_.empty()) {
-            const std::size_t end = std::min(text.find('\n'), text.size());
-            std::string_view line = text.substr(0, end);
-            text.remove_prefix(std::min(end + 1, text.size()));
-            ++line_number_;
-            parseLine(line.substr(0, line.find('#')));
+        for (int next_number = 1; !text.empty();) {
+            line_number_ = next_number;
+            const std::string_view record = takeRecord(text, next_number);
+            line_is_faulty_ = false;
+            parseLine(record.substr(0, record.find('#')));
         }
-        if (!fault_.empty()) return Error{fault_};
+        if (!fault_.empty()) return Error{fault_ + furtherFaults()};
         if (mesh_.triangles.empty())
             return Error{name_ +
                          ": there are no faces in this file; export the surface of a solid as polygons ('v' "
@@ -76,6 +38,20 @@ class ObjParser {
     }
 
   private:
+    /// Takes a record, usually one line; counts its lines.
+    std::string_view takeRecord(std::string_view& text, int& lines) {
+        std::string_view line = takeLine(text);
+        ++lines;
+        if (!goesOn(line)) return line;
+        std::string whole;
+        for (; goesOn(line) && !text.empty(); ++lines) {
+            whole.append(line.substr(0, line.rfind('\\'))).append(" ");
+            line = takeLine(text);
+        }
+        continued_.push_back(whole.append(line));
+        return continued_.back();
+    }
+
     void parseLine(std::string_view line) {
         const std::string_view record = takeWord(line);
         if (record == "v") parseVertex(line);
@@ -131,6 +107,7 @@ class ObjParser {
 
     void parseFace(std::string_view line) {
         face_.clear();
+        ++face_count_;
         for (std::string_view word = takeWord(line); !word.empty(); word = takeWord(line)) {
             const std::string_view whole = word;
             Corner corner;
@@ -141,7 +118,7 @@ class ObjParser {
             else if (!word.empty())
                 word.remove_prefix(1);
             if (!word.empty()) corner.normal = index(word, whole, normals_.size(), "normal", "normals");
-            if (!fault_.empty()) return;
+            if (line_is_faulty_) return;
             face_.push_back(corner);
         }
         if (face_.size() < 3)
@@ -152,6 +129,7 @@ class ObjParser {
     void addTriangle(const std::array<Corner, 3>& corners) {
         mesh_.triangles.push_back({corners[0].vertex, corners[1].vertex, corners[2].vertex});
         mesh_.kinds.push_back(kind_);
+        mesh_.file_faces.push_back(face_count_);
         any_crack_ = any_crack_ || kind_ == SurfaceKind::crack;
         corners_.push_back(corners);
         material_names_.push_back(material_name_);
@@ -214,20 +192,36 @@ class ObjParser {
     static std::string quoted(std::string_view word) { return "'" + std::string(word) + "'"; }
 
     void fail(const std::string& sentence) {
-        if (fault_.empty()) fault_ = name_ + ":" + std::to_string(line_number_) + ": " + sentence;
+        if (line_is_faulty_) return;
+        line_is_faulty_ = true;
+        if (fault_.empty())
+            fault_ = name_ + ":" + std::to_string(line_number_) + ": " + sentence;
+        else
+            further_faulty_lines_.push_back(line_number_);
+    }
+
+    std::string furtherFaults() const {
+        if (further_faulty_lines_.empty()) return "";
+        const bool one = further_faulty_lines_.size() == 1;
+        return " " + std::to_string(further_faulty_lines_.size()) +
+               (one ? " more line is" : " more lines are") + " faulty: " + firstOf(further_faulty_lines_) +
+               ".";
     }
 
     std::string name_, fault_;
+    std::deque<std::string> continued_;  // records of several lines; none moves when one is added
     TriangleMesh mesh_;
     std::vector<Vec2> texture_coordinates_;
     std::vector<Vec3> normals_;
     std::vector<Corner> face_;
     std::vector<std::array<Corner, 3>> corners_;    // of every triangle
-    std::vector<std::string_view> material_names_;  // of every triangle, in the text
+    std::vector<std::string_view> material_names_;  // of every triangle, in the text or `continued_`
     std::string_view material_name_;
     SurfaceKind kind_ = SurfaceKind::original;
     bool any_crack_ = false;
-    int line_number_ = 0;
+    int line_number_ = 0, face_count_ = 0;
+    bool line_is_faulty_ = false;
+    std::vector<int> further_faulty_lines_;
 };
 
 }  // namespace

@@ -81,14 +81,16 @@ const Discretisation& solidOf(const BreakableSolid& body) {
 }  // namespace
 
 Result<StressModel> StressModel::make(const TriangleMesh& surface, const Material& material,
-                                      const Settings& settings, const std::vector<SurfaceRegion>& supports) {
-    if (const Status sound = checkSurface(surface); !sound) return Error{sound.error()};
+                                      const Settings& settings, const std::vector<SurfaceRegion>& supports,
+                                      const Repair& repair) {
+    Result<RepairedMesh> sound = repairMesh(surface, repair);
+    if (!sound) return Error{sound.error()};
     Settings resampled = settings;
     resampled.stress.resample_contacts = true;
-    auto body = BreakableSolid::make(surface, material, resampled, supports);
+    auto body = BreakableSolid::make(std::move(sound.value().mesh), material, resampled, supports);
     if (!body) return Error{body.error()};
     if (const auto solver = body.value()->stressSolver(); !solver) return Error{solver.error()};
-    return StressModel(std::move(body).value());
+    return StressModel(std::move(body).value(), sound.value().report);
 }
 
 Result<StressField> StressModel::solve(const std::vector<SurfaceLoad>& loads, const std::vector<Vec3>& points,
@@ -152,6 +154,8 @@ StressModelReport StressModel::report() const {
     report.assemble_ms = solver.assemble_ms;
     report.factor_ms = solver.factor_ms;
     report.warnings = solver.warnings;
+    report.repairs = repairs_;
+    if (const std::string size = sizeWarning(surface()); !size.empty()) report.warnings.push_back(size);
     if (solid.spacing > solid_->wallThickness())
         report.warnings.push_back(coarseForWalls(solid.spacing, solid_->wallThickness()));
     return report;

@@ -78,3 +78,17 @@ expect(1 "No part of the surface lies in the sphere" stress slab_centre/astray.j
 string(REPLACE "supports" "suports" misspelt "${text}")
 file(WRITE "${WORK}/slab_centre/misspelt.json" "${misspelt}")
 expect(0 "the key \"suports\" is not known and was passed over" stress slab_centre/misspelt.json --out o.csv --particles 50)
+
+# A slab of 1 m x 1 m x 0.09 m without one triangle of its top.
+file(READ "${WORK}/${case}" text)
+string(REPLACE "surface.obj" "open.obj" text "${text}")
+file(WRITE "${WORK}/slab_centre/open.json" "${text}")
+file(WRITE "${WORK}/slab_centre/open.obj" "v -0.5 -0.5 -0.045\nv 0.5 -0.5 -0.045\nv 0.5 0.5 -0.045\nv -0.5 0.5 -0.045
+v -0.5 -0.5 0.045\nv 0.5 -0.5 0.045\nv 0.5 0.5 0.045\nv -0.5 0.5 0.045
+f 4 3 2 1\nf 5 6 7\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
+set(open slab_centre/open.json)
+expect(1 "is open.*--repair automatic" stress ${open} --out o.csv --particles 50)
+expect(0 "note: 1 hole filled" stress ${open} --out o.csv --particles 50 --repair automatic)
+expect(2 "automatic" stress ${open} --out o.csv --repair perhaps)
+expect(1 "No part of the surface lies in the sphere" stress ${open} --out o.csv --particles 50 --repair mend --scale 30)
+expect(2 "x,y,z" stress ${open} --out o.csv --up-axis up)

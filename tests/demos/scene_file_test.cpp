@@ -60,8 +60,9 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     const auto read = demo::readScene(written(scene(
         R"(, "seed": 5, "duration_s": 3, "gravity_m_s2": [0, 0, -1.6], "floor": {"friction": 0.1},
            "balls": [{"diameter_m": 0.3, "velocity_m_s": [0, 4, 0]}])",
-        R"({"shape": {"obj": "../thing.obj"}, "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2],
-            "spin_rad_s": [1, 0, 0],
+        R"({"shape": {"obj": "../thing.obj", "repair": "automatic", "scale": 0.001, "up_axis": "y",
+                      "shell_thickness_m": 0.003},
+            "turn_deg": [0, 90, 0], "velocity_m_s": [0, 0, -2], "spin_rad_s": [1, 0, 0],
             "material": {"like": "glass", "density_kg_m3": 2600, "failure_criterion": "mohr_coulomb"},
             "look": {"gloss": 0.5},
             "settings": {"quality": "film", "sampling": {"smallest_count": 3000},
@@ -78,6 +79,11 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(scene.balls.at(0).velocity, Vec3(0, 4, 0));
     EXPECT_EQ(fs::path(std::get<demo::ObjFile>(thing.shape).path),
               (fs::path(testing::TempDir()) / "thing.obj").lexically_normal());
+    const sherd::Repair& repair = std::get<demo::ObjFile>(thing.shape).repair;
+    EXPECT_EQ(repair.mode, sherd::Repair::Mode::automatic);
+    EXPECT_EQ(repair.scale, 0.001);
+    EXPECT_EQ(repair.up_axis, sherd::UpAxis::y);
+    EXPECT_EQ(repair.shell_thickness_m, 0.003);
     EXPECT_EQ(thing.material.density_kg_m3, 2600);
     EXPECT_EQ(thing.material.failure_criterion, "mohr_coulomb");
     EXPECT_EQ(thing.material.youngs_modulus_pa, sherd::Material::glass().youngs_modulus_pa);

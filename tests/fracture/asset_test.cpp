@@ -23,7 +23,35 @@ TEST(Asset, EveryKindOfWrongObjHasItsOwnSentence) {
         EXPECT_NE(sentence.find(words), std::string::npos) << file << ": " << sentence;
         EXPECT_NE(sentence.find(file), std::string::npos) << sentence;
         EXPECT_EQ(sentence.back(), '.') << sentence;
+        const bool mendable = file == "open.obj" || file == "inverted.obj" || file == "self_intersecting.obj";
+        EXPECT_EQ(sentence.find("Repair::automatic()") != std::string::npos, mendable) << sentence;
     }
+}
+
+TEST(Asset, MeshesAsTheyComeAreMendedWhereThatIsAskedFor) {
+    const std::string folder = std::string(SHERD_TEST_DATA) + "/bad_obj/";
+    for (const std::string file : {"open.obj", "inverted.obj", "self_intersecting.obj"}) {
+        const auto asset =
+            BreakableAsset::fromObj(folder + file, Material::ceramic(), {}, Repair::automatic());
+        ASSERT_TRUE(asset.ok()) << asset.error();
+        EXPECT_TRUE(asset.value().repairs().changed()) << file;
+        EXPECT_GT(asset.value().volume(), 0);
+    }
+}
+
+TEST(Asset, SizesThatAreHardlyMeantAreWarnedOf) {
+    const auto warnings = [](double scale) {
+        Repair repair;
+        repair.scale = scale;
+        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)),
+                                                    Material::glass(), {}, repair);
+        return asset.ok() ? asset.value().warnings() : std::vector<std::string>{asset.error()};
+    };
+    EXPECT_TRUE(warnings(1).empty());
+    ASSERT_EQ(warnings(30).size(), 1u);
+    EXPECT_NE(warnings(30)[0].find("30 m long"), std::string::npos) << warnings(30)[0];
+    ASSERT_EQ(warnings(0.003).size(), 1u);
+    EXPECT_NE(warnings(0.003)[0].find("Repair::scale"), std::string::npos) << warnings(0.003)[0];
 }
 
 TEST(Asset, ConstantsOutOfRangeAreNamed) {

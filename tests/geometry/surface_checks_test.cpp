@@ -47,16 +47,17 @@ TEST(SurfaceChecks, SeveralPartsAndCavitiesAreSolids) {
 }
 
 TEST(SurfaceChecks, TheBadFilesHaveTheirSentences) {
-    EXPECT_EQ(sentenceForFile("open.obj"),
-              "The surface is open: the edge from (0, 0, 0.1) to (0.1, 0, 0.1) belongs to triangle 3 only (4 "
-              "such edges); "
-              "close the hole, or give the sheet a thickness.");
+    EXPECT_EQ(
+        sentenceForFile("open.obj"),
+        "The surface is open: the edge from (0, 0, 0.1) to (0.1, 0, 0.1) belongs to face 2 only (4 such "
+        "edges, at faces 2, 4, 5 and 3); close the hole, or give the sheet a thickness.");
     EXPECT_EQ(sentenceForFile("inverted.obj"),
               "The surface is inside out: its triangles face inward, so its volume is negative; reverse the "
               "order of the "
               "corners in every face.");
     expectWords(sentenceForFile("self_intersecting.obj"),
-                {"The surface intersects itself: triangles ", " cross near (", "unite overlapping parts"});
+                {"The surface intersects itself: faces ", " cross near (", "unite overlapping parts"});
+    EXPECT_EQ(sentenceForFile("self_intersecting.obj").find("lies inside"), std::string::npos);
     expectWords(sentenceForFile("nan.obj"), {"nan.obj:4: the y coordinate 'nan' is not a finite number"});
     expectWords(sentenceForFile("empty.obj"), {"empty.obj: there are no faces"});
 }
@@ -79,7 +80,8 @@ TEST(SurfaceChecks, HolesAreNamed) {
     for (std::size_t t = 0; t < unit_box.triangles.size(); ++t) {
         TriangleMesh mesh = unit_box;
         mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(t));
-        expectWords(sentenceFor(mesh), {"The surface is open: the edge from (", "(3 such edges)"});
+        expectWords(sentenceFor(mesh),
+                    {"The surface is open: the edge from (", "(3 such edges, at triangle"});
     }
 }
 
@@ -131,6 +133,27 @@ TEST(SurfaceChecks, CrossingsAreNamedWithTheirPlace) {
     ASSERT_EQ(std::sscanf(sentence.c_str() + sentence.find('('), "(%lf, %lf, %lf)", &x, &y, &z), 3)
         << sentence;
     EXPECT_LT((Vec3(x, y, z) - Vec3(0, 0, 1)).norm(), 0.15) << sentence;
+}
+
+TEST(SurfaceChecks, EveryFaultIsNamedWithItsCountAndFirstPlaces) {
+    TriangleMesh mesh = shapes::inverted(shapes::icosphere(1, 2));
+    mesh.triangles.erase(mesh.triangles.begin() + 100);
+    mesh.triangles.erase(mesh.triangles.begin() + 30);
+    std::swap(mesh.triangles[17][0], mesh.triangles[17][1]);
+    mesh.triangles.push_back({0, 0, 1});
+    const std::string sentence = sentenceFor(mesh);
+    expectWords(sentence, {"has 5 kinds of faults: (1) ", "Triangle 318 ", "has no area", "is open",
+                           "(6 such edges, at triangles ", "not a manifold", "not oriented",
+                           "(3 such edges, at triangles ", "Most of the surface is inside out"});
+    // The same by the faces of a file, which had two triangles each.
+    for (int t = 0; t < static_cast<int>(mesh.triangles.size()); ++t) mesh.file_faces.push_back(1 + t / 2);
+    expectWords(sentenceFor(mesh), {"Face 160 ", "at faces "});
+}
+
+TEST(SurfaceChecks, CrossingsOfOpenSurfacesAreNamedToo) {
+    TriangleMesh mesh = shapes::joined(unit_box, shapes::translated(unit_box, Vec3(0.5, 0.5, 0.5)));
+    mesh.triangles.pop_back();
+    expectWords(sentenceFor(mesh), {"has 2 kinds of faults", "is open", "intersects itself"});
 }
 
 TEST(SurfaceChecks, SheetsWithoutVolumeAreNamed) {

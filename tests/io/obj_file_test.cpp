@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <fstream>
 
 #include "geometry/merge_vertices.h"
 #include "support/shapes.h"
@@ -70,6 +71,44 @@ TEST(ObjFile, NamesTheLineThatIsWrong) {
     EXPECT_EQ(faultIn(tetrahedron + "f 1 2.5 3\n"),
               "cup.obj:9: the vertex number '2.5' is not a whole number.");
     EXPECT_EQ(faultIn(tetrahedron + "f 1 2\n"), "cup.obj:9: a face has 2 corners; it needs 3 or more.");
+}
+
+TEST(ObjFile, AllFaultyLinesAreNamed) {
+    EXPECT_EQ(
+        faultIn(tetrahedron + "f 1 2 5\nf 1 2 3\nf 1 x\nv 0 0 nan\n"),
+        "cup.obj:9: the face names vertex 5, but 4 vertices precede it; correct the number. 2 more lines "
+        "are faulty: 11 and 12.");
+}
+
+TEST(ObjFile, RecordsGoOnAfterABackslash) {
+    EXPECT_EQ(parsed("v 0 0 0\nv 1 0 \\\r\n0\nv 0 1 0\n# C:\\\nusemtl a\\b\nf 1 \\\n2\\\n 3\n").triangles,
+              (std::vector<std::array<int, 3>>{{0, 1, 2}}));
+    EXPECT_EQ(
+        faultIn(tetrahedron + "f 1 \\\n2 \\\n5\nf 1 x\n"),
+        "cup.obj:9: the face names vertex 5, but 4 vertices precede it; correct the number. 1 more line is "
+        "faulty: 12.");
+    EXPECT_EQ(faultIn(tetrahedron + "f 1 2 \\"), "cup.obj:9: the vertex number '\\' is not a whole number.");
+}
+
+TEST(ObjFile, TrianglesKnowTheirFacesInTheFile) {
+    const TriangleMesh mesh =
+        parsed("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nf 1 2 3 4\nf 1 1 2\nf 1 2 5\n");
+    EXPECT_EQ(mesh.file_faces, (std::vector<int>{1, 1, 2, 3}));
+}
+
+TEST(ObjFile, IsScaledAndTurnedUpright) {
+    const std::string path = temporaryPath("turned.obj");
+    std::ofstream(path) << "v 0 0 0\nv 100 0 0\nv 0 200 0\nv 0 0 300\nvn 0 1 0\n"
+                        << "f 1//1 3//1 2//1\nf 1//1 2//1 4//1\nf 1//1 4//1 3//1\nf 2//1 3//1 4//1\n";
+    const Result<TriangleMesh> mesh = readObj(path, 0.01, UpAxis::y);
+    EXPECT_NE(readObj(path, -1).error().find("scale"), std::string::npos);
+    std::remove(path.c_str());
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_LT((mesh.value().vertices[1] - Vec3(1, 0, 0)).norm(), 1e-12);
+    EXPECT_LT((mesh.value().vertices[2] - Vec3(0, 0, 2)).norm(), 1e-12);
+    EXPECT_LT((mesh.value().vertices[3] - Vec3(0, -3, 0)).norm(), 1e-12);
+    EXPECT_EQ(mesh.value().normals[0][0], Vec3(0, 0, 1));
+    EXPECT_EQ(mesh.value().file_faces, (std::vector<int>{1, 2, 3, 4}));
 }
 
 TEST(ObjFile, FilesThatCannotBeReadSaySo) {

@@ -19,9 +19,24 @@ inline Vec3 areaVector(const TriangleCorners& t) {
     return 0.5 * (t[1] - t[0]).cross(t[2] - t[0]);
 }
 
+/// Of all triangles together, m^2.
+inline double surfaceArea(const TriangleMesh& mesh) {
+    double area = 0;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) area += areaVector(cornersOf(mesh, t)).norm();
+    return area;
+}
+
 inline Eigen::AlignedBox3d boundingBox(const std::vector<Vec3>& points) {
     Eigen::AlignedBox3d box;
     for (const Vec3& x : points) box.extend(x);
+    return box;
+}
+
+/// Of all triangles; vertices that belong to none do not count.
+inline Eigen::AlignedBox3d boundingBox(const TriangleMesh& mesh) {
+    Eigen::AlignedBox3d box;
+    for (const auto& triangle : mesh.triangles)
+        for (const int corner : triangle) box.extend(mesh.vertices[corner]);
     return box;
 }
 

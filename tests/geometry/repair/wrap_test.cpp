@@ -1,0 +1,99 @@
+#include <cmath>
+
+#include "geometry/repair/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::repair_tests;
+
+TriangleMesh sheet() {
+    TriangleMesh mesh;
+    for (int j = 0; j <= 10; ++j)
+        for (int i = 0; i <= 10; ++i) mesh.vertices.emplace_back(i * 0.1, j * 0.1, 0.1 * std::sin(0.3 * i));
+    for (int j = 0; j < 10; ++j)
+        for (int i = 0; i < 10; ++i) {
+            const int a = 11 * j + i;
+            mesh.triangles.push_back({a, a + 1, a + 12});
+            mesh.triangles.push_back({a, a + 12, a + 11});
+        }
+    return mesh;
+}
+
+TEST(Repair, WrapsWhatCannotBeMended) {
+    EXPECT_FALSE(repairMesh(sheet(), mendOnly()).ok());
+    const RepairedMesh result = repaired(sheet(), Repair::automatic());
+    EXPECT_TRUE(result.report.wrapped);
+    EXPECT_LT(result.report.largest_distance_m, 0.01 * result.report.size_m);
+    EXPECT_GT(volumeOf(result.mesh), 0.005);
+    Repair always = Repair::automatic();
+    always.mode = Repair::Mode::wrap;
+    const RepairedMesh ball = repaired(shapes::icosphere(1, 3), always);
+    EXPECT_TRUE(ball.report.wrapped);
+    EXPECT_LT(ball.report.largest_distance_m, 0.01 * ball.report.size_m);
+    EXPECT_NEAR(volumeOf(ball.mesh), 4 * pi / 3, 0.15);
+}
+
+TEST(Repair, TheWrapCarriesTheLookOfTheOriginal) {
+    // A box whose sides have a material, a colour, a normal and texture coordinates each, by their place.
+    TriangleMesh mesh = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1), 4, 4, 4);
+    mesh.materials = {"below", "above"};
+    for (const Vec3& v : mesh.vertices) mesh.colours.push_back(v);
+    for (const auto& [a, b, c] : mesh.triangles) {
+        const Vec3 &x = mesh.vertices[a], &y = mesh.vertices[b], &z = mesh.vertices[c];
+        const Vec3 normal = (y - x).cross(z - x).normalized();
+        mesh.normals.push_back({normal, normal, normal});
+        mesh.material.push_back((x + y + z).z() / 3 > 0.5);
+        const bool upper = normal.z() > 0.5;  // another chart on the lid
+        const auto uv = [&](const Vec3& p) { return Vec2(p.x() + (upper ? 10 : 0), p.y()); };
+        mesh.texture_coordinates.push_back({uv(x), uv(y), uv(z)});
+    }
+    Repair wrap = Repair::automatic();
+    wrap.mode = Repair::Mode::wrap;
+    wrap.wrap_detail = 0.03;
+    const TriangleMesh result = repaired(mesh, wrap).mesh;
+    ASSERT_EQ(result.colours.size(), result.vertices.size());
+    for (std::size_t v = 0; v < result.vertices.size(); ++v)
+        EXPECT_LT((result.colours[v] - result.vertices[v]).norm(), 0.05);
+    for (std::size_t t = 0; t < result.triangles.size(); ++t) {
+        Vec3 middle = Vec3::Zero();
+        for (const int corner : result.triangles[t]) middle += result.vertices[corner] / 3;
+        if (std::abs(middle.z() - 0.5) > 0.1) {
+            EXPECT_EQ(result.material[t], middle.z() > 0.5);
+        }
+        const double offset = middle.z() > 1 ? 10 : 0;
+        const bool on_seam = middle.z() > 0.95 && middle.z() < 1.01;
+        for (int k = 0; k < 3; ++k) {
+            const Vec3& x = result.vertices[result.triangles[t][k]];
+            EXPECT_NEAR(result.normals[t][k].norm(), 1, 1e-12);
+            if (on_seam) continue;
+            EXPECT_NEAR(result.texture_coordinates[t][k].x(), x.x() + offset, 0.1) << x.transpose();
+            EXPECT_NEAR(result.texture_coordinates[t][k].y(), x.y(), 0.1);
+        }
+    }
+}
+
+TEST(Repair, ShellThicknessMakesASolidHollow) {
+    Repair hollow;
+    hollow.shell_thickness_m = 0.1;
+    TriangleMesh solid = shapes::icosphere(1, 4);
+    for (std::size_t t = 0; t < solid.triangles.size(); ++t)
+        solid.file_faces.push_back(static_cast<int>(t) + 1);
+    const RepairedMesh ball = repaired(solid, hollow);
+    EXPECT_TRUE(ball.report.hollowed);
+    const double shell = 4 * pi / 3 * (1 - 0.729);
+    EXPECT_NEAR(volumeOf(ball.mesh), shell, 0.06 * shell);
+    EXPECT_NEAR(wallThickness(ball.mesh), 0.1, 0.01);
+    hollow.shell_thickness_m = 2;
+    EXPECT_NE(repairMesh(shapes::icosphere(1, 3), hollow).error().find("leaves no cavity"),
+              std::string::npos);
+}
+
+TEST(Repair, GivesTheSameBitsEachTime) {
+    const RepairedMesh first = repaired(sheet(), Repair::automatic());
+    const RepairedMesh second = repaired(sheet(), Repair::automatic());
+    EXPECT_EQ(first.mesh.vertices, second.mesh.vertices);
+    EXPECT_EQ(first.mesh.triangles, second.mesh.triangles);
+}
+
+}  // namespace
