@@ -8,6 +8,7 @@
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/union_find.h"
 #include "core/sampling/neighbour_lists.h"
+#include "core/sampling/sliver_links.h"
 #include "core/sampling/voxel_moments.h"
 
 namespace sherd {
@@ -127,6 +128,8 @@ CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, 
                   b = part_of_root[groups.root[face.voxels[1]]];
         if (a >= 0 && b >= 0 && a != b) links.push_back({a, b});
     }
+    const std::vector<std::array<int, 2>> slivers = sliverLinks(cells, links);
+    links.insert(links.end(), slivers.begin(), slivers.end());
     cells.neighbours = neighbourLists(cells.parts.size(), links);
     return cells;
 }

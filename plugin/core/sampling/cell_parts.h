@@ -26,7 +26,7 @@ struct CellParts {
     int voxels_per_cell = 1;                   ///< along one edge
     int order = 0;                             ///< of the moments, a direction
     std::vector<CellPart> parts;               ///< ascending in (z, y, x) of the cell
-    std::vector<std::vector<int>> neighbours;  ///< per part: those it shares a face with, ascending
+    std::vector<std::vector<int>> neighbours;  ///< per part: those it touches, ascending
     std::vector<int> first_part;               ///< per cell and one more: its first part
 
     int cellIndex(const Eigen::Vector3i& cell) const {

@@ -51,6 +51,8 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
                 pairs_[kind].row(b * width_ + a) =
                     product((kind & 1 ? slope : value).col(a), (kind & 2 ? slope : value).col(b), powers_);
     }
+    squares_.resize(width_, powers_);
+    for (int a = 0; a < width_; ++a) squares_.row(a) = pairs_[0].row(a * width_ + a);
     for (int shift = 0; shift < 2; ++shift) {
         functions_[shift] = Eigen::MatrixXd::Zero(width_, powers_);
         functions_[shift].middleCols(shift, width_) = value.transpose();
@@ -59,9 +61,16 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
 }
 
 PartIntegrals::Gram PartIntegrals::gradientProducts(const CellPart& part) const {
-    if (part.moments.empty()) return whole_;
-    return contracted(
-        Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size())));
+    return part.moments.empty() ? whole_ : contracted(momentsOf(part));
+}
+
+Eigen::VectorXd PartIntegrals::squares(const CellPart& part) const {
+    return contract(squares_, squares_, squares_, momentsOf(part));
+}
+
+Eigen::VectorXd PartIntegrals::momentsOf(const CellPart& part) const {
+    if (part.moments.empty()) return whole_moments_;
+    return Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size()));
 }
 
 PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) const {
@@ -92,10 +101,7 @@ PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) co
 }
 
 Eigen::Matrix4Xd PartIntegrals::bodyMoments(const CellPart& part, const Vec3& middle) const {
-    const Eigen::VectorXd moments = part.moments.empty()
-                                        ? whole_moments_
-                                        : Eigen::VectorXd(Eigen::Map<const Eigen::VectorXd>(
-                                              part.moments.data(), static_cast<long>(part.moments.size())));
+    const Eigen::VectorXd moments = momentsOf(part);
     Eigen::Matrix4Xd result(4, width_ * width_ * width_);
     result.row(0) =
         edges_.prod() * contract(functions_[0], functions_[0], functions_[0], moments).transpose();

@@ -21,10 +21,14 @@ class PartIntegrals {
     Gram gradientProducts(const CellPart& part) const;
     const Gram& wholeCell() const { return whole_; }
 
+    /// int phi_a^2 dV over a cell's volume, #functions.
+    Eigen::VectorXd squares(const CellPart& part) const;
+
     /// int phi_a (1, x - c) dV, 4 x #functions, m^3 and m^4; `middle` of the cell from c, m.
     Eigen::Matrix4Xd bodyMoments(const CellPart& part, const Vec3& middle) const;
 
   private:
+    Eigen::VectorXd momentsOf(const CellPart& part) const;
     Gram contracted(const Eigen::VectorXd& moments) const;
 
     int width_, powers_;  // functions and moments in one direction
@@ -34,6 +38,7 @@ class PartIntegrals {
     /// b.
     std::array<Eigen::MatrixXd, 4> pairs_;
     std::array<Eigen::MatrixXd, 2> functions_;  // powers of phi_a and xi phi_a
+    Eigen::MatrixXd squares_;                   // powers of phi_a^2
     Gram whole_;
 };
 

@@ -30,12 +30,17 @@ Eigen::Matrix3Xd bodyForcesAt(const CellParts& solid, const SplineSpace& space,
     return raw;
 }
 
-BodyLoads loadsInside(const CellParts& fine, const std::vector<int>& parents, const BodyLoads& coarse) {
+BodyLoads loadsInside(const CellParts& fine, const SplineSpace& fine_space, const std::vector<int>& parents,
+                      const BodyLoads& coarse) {
     BodyLoads inside;
     for (const PointForce& load : coarse.forces)
         if (fine.partAt(load.position) >= 0) inside.forces.push_back(load);
-    for (const int parent : parents)
-        inside.body_forces.push_back(parent < 0 ? AffineForce{} : coarse.body_forces[parent]);
+    std::vector<AffineForce> of_component(fine_space.component_count);
+    for (size_t part = 0; part < parents.size(); ++part)
+        if (parents[part] >= 0)
+            of_component[fine_space.component_of_part[part]] = coarse.body_forces[parents[part]];
+    for (const int component : fine_space.component_of_part)
+        inside.body_forces.push_back(of_component[component]);
     return inside;
 }
 

@@ -30,7 +30,8 @@ Eigen::Matrix3Xd bodyForcesAt(const CellParts& solid, const SplineSpace& space,
                               const std::vector<AffineForce>& body_forces);
 
 /// Those of a coarser grid's loads that act on a finer grid of a part of the body. `parents`: see
-/// parentParts.
-BodyLoads loadsInside(const CellParts& fine, const std::vector<int>& parents, const BodyLoads& coarse);
+/// parentParts. A part without a parent is under the body force of its component.
+BodyLoads loadsInside(const CellParts& fine, const SplineSpace& fine_space, const std::vector<int>& parents,
+                      const BodyLoads& coarse);
 
 }  // namespace sherd

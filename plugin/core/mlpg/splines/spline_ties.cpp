@@ -1,11 +1,16 @@
 #include "core/mlpg/splines/spline_ties.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/part_integrals.h"
 
 namespace sherd {
 namespace {
 
 constexpr double well_filled = 0.25;  // a part that fills less of its cell determines no function by itself
+constexpr double ill_held = 0.1;      // of what the corner of a cell holds of a function, see cornerHold
 constexpr int search_layers = 3;      // of neighbouring parts, for a well-filled one
 
 /// Lagrange polynomial `k` on the nodes 0 ... degree, at an integer.
@@ -16,16 +21,52 @@ double lagrange(int degree, int k, int at) {
     return value;
 }
 
-/// The parts that determine functions: those that are well filled, and where there is none around, the best
-/// of a function's support.
+/// int phi^2 of a function over the cube that fills a corner of a cell just well, where the function begins:
+/// the least that a well-filled cube holds of any function.
+double cornerHold(int degree) {
+    const double cube = std::cbrt(well_filled);
+    constexpr int steps = 64;  // midpoints: the threshold needs no more
+    double sum = 0;
+    std::vector<double> values;
+    for (int i = 0; i < steps; ++i) {
+        const double at = (i + 0.5) / steps * cube - 0.5;
+        splineValues(degree, Vec3::Constant(at), values);
+        sum += std::pow(values.back(), 2.0 / 3) * cube / steps;  // of one direction
+    }
+    return sum * sum * sum;
+}
+
+/// Functions of which the solid holds next to nothing, though some part in their support may be well filled:
+/// that part lies where they all but vanish. Per raw function.
+std::vector<char> illHeld(const CellParts& solid, const RawFunctions& raw) {
+    std::vector<char> ill(raw.count(), 0);
+    if (solid.order < 2 * raw.degree) return ill;  // counts of functions do without moments
+    const PartIntegrals integrals(raw.degree, solid.edges);
+    std::vector<double> squares(raw.count(), 0.0);
+    for (size_t part = 0; part < solid.parts.size(); ++part) {
+        const Eigen::VectorXd own = integrals.squares(solid.parts[part]);
+        for (int n = 0; n < raw.perPart(); ++n) squares[raw.of_part[part][n]] += own[n];
+    }
+    const double least = ill_held * cornerHold(raw.degree);
+    for (int function = 0; function < raw.count(); ++function) ill[function] = squares[function] < least;
+    return ill;
+}
+
+/// The parts that determine functions: those that are well filled and hold all of theirs. Where there is none
+/// around, as in a sheet far thinner than a cell, those that are well filled beside the fullest around.
 class GoodParts {
   public:
     GoodParts(const CellParts& solid, const RawFunctions& raw)
         : solid_(solid), raw_(raw), good_(solid.parts.size(), 0), mark_(solid.parts.size(), -1) {
+        const std::vector<char> ill = illHeld(solid, raw);
+        std::vector<char> holds_all;
+        for (const std::vector<int>& functions : raw.of_part)
+            holds_all.push_back(
+                std::none_of(functions.begin(), functions.end(), [&](int f) { return ill[f]; }));
         for (size_t part = 0; part < good_.size(); ++part)
-            good_[part] = solid.parts[part].fill >= well_filled;
+            good_[part] = solid.parts[part].fill >= well_filled && holds_all[part];
         for (int function = 0; function < raw.count(); ++function)
-            if (nearest(function) < 0) good_[fullestOf(raw.supports[function])] = 1;
+            if (nearest(function) < 0) promoteBestAround(function, holds_all);
     }
 
     bool any(const std::vector<int>& parts) const {
@@ -50,13 +91,25 @@ class GoodParts {
     }
 
   private:
-    int fullestOf(const std::vector<int>& parts) const {
-        int best = parts[0];
-        for (const int part : parts)
-            if (solid_.parts[part].fill > solid_.parts[best].fill ||
-                (solid_.parts[part].fill == solid_.parts[best].fill && part < best))
-                best = part;
-        return best;
+    /// Of the parts that `nearest` looked at in vain: those that hold all of their functions, if there are
+    /// any.
+    void promoteBestAround(int function, const std::vector<char>& holds_all) {
+        std::vector<int> around;
+        layer_ = raw_.supports[function];
+        ++stamp_;
+        for (const int part : layer_) mark_[part] = stamp_;
+        for (int step = 0; step <= search_layers && !layer_.empty(); ++step) {
+            around.insert(around.end(), layer_.begin(), layer_.end());
+            advance();
+        }
+        const bool some =
+            std::any_of(around.begin(), around.end(), [&](int part) { return holds_all[part]; });
+        const auto counts = [&](int part) { return !some || holds_all[part]; };
+        double fullest = 0;
+        for (const int part : around)
+            if (counts(part)) fullest = std::max(fullest, solid_.parts[part].fill);
+        for (const int part : around)
+            if (counts(part) && solid_.parts[part].fill >= well_filled * fullest) good_[part] = 1;
     }
 
     bool better(int function, int a, int b) const {

@@ -5,9 +5,9 @@
 namespace sherd {
 
 /// The coefficients of raw functions as combinations of unknown ones. A function that only slivers of the
-/// solid see would make the equations singular. Its coefficient is tied to those around the nearest
-/// well-filled part, by the extrapolation that is exact for polynomials of degree p (extended B-splines;
-/// Hoellig, Reif, Wipper 2001).
+/// solid see, or that is next to zero where it sees more, would make the equations singular. Its coefficient
+/// is tied to those around the nearest well-filled part, by the extrapolation that is exact for polynomials
+/// of degree p (extended B-splines; Hoellig, Reif, Wipper 2001).
 struct SplineTies {
     struct Term {
         int function;  ///< that carries unknowns

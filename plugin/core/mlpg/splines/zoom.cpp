@@ -89,7 +89,7 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     field.space = std::make_shared<const SplineSpace>(fine, coarse.space->degree);
     const std::vector<int> parents = parentParts(*coarse.parts, fine);
     field.raw = refinedCoefficients(*coarse.parts, *coarse.space, coarse.raw, fine, *field.space, parents);
-    zoom.loads = loadsInside(fine, parents, loads);
+    zoom.loads = loadsInside(fine, *field.space, parents, loads);
 
     const CellBox fine_box = onFineGrid(box);
     const Result<Eigen::Matrix3Xd> correction = solveCorrection(

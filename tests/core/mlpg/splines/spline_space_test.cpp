@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "core/mlpg/splines/part_integrals.h"
 #include "core/mlpg/splines/spline_field.h"
 #include "core/mlpg/splines/spline_support.h"
 
@@ -29,6 +32,36 @@ TEST(SplineSpace, LinearDisplacementsHaveTheirGradientEverywhere) {
             const Mat3 got = gradientOn(field, static_cast<int>(p), Vec3(0.2, -0.3, 0.4));
             EXPECT_LT((got - gradient).norm(), 1e-10 * gradient.norm());
         }
+    }
+}
+
+/// A blade that tapers to an edge: 1 x 0.6, 0.2 thick at its back.
+TriangleMesh blade() {
+    TriangleMesh mesh;
+    for (const double y : {0.0, 0.6}) {
+        mesh.vertices.emplace_back(0, y, 0);
+        mesh.vertices.emplace_back(1, y, -0.1);
+        mesh.vertices.emplace_back(1, y, 0.1);
+    }
+    mesh.triangles = {{0, 1, 2}, {3, 5, 4}, {0, 3, 4}, {0, 4, 1}, {1, 4, 5}, {1, 5, 2}, {2, 5, 3}, {2, 3, 0}};
+    return shapes::moved(mesh, someRotation());
+}
+
+// Where a blade ends, well-filled cells hold next to nothing of functions that begin there.
+TEST(SplineSpace, FunctionsThatCarryUnknownsAreHeldByTheSolid) {
+    for (double spacing = 0.05; spacing < 0.1; spacing += 0.002) {
+        const CellParts solid = partsOf(blade(), spacing, 2);
+        const RawFunctions raw(solid, 2);
+        const SplineTies ties(solid, raw);
+        const PartIntegrals integrals(2, solid.edges);
+        std::vector<double> squares(raw.count(), 0.0);
+        for (size_t part = 0; part < solid.parts.size(); ++part) {
+            const Eigen::VectorXd own = integrals.squares(solid.parts[part]);
+            for (int n = 0; n < raw.perPart(); ++n) squares[raw.of_part[part][n]] += own[n];
+        }
+        double least = 1;
+        for (const int function : ties.raw_of_function) least = std::min(least, squares[function]);
+        EXPECT_GT(least, 1e-8) << "at a spacing of " << spacing;
     }
 }
 
