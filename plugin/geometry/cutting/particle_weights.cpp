@@ -12,6 +12,7 @@ namespace {
 // Density of the own label over the next one that a particle should have; beside a flat crack it is about 2.
 constexpr double winning_ratio = 1.5;
 constexpr double largest_raise = 30;
+constexpr double most_at_once = 3;
 constexpr int raising_rounds = 8;
 
 struct Contribution {
@@ -94,9 +95,10 @@ std::vector<double> particleWeights(const Discretisation& solid, const FragmentL
             const double ratio = ownOverNext(near[i], weights, labels, labels.of_particle[i]);
             // Right beside a crack a particle has no more than its own share of what is there.
             const double share = labels.runnerUpOf(i).share;
-            const double wanted = std::min(winning_ratio, (1 - share) / share);
+            const double wanted = share > 0 ? std::min(winning_ratio, (1 - share) / share) : winning_ratio;
             if (ratio >= wanted || weights[i] >= largest_raise * fill[i]) continue;
-            weights[i] = std::min(largest_raise * fill[i], weights[i] * std::min(3.0, wanted / ratio * 1.1));
+            const double raise = ratio > 0 ? std::min(most_at_once, wanted / ratio * 1.1) : most_at_once;
+            weights[i] = std::min(largest_raise * fill[i], raise * weights[i]);
             raised = true;
         }
         if (!raised) break;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cfenv>
 #include <functional>
 #include <iostream>
 #include <map>
@@ -10,6 +11,7 @@
 #include "core/sampling/sample_solid.h"
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/fragment_support.h"
+#include "geometry/cutting/particle_weights.h"
 #include "geometry/cutting/piece_checks.h"
 #include "geometry/mass_properties.h"
 #include "support/shapes.h"
@@ -337,6 +339,16 @@ TEST(FragmentSurfaces, AreTheSameForTheSameSeedOnly) {
         EXPECT_EQ(a.pieces[p].mesh.triangles, b.pieces[p].mesh.triangles);
     }
     EXPECT_NE(a.pieces[0].mesh.vertices, c.pieces[0].mesh.vertices);
+}
+
+// Programs that trap floating-point exceptions break things too.
+TEST(FragmentSurfaces, DivideNothingByZero) {
+    const TriangleMesh mesh = shapes::icosphere(0.5, 3);
+    const Discretisation solid = particlesOnly(mesh, 0.1);
+    const FragmentLabels labels = randomClusters(solid, 6, 1);
+    std::feclearexcept(FE_DIVBYZERO);
+    particleWeights(solid, labels);
+    EXPECT_FALSE(std::fetestexcept(FE_DIVBYZERO));
 }
 
 // A power of two changes no digit, so there is no length hidden anywhere.
