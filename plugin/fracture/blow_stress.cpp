@@ -21,8 +21,9 @@ std::vector<PointForce> together(std::vector<PointForce> forces, const std::vect
 }  // namespace
 
 ContactBody struckBody(const BreakableSolid& solid) {
-    return {solid.surface(), solid.material(), Mobility::of(solid.moments(), solid.material().density_kg_m3),
-            solid.wallThickness(), solid.boundingRadius()};
+    return {solid.surfaceTree(), solid.material(),
+            Mobility::of(solid.moments(), solid.material().density_kg_m3), solid.wallThickness(),
+            solid.boundingRadius()};
 }
 
 bool isHeld(const BreakableSolid& solid, const Blow& blow) {

@@ -73,6 +73,10 @@ const FailureCriterion& BreakableSolid::failureCriterion() const {
     return *sherd::failureCriterion(material_.failure_criterion);
 }
 
+const SurfaceTree& BreakableSolid::surfaceTree() const {
+    return tree_.get([&] { return SurfaceTree(surface_); });
+}
+
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() const {
     return sampled_
         .get([&]() -> Sampled {

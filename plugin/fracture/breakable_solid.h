@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/damage/failure_criterion.h"
+#include "core/loads/surface_tree.h"
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
 #include "fracture/made_once.h"
@@ -28,6 +29,8 @@ class BreakableSolid {
                                                               std::vector<SurfaceRegion> supports = {});
 
     const TriangleMesh& surface() const { return surface_; }
+    /// For what is near a contact; made at the first call.
+    const SurfaceTree& surfaceTree() const;
     const Material& material() const { return material_; }
     const Settings& settings() const { return settings_; }
     /// The criterion that the material names.
@@ -78,6 +81,7 @@ class BreakableSolid {
         double ms = 0;
     };
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
+    mutable MadeOnce<SurfaceTree> tree_;
     mutable MadeOnce<Sampled> sampled_;
     mutable MadeOnce<Result<StressSolver>> solver_;
     mutable MadeOnce<std::vector<double>> strengths_;

@@ -2,7 +2,6 @@
 
 #include <sherd/material.h>
 #include <sherd/settings.h>
-#include <sherd/triangle_mesh.h>
 
 #include <vector>
 
@@ -15,7 +14,7 @@ namespace sherd {
 
 /// What the loads need to know of the struck body.
 struct ContactBody {
-    const TriangleMesh& surface;
+    const SurfaceTree& surface;
     const Material& material;
     Mobility mobility;
     double wall_thickness_m = 0;

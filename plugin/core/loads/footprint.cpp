@@ -67,11 +67,14 @@ double Footprint::area() const {
     return hullArea(hull_) + 2 * (length() + width()) * margin_;
 }
 
-std::vector<FootprintPart> partsOver(const TriangleMesh& surface, const Footprint& footprint, double size,
+std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint, double size,
                                      double depth) {
+    const auto reaches = [&](const Eigen::AlignedBox3d& box) {
+        return footprint.outside(box.center()) <= box.diagonal().norm() / 2;
+    };
     std::vector<FootprintPart> parts;
-    for (std::size_t i = 0; i < surface.triangles.size(); ++i) {
-        const TriangleCorners t = cornersOf(surface, i);
+    for (const int i : tree.trianglesWhere(reaches)) {
+        const TriangleCorners t = cornersOf(tree.surface(), i);
         if (areaVector(t).dot(footprint.push()) < 0) collectParts(t, footprint, size, parts);
     }
     double outermost = std::numeric_limits<double>::infinity();

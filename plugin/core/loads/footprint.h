@@ -1,9 +1,10 @@
 #pragma once
 
-#include <sherd/triangle_mesh.h>
 #include <sherd/types.h>
 
 #include <vector>
+
+#include "core/loads/surface_tree.h"
 
 namespace sherd {
 
@@ -39,7 +40,7 @@ struct FootprintPart {
 
 /// The surface over a footprint that faces its push, in parts no longer than `size`; only what lies no deeper
 /// than `depth` inside of its outermost part.
-std::vector<FootprintPart> partsOver(const TriangleMesh& surface, const Footprint& footprint, double size,
+std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint, double size,
                                      double depth);
 
 }  // namespace sherd

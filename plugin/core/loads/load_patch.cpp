@@ -64,32 +64,30 @@ void subdivideNear(const TriangleCorners& t, const Vec3& centre, double radius, 
 
 }  // namespace
 
-SurfaceSpot nearestSurfacePoint(const TriangleMesh& surface, const Vec3& point, const Vec3& push) {
+SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, const Vec3& push) {
+    const TriangleMesh& surface = tree.surface();
     for (const bool facing : {true, false}) {
-        SurfaceSpot best;
-        double nearest = std::numeric_limits<double>::infinity();
-        for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const int nearest = tree.nearest(point, [&](int t) {
             const TriangleCorners triangle = cornersOf(surface, t);
-            if (facing && !facesPush(triangle, push)) continue;
-            const Vec3 candidate = nearestPoint(triangle, point);
-            const double distance = (candidate - point).squaredNorm();
-            if (distance < nearest) {
-                nearest = distance;
-                best = {candidate, static_cast<int>(t)};
-            }
-        }
-        if (best.triangle >= 0) return best;
+            return facing && !facesPush(triangle, push)
+                       ? std::numeric_limits<double>::infinity()
+                       : (nearestPoint(triangle, point) - point).squaredNorm();
+        });
+        if (nearest >= 0) return {nearestPoint(cornersOf(surface, nearest), point), nearest};
     }
     return {point, -1};
 }
 
-double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& push, double reach,
+double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach,
                      double depth) {
+    const TriangleMesh& surface = tree.surface();
+    const std::vector<int> near = tree.trianglesNear(spot, reach);
     double furthest = spot.dot(push);
-    for (const Vec3& v : surface.vertices)
-        if ((v - spot).squaredNorm() < reach * reach) furthest = std::min(furthest, v.dot(push));
+    for (const int t : near)
+        for (const Vec3& v : cornersOf(surface, t))
+            if ((v - spot).squaredNorm() < reach * reach) furthest = std::min(furthest, v.dot(push));
     double area = 0;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+    for (const int t : near) {
         const TriangleCorners triangle = cornersOf(surface, t);
         const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
         if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
@@ -100,12 +98,12 @@ double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& 
     return area / (2 * pi * depth);
 }
 
-std::vector<PointForce> spreadForce(const TriangleMesh& surface, const SurfaceSpot& spot, const Vec3& push,
+std::vector<PointForce> spreadForce(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, const Vec3& force) {
     std::vector<PointForce> points;
     double area = 0;
-    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const TriangleCorners triangle = cornersOf(surface, t);
+    for (const int t : tree.trianglesNear(spot.point, radius)) {
+        const TriangleCorners triangle = cornersOf(tree.surface(), t);
         if (!facesPush(triangle, push)) continue;
         subdivideNear(triangle, spot.point, radius, radius / 3, 12, [&](const Vec3& x, double a) {
             if ((x - spot.point).squaredNorm() > radius * radius) return;

@@ -1,9 +1,10 @@
 #pragma once
 
-#include <sherd/triangle_mesh.h>
 #include <sherd/types.h>
 
 #include <vector>
+
+#include "core/loads/surface_tree.h"
 
 namespace sherd {
 
@@ -15,18 +16,17 @@ struct SurfaceSpot {
 
 /// Nearest point on the triangles that face the push (their outward normals are against it), or on all
 /// triangles if none does.
-SurfaceSpot nearestSurfacePoint(const TriangleMesh& surface, const Vec3& point, const Vec3& push);
+SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, const Vec3& push);
 
 /// Radius of curvature with which the surface meets a flat partner at `spot`, m: that of the sphere whose cap
 /// of height `depth` has the same area, A = 2 pi R depth, as the part of the surface within `reach` of the
 /// spot and within `depth` of the outermost point there against the push. Faces give a large radius, edges
 /// and corners a small one.
-double contactRadius(const TriangleMesh& surface, const Vec3& spot, const Vec3& push, double reach,
-                     double depth);
+double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach, double depth);
 
 /// Spreads a force as a uniform traction over the part of the surface within `radius` of `spot` that faces
 /// the push. Returns quadrature points whose forces add up to `force`.
-std::vector<PointForce> spreadForce(const TriangleMesh& surface, const SurfaceSpot& spot, const Vec3& push,
+std::vector<PointForce> spreadForce(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, const Vec3& force);
 
 }  // namespace sherd

@@ -30,7 +30,7 @@ struct FallingBrick {
         Moments moments;
         moments.volume = 8 * half.prod();
         for (int k = 0; k < 3; ++k) moments.second(k, k) = moments.volume * half[k] * half[k] / 3;
-        return {mesh, material, Mobility::of(moments, material.density_kg_m3), 0.1, half.norm()};
+        return {tree, material, Mobility::of(moments, material.density_kg_m3), 0.1, half.norm()};
     }
 
     Strike strike() const {
@@ -40,6 +40,7 @@ struct FallingBrick {
     }
 
     TriangleMesh mesh = shapes::slab(Vec3(0.2, 0.1, 0.1), 4, 2, 2);
+    SurfaceTree tree{mesh};
     Material material = Material::brick();
     Blow blow;
 };

@@ -19,9 +19,9 @@ TriangleMesh box(const Vec3& half, int n) {
 TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
     const TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.02), 3);
     const Vec3 push = -Vec3::UnitZ();
-    const SurfaceSpot spot = nearestSurfacePoint(mesh, Vec3(0.1, -0.2, 0.05), push);
+    const SurfaceSpot spot = nearestSurfacePoint(SurfaceTree(mesh), Vec3(0.1, -0.2, 0.05), push);
     EXPECT_TRUE(spot.point.isApprox(Vec3(0.1, -0.2, 0.02), 1e-12));
-    const auto points = spreadForce(mesh, spot, push, 0.08, Vec3(1, 2, -30));
+    const auto points = spreadForce(SurfaceTree(mesh), spot, push, 0.08, Vec3(1, 2, -30));
     Vec3 sum = Vec3::Zero(), centre = Vec3::Zero();
     for (const PointForce& p : points) {
         sum += p.force;
@@ -36,19 +36,20 @@ TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
 
 TEST(LoadPatch, APatchWithoutSurfaceIsOnePoint) {
     const TriangleMesh mesh = box(Vec3(1, 1, 1), 1);
-    const auto points = spreadForce(mesh, {Vec3(0, 0, 9), 0}, -Vec3::UnitZ(), 0.1, Vec3(0, 0, -1));
+    const auto points =
+        spreadForce(SurfaceTree(mesh), {Vec3(0, 0, 9), 0}, -Vec3::UnitZ(), 0.1, Vec3(0, 0, -1));
     ASSERT_EQ(points.size(), 1u);
     EXPECT_TRUE(points[0].force.isApprox(Vec3(0, 0, -1)));
 }
 
 TEST(LoadPatch, CurvatureIsLargeOnAFaceAndSmallAtAnEdge) {
     const TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.5), 4);
-    const double face = contactRadius(mesh, Vec3(0, 0, 0.5), -Vec3::UnitZ(), 0.2, 0.002);
+    const double face = contactRadius(SurfaceTree(mesh), Vec3(0, 0, 0.5), -Vec3::UnitZ(), 0.2, 0.002);
     EXPECT_NEAR(face, pi * 0.04 / (2 * pi * 0.002), 0.3 * face);
     const Vec3 edge_push = Vec3(-1, 0, -1).normalized();
-    EXPECT_LT(contactRadius(mesh, Vec3(0.5, 0, 0.5), edge_push, 0.2, 0.002), 0.2 * face);
+    EXPECT_LT(contactRadius(SurfaceTree(mesh), Vec3(0.5, 0, 0.5), edge_push, 0.2, 0.002), 0.2 * face);
     const Vec3 corner_push = Vec3(-1, -1, -1).normalized();
-    EXPECT_LT(contactRadius(mesh, Vec3(0.5, 0.5, 0.5), corner_push, 0.2, 0.002), 0.01);
+    EXPECT_LT(contactRadius(SurfaceTree(mesh), Vec3(0.5, 0.5, 0.5), corner_push, 0.2, 0.002), 0.01);
 }
 
 }  // namespace

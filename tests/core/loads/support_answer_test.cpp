@@ -46,7 +46,7 @@ struct Standing {
         Moments moments;
         moments.volume = 8 * half.prod();
         for (int k = 0; k < 3; ++k) moments.second(k, k) = moments.volume * half[k] * half[k] / 3;
-        return {mesh, material, Mobility::of(moments, material.density_kg_m3), 2 * half.minCoeff(),
+        return {tree, material, Mobility::of(moments, material.density_kg_m3), 2 * half.minCoeff(),
                 half.norm()};
     }
     std::vector<Foundation> foundations() const {
@@ -59,6 +59,7 @@ struct Standing {
 
     Vec3 half;
     TriangleMesh mesh;
+    SurfaceTree tree{mesh};
     Material material = Material::brick();
     ContactSettings settings;
     Blow blow;
