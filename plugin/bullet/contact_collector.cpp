@@ -11,6 +11,7 @@
 
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
+#include "bullet/missed_vertices.h"
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
 
@@ -45,6 +46,9 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);
     }
+    for (btManifoldPoint& point : missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b)))
+        collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
+                                  point.m_partId1, point.m_index1);
 }
 
 }  // namespace
@@ -81,9 +85,7 @@ btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btColli
 void ContactCollector::addSide(const Side& own, const Side& other, const btManifoldPoint& point) {
     Breakable* breakable = breakables_.find(own.object);
     if (!breakable || !listens(*breakable)) return;
-    const BodyState* state = before_.find(own.object);
-    const btTransform& stood = state ? state->transform : own.object->getWorldTransform();
-    const btTransform asset_from_world = breakable->placed(stood).inverse();
+    const btTransform asset_from_world = breakable->placed(stoodAt(*own.object)).inverse();
     ContactImpulse contact = contactOn(own, other, asset_from_world, point);
     const bool rests = contact.supports() && point.getDistance() <= largest_gap_m;
     if (!contact.strikes() && !rests) return;
@@ -98,6 +100,11 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.foremost = order;
     entry.position = fromBullet(own.point);
     entry.normal = fromBullet(own.push);
+}
+
+const btTransform& ContactCollector::stoodAt(const btCollisionObject& object) const {
+    const BodyState* state = before_.find(&object);
+    return state ? state->transform : object.getWorldTransform();
 }
 
 int StruckBreakable::numberOf(const btCollisionObject* partner) {

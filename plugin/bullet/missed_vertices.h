@@ -1,0 +1,18 @@
+#pragma once
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <vector>
+
+namespace sherd {
+
+/// Vertices of boxes and hulls that overlap the other body and that its manifold lacks, as contact points
+/// without impulse. A manifold keeps one point of those closer together than its breaking threshold. A hull
+/// gets one point a step, a body on a plane the deepest vertex and some of those around it. Of vertices that
+/// touch at the same time some may be missing, and which ones depends on the step. Looked for are those in a
+/// plane or a box, and those near a point that there is. `stood_a` and `stood_b`: where the bodies stood when
+/// the manifold was made; the solver may have moved them since (split impulses).
+std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
+                                            const btTransform& stood_b);
+
+}  // namespace sherd

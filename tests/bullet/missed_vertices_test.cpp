@@ -1,0 +1,89 @@
+#include "bullet/missed_vertices.h"
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+/// Lowest points that the first manifold has, or that it lacks and that are found; those within 1 mm once.
+std::vector<btVector3> lowestPoints(const TestWorld& scene, const btRigidBody* body, bool with_missed) {
+    std::vector<btVector3> points;
+    const auto add = [&](const btManifoldPoint& point, bool is_a) {
+        const btVector3 place = is_a ? point.getPositionWorldOnA() : point.getPositionWorldOnB();
+        for (const btVector3& known : points)
+            if (known.distance(place) < 1e-3) return;
+        points.push_back(place);
+    };
+    const btDispatcher& dispatcher = *scene.dispatcher;
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold =
+            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const bool is_a = manifold.getBody0() == body;
+        for (int k = 0; k < manifold.getNumContacts(); ++k) add(manifold.getContactPoint(k), is_a);
+        if (!with_missed) continue;
+        for (const btManifoldPoint& point : missedVertices(manifold, manifold.getBody0()->getWorldTransform(),
+                                                           manifold.getBody1()->getWorldTransform())) {
+            EXPECT_LT(point.getDistance(), 0);
+            EXPECT_EQ(point.getAppliedImpulse(), 0);
+            add(point, is_a);
+        }
+    }
+    return points;
+}
+
+std::unique_ptr<btConvexHullShape> cubeHull() {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (int corner = 0; corner < 8; ++corner)
+        hull->addPoint(
+            btVector3(corner & 1 ? 0.1f : -0.1f, corner & 2 ? 0.1f : -0.1f, corner & 4 ? 0.1f : -0.1f));
+    hull->setMargin(0.001f);
+    return hull;
+}
+
+TEST(MissedVertices, OfAHullThatLandsFlatAreItsCorners) {
+    TestWorld scene;
+    scene.addFloor();
+    btRigidBody* body = scene.addBody(cubeHull(), 4, btVector3(0, 0, 0.095f));
+    scene.world->performDiscreteCollisionDetection();
+    EXPECT_LT(lowestPoints(scene, body, false).size(), 4u) << "Bullet has them all by itself now";
+    int corners = 0;
+    for (const btVector3& point : lowestPoints(scene, body, true))
+        corners += std::abs(point.x()) > 0.099f && std::abs(point.y()) > 0.099f;
+    EXPECT_EQ(corners, 4);
+}
+
+TEST(MissedVertices, OfABoxOnAPlaneAreItsCorners) {
+    TestWorld scene;
+    scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
+                  btVector3(0, 0, 0));
+    btRigidBody* body = scene.addBox(4, btVector3(0.1f, 0.1f, 0.1f), btVector3(0, 0, 0.095f));
+    scene.world->performDiscreteCollisionDetection();
+    EXPECT_EQ(lowestPoints(scene, body, true).size(), 4u);
+}
+
+// The threshold grows with the body, so that corners of its small parts become one.
+TEST(MissedVertices, OfASmallPartOfALargeBodyAreKeptApart) {
+    TestWorld scene;
+    scene.addFloor();
+    btBoxShape part(btVector3(0.02f, 0.002f, 0.002f));
+    btBoxShape far_away(btVector3(0.01f, 0.01f, 0.01f));
+    auto shape = std::make_unique<btCompoundShape>();
+    shape->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0)), &part);
+    shape->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 1)), &far_away);
+    btRigidBody* body = scene.addBody(std::move(shape), 1, btVector3(0, 0, 0.001f));
+    scene.world->performDiscreteCollisionDetection();
+    EXPECT_LT(lowestPoints(scene, body, false).size(), 4u) << "Bullet has them all by itself now";
+    EXPECT_EQ(lowestPoints(scene, body, true).size(), 4u);
+}
+
+TEST(MissedVertices, AreNoneBesideTheOtherBody) {
+    TestWorld scene;
+    scene.addBox(0, btVector3(0.05f, 5, 0.5f), btVector3(0, 0, -0.5f));
+    btRigidBody* body = scene.addBody(cubeHull(), 4, btVector3(0, 0, 0.095f));
+    scene.world->performDiscreteCollisionDetection();
+    for (const btVector3& point : lowestPoints(scene, body, true)) EXPECT_LT(std::abs(point.x()), 0.06);
+}
+
+}  // namespace
