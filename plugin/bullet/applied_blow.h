@@ -3,6 +3,7 @@
 #include <sherd/push.h>
 #include <sherd/result.h>
 
+#include <memory>
 #include <vector>
 
 #include "bullet/contact_collector.h"
@@ -12,9 +13,26 @@ namespace sherd {
 /// Says which figure of a push is out of range, or that there is none.
 Status checkPushes(const std::vector<Push>& pushes);
 
+/// Says which push would make the body, or what it has of mass where it is held, faster than light: the
+/// numbers of Bullet's solver would overflow.
+Status checkSpeeds(const Breakable& breakable, const std::vector<Push>& pushes);
+
+/// Says which push acts beside the body: further from its surface than half its radius.
+Status checkPlaces(const Breakable& breakable, const std::vector<Push>& pushes);
+
 /// Pushes as contacts of the body: each stops a striker of the speed v that carries J = m v. Where v is not
 /// known it is J (n . K n), with which m is the body's own effective mass at the point, and 1/2 m v^2 what J
 /// gives to the body.
 StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes);
+
+/// Pushes a body, if it moves.
+void push(btRigidBody& body, const std::vector<Push>& pushes);
+
+/// Pushes the pieces of a body that was held: those that came loose take the impulse as one rigid body. What
+/// falls on a piece that is still held goes to what holds it.
+void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std::vector<Push>& pushes);
+
+/// How far the surface of a body is from a point of the world, m.
+double distanceTo(const Breakable& breakable, const btVector3& point);
 
 }  // namespace sherd

@@ -10,14 +10,17 @@ void addSentence(std::string& message, const std::string& sentence) {
     if (message.find(sentence) == std::string::npos) message += (message.empty() ? "" : " ") + sentence;
 }
 
-/// The callback, and then the place that the motion state is to start from.
+/// The callback, and then the place that the motion state is to start from. The extension pointer, by which
+/// the body is known, stays.
 void callAndPlace(const FragmentCallback& callback, FragmentBirth& birth) {
     const btTransform place = birth.body.getWorldTransform(), drawn = renderedTransform(birth.body);
+    void* const token = birth.body.internalGetExtensionPointer();
     const auto putBack = [&] {
         // Bullet's setMotionState moves a body to where the motion state says.
         birth.body.setWorldTransform(place);
         birth.body.setInterpolationWorldTransform(place);
         birth.body.updateInertiaTensor();
+        birth.body.internalSetExtensionPointer(token);
     };
     try {
         callback(birth);

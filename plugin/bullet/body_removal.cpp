@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "bullet/breakable.h"
+#include "bullet/joint_anchors.h"
 #include "bullet/other_joints.h"
 #include "bullet/world_internals.h"
 
@@ -44,6 +45,7 @@ std::vector<btTypedConstraint*> removeJoints(btDiscreteDynamicsWorld& world, con
         constraint->getRigidBodyA().activate();
         constraint->getRigidBodyB().activate();
         world.removeConstraint(constraint);
+        noteRemovedJoint(*constraint);
         removed.push_back(constraint);
     }
     std::reverse(removed.begin(), removed.end());
@@ -66,7 +68,6 @@ RemovedJoints detachFromWorld(btDiscreteDynamicsWorld& world, Breakable& breakab
     detachSoftBodies(world, *breakable.body);
     if (!breakable.ownedHere()) return joints;
     for (btTypedConstraint* joint : joints.constraints) joint->setEnabled(false);
-    breakable.joined = breakable.joined || !joints.constraints.empty();
     endExceptionsFor(world, *breakable.body);
     return joints;
 }

@@ -104,6 +104,7 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
         const btTransform asset_from_body = piece->body_from_asset.inverse();
         placeBody(piece->owned, world_from_asset * asset_from_body, drawn_from_asset * asset_from_body,
                   piece->body_from_asset);
+        piece->inner_ball = innerBall(*piece->owned.shape.shape);
         piece->name = parent.name;
         piece->filter = inheritedFilter(whole, *piece->body);
         inheritSurface(whole, *piece->body);
@@ -144,9 +145,9 @@ double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::uniqu
     return mass;
 }
 
-void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_ptr<Breakable>>& fragments,
+void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<Breakable*>& fragments,
                 btScalar time_step_s) {
-    for (const auto& fragment : fragments) {
+    for (const Breakable* fragment : fragments) {
         btRigidBody& body = *fragment->body;
         const btVector3 own_gravity = body.getGravity();
         world.addRigidBody(&body, fragment->filter.group, fragment->filter.mask);

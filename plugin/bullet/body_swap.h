@@ -33,7 +33,7 @@ double momentumError(const btRigidBody& parent, const std::vector<std::unique_pt
 double dropDebris(const std::vector<Fragment>& fragments, std::vector<std::unique_ptr<Breakable>>& pieces);
 
 /// Adds fragments, each with its own filter; `time_step_s` is that of the current step, 0 between steps.
-void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<std::unique_ptr<Breakable>>& fragments,
+void addToWorld(btDiscreteDynamicsWorld& world, const std::vector<Breakable*>& fragments,
                 btScalar time_step_s);
 
 /// Finds the contacts of bodies that were added to the world after this step's collision detection.

@@ -28,7 +28,7 @@ std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset
 }
 
 Breakable::~Breakable() {
-    if (joined && ownedHere()) keepForJoints(std::move(owned.body));
+    keepForJoints(std::move(owned.body), token);
 }
 
 Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "bullet/body_token.h"
+#include "bullet/inner_ball.h"
 #include "bullet/rigid_body_factory.h"
 
 namespace sherd {
@@ -49,11 +50,15 @@ struct Breakable {
     OwnedBody owned;                    ///< empty when the app owns the body
     std::uint64_t serial =
         0;  ///< counts the bodies of this world in the order in which they became breakable
-    double unbreakable_until_s = 0;  ///< simulated time
-    bool in_world = true;            ///< at the last syncWithWorld
-    BodyToken token = no_token;      ///< tells `body` from a new one at its address
-    bool is_fragment = false;        ///< made by a break in this world
-    bool joined = false;             ///< joints of the app's referred to the body when it was removed
+    double unbreakable_until_s = 0;                       ///< simulated time
+    bool in_world = true;                                 ///< at the last syncWithWorld
+    bool warned = false;                                  ///< an event has said what the asset warns of
+    BodyToken token = no_token;                           ///< tells `body` from a new one at its address
+    bool is_fragment = false;                             ///< made by a break in this world
+    InnerBall inner_ball;                                 ///< of a fragment
+    btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
+    btTransform moved_to = btTransform::getIdentity();    ///< and after it
+    bool being_born = false;                              ///< a fragment that is about to enter the world
 
     bool ownedHere() const { return owned.body != nullptr; }
     /// The map from the asset's frame to the world, for a body that stands at `world_transform`.

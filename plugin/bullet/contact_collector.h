@@ -49,6 +49,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
                              int index_a, const btCollisionObjectWrapper* wrapper_b, int part_b,
                              int index_b) override;
 
+    /// Where a body stood before the step's solve.
+    const btTransform& stoodAt(const btCollisionObject& object) const;
+
     /// The struck bodies, in the order in which they became breakable.
     std::vector<StruckBreakable> takeStruck();
 

@@ -1,6 +1,5 @@
 #include "bullet/continuous_collision.h"
 
-#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
 #include <BulletCollision/CollisionDispatch/btManifoldResult.h>
 #include <BulletCollision/CollisionShapes/btSphereShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -9,6 +8,7 @@
 
 #include <algorithm>
 
+#include "bullet/pair_filter.h"
 #include "bullet/world_internals.h"
 
 namespace sherd {
@@ -32,12 +32,7 @@ class NearestHit final : public btCollisionWorld::ClosestConvexResultCallback {
         auto& other = *static_cast<btCollisionObject*>(proxy->m_clientObject);
         if (&other == &body_ || passes(other) || !ClosestConvexResultCallback::needsCollision(proxy))
             return false;
-        btOverlappingPairCache* pairs = world_.getPairCache();
-        if (pairs->getOverlapFilterCallback() &&
-            !pairs->needsBroadphaseCollision(proxy, body_.getBroadphaseProxy()))
-            return false;
-        btDispatcher& dispatcher = *world_.getDispatcher();
-        return dispatcher.needsCollision(&body_, &other) && dispatcher.needsResponse(&body_, &other);
+        return pushEachOther(world_, body_, other);
     }
     btScalar addSingleResult(btCollisionWorld::LocalConvexResult& result, bool in_world_frame) override {
         const btVector3 path = m_convexToWorld - m_convexFromWorld;

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "bullet/conversions.h"
 #include "core/numerics/pi.h"
@@ -104,13 +105,11 @@ Status checkExplosion(const Explosion& explosion) {
 Result<int> explode(FractureWorld& world, const Explosion& explosion) {
     if (const Status valid = checkExplosion(explosion); !valid) return Error{valid.error()};
     // All pushes are there before anything breaks: fragments are not struck by the same explosion again.
-    const std::vector<btRigidBody*> bodies = world.bodies();
-    std::vector<std::vector<Push>> pushes;
-    for (const btRigidBody* body : bodies) pushes.push_back(pushesOn(world, body, explosion));
-    int struck = 0;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-        if (!pushes[i].empty() && world.applyBlow(bodies[i], pushes[i])) ++struck;
-    return struck;
+    std::vector<std::pair<btRigidBody*, std::vector<Push>>> blows;
+    for (btRigidBody* body : world.bodies())
+        if (std::vector<Push> pushes = pushesOn(world, body, explosion); !pushes.empty())
+            blows.emplace_back(body, std::move(pushes));
+    return world.applyBlows(blows);
 }
 
 }  // namespace sherd

@@ -4,43 +4,42 @@
 
 #include "bullet/applied_blow.h"
 #include "bullet/body_swap.h"
-#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/world_internals.h"
-#include "core/loads/load_patch.h"
 
 namespace sherd {
 
-namespace {
-
-void push(btRigidBody& body, const std::vector<Push>& pushes) {
-    if (body.isStaticOrKinematicObject()) return;
-    body.activate();
-    for (const Push& push : pushes)
-        body.applyImpulse(push.impulse_n_s, push.point - body.getCenterOfMassPosition());
-}
-
-/// How far the surface is from a point of the world, m.
-double distanceTo(const Breakable& breakable, const btVector3& point) {
-    const Vec3 x = fromBullet(breakable.placed(breakable.body->getWorldTransform()).inverse() * point);
-    return (nearestSurfacePoint(breakable.asset.surface(), x, Vec3::Zero()).point - x).norm();
-}
-
-}  // namespace
-
 Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>& pushes) {
     if (const Status valid = checkPushes(pushes); !valid) return valid;
+    if (!body) return Error{"there is no body to strike (nullptr)"};
     const Breakable* breakable = breakables_.find(body);
-    if (!breakable) return Error{"the body is not breakable; use add or makeBreakable first"};
-    if (!isInWorld(world_, body))
+    if (!breakable) return Error{"the body is not breakable (it broke, was removed, or was never added)"};
+    if (!breakable->being_born && !isInWorld(world_, body))
         return Error{"the body is not in this world; add it with addRigidBody first"};
     if (!breakable->canBeStruck())
         return Error{
             "the body is static or kinematic; only bodies that move, and static ones with supports, can "
             "break"};
+    if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
+    if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
     blows_.push_back({breakable->serial, body, pushes});
     if (!insideStep()) finish(0);
     return success();
+}
+
+/// Several blows of one cause, in turn. A callback of the app's may end them by destroying the FractureWorld.
+Result<int> FractureWorld::Impl::applyBlows(
+    const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows) {
+    for (const auto& [body, pushes] : blows) {
+        const Breakable* breakable = breakables_.find(body);
+        if (const Status valid = checkPushes(pushes); !valid) return Error{valid.error()};
+        if (!breakable) continue;
+        if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return Error{valid.error()};
+    }
+    int struck = 0;
+    for (const auto& [body, pushes] : blows)
+        if (!released_ && applyBlow(body, pushes)) ++struck;
+    return struck;
 }
 
 /// What waited for the end of the step, or of the blow that is applied between steps.
@@ -69,11 +68,17 @@ void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s)
     Breakable* target = targetOf(blow);
     if (!target || !isInWorld(world_, target->body) || !target->canBeStruck()) return;
     const StruckBreakable struck = asContacts(*target, blow.pushes);
-    push(*target->body, blow.pushes);
-    if (!target->breaksAt(time_s_)) return;
-    std::vector<Break> breaks = evaluateBlows({struck});
-    if (breaks.empty()) return;
-    const std::vector<btCollisionObject*> fragments = swap(breaks.front(), time_step_s);
+    // What is held takes no impulse itself; what comes loose of it does.
+    const bool held = target->asset.solid()->isAnchored();
+    if (!held) push(*target->body, blow.pushes);
+    std::vector<Break> breaks;
+    if (target->breaksAt(time_s_)) breaks = evaluateBlows({struck});
+    std::vector<btCollisionObject*> fragments;
+    if (!breaks.empty()) {
+        if (held) breaks.front().pushes = &blow.pushes;
+        fragments = swap(breaks.front(), time_step_s);
+    }
+    if (held && fragments.empty()) push(*target->body, blow.pushes);
     if (fragments.empty()) return;
     findContactsOf(world_, fragments);
     allowOverlapsAtBirth(fragments);

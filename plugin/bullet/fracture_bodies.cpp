@@ -34,8 +34,7 @@ void setUp(OwnedBody& owned, const btTransform& body_from_asset, const BodyOptio
 
 FractureWorld::Impl::Impl(btDiscreteDynamicsWorld& world)
     : world_(world), decorator_(world, *this), integration_hook_(world, *this) {
-    const bool only_one = !dynamic_cast<SolverDecorator*>(&decorator_.inner());
-    if (only_one) markBetweenSteps(world_);  // otherwise the others have kept account
+    if (decorator_.isFirst()) markBetweenSteps(world_);  // otherwise the others have kept account
 }
 
 FractureWorld::Impl::~Impl() {
@@ -48,7 +47,13 @@ FractureWorld::Impl::~Impl() {
 }
 
 void FractureWorld::Impl::release(std::unique_ptr<Impl> impl) {
-    if (impl->insideStep()) impl.release()->released_ = true;
+    impl->released_ = true;
+    deleteReleased(*impl.release());
+}
+
+void FractureWorld::Impl::deleteReleased(Impl& impl) {
+    if (!impl.insideStep())
+        impl.decorator_.forEachListener([](StepListener& hook) { hook.deleteIfReleased(); });
 }
 
 void FractureWorld::Impl::deleteIfReleased() {
@@ -93,15 +98,23 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     breakable->filter = CollisionFilter::usual(is_static);
     breakable->name = options.name;
     breakable->seed = options.seed;
-    setUp(breakable->owned, breakable->body_from_asset, options);
-    Breakable& added = registerBreakable(std::move(breakable));
+    return putIntoWorld(std::move(breakable), options);
+}
+
+/// Bullet and the body's motion state call the app meanwhile.
+Result<btRigidBody*> FractureWorld::Impl::putIntoWorld(std::unique_ptr<Breakable> breakable,
+                                                       const BodyOptions& options) {
+    btRigidBody* const body = breakable->body;
     {
         const InsideStep guard(world_);
-        world_.addRigidBody(added.body, options.collision_group.value_or(added.filter.group),
-                            options.collision_mask.value_or(added.filter.mask));
+        setUp(breakable->owned, breakable->body_from_asset, options);
+        const CollisionFilter usual = breakable->filter;
+        registerBreakable(std::move(breakable));
+        world_.addRigidBody(body, options.collision_group.value_or(usual.group),
+                            options.collision_mask.value_or(usual.mask));
     }
-    btRigidBody* const body = added.body;
     finish(0);  // what the app asked for meanwhile
+    if (released_) return Error{"the FractureWorld was destroyed by a callback while the body was added"};
     return body;
 }
 
@@ -114,6 +127,11 @@ Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& o
     if (!isInWorld(world_, body))
         return Error{"the body is not in this world; add it with addRigidBody first"};
     if (breakables_.find(body)) return Error{"the body is breakable already"};
+    bool has_owner = false;
+    decorator_.forEachListener(
+        [&](const StepListener& hook) { has_owner = has_owner || hook.isBreakable(*body); });
+    if (has_owner) return Error{"the body is breakable already, by another FractureWorld of this world"};
+    if (!body->getCollisionShape()) return Error{"the body has no collision shape; give it one first"};
     if (body->isKinematicObject())
         return Error{"the body is kinematic; only dynamic and static bodies can break"};
     if (body->getInvMass() == 0 && options.supports.empty())

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <exception>
 
+#include "bullet/applied_blow.h"
 #include "bullet/birth_callback.h"
 #include "bullet/body_removal.h"
 #include "bullet/body_swap.h"
 #include "bullet/collision_exceptions.h"
 #include "bullet/fracture_world_impl.h"
+#include "bullet/ground_contact.h"
 #include "core/numerics/split_mix.h"
 #include "core/numerics/stopwatch.h"
 
@@ -42,11 +44,14 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
         if (!fragments.empty()) members = without(std::move(members), broken.body);
         new_bodies.insert(new_bodies.end(), fragments.begin(), fragments.end());
     }
-    before_.add(new_bodies);
+    decorator_.forEachListener([&](StepListener& hook) { hook.bodiesEnter(new_bodies); });
     findContactsOf(world_, new_bodies);
     allowOverlapsAtBirth(new_bodies);
+    std::vector<const Breakable*> new_fragments;
+    for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
+    addGroundContacts(world_, new_fragments);
     members.insert(members.end(), new_bodies.begin(), new_bodies.end());
-    const Obstacles obstacles{[&](const auto& object) { return isFragment(object); },
+    const Obstacles obstacles{[&](const auto& object) { return isFragmentOfAny(object); },
                               [&](const auto& object) { return last && breakables_.find(&object); }};
     std::vector<const btCollisionObject*> next;
     for (btRigidBody* body : swept) {
@@ -59,7 +64,7 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     Island pieces = connectedIsland(world_, members);
     before_.restore(pieces);
     for (btCollisionObject* body : pieces.bodies) body->activate();
-    solveIsland(world_, decorator_.inner(), pieces, info, drawer);
+    solveIsland(world_, decorator_.innermost(), pieces, info, drawer);
     double without_bodies_ms = watch.milliseconds();
     for (const Break& broken : breaks) without_bodies_ms -= current_[broken.event].event.ms.bodies;
     for (const Break& broken : breaks)
@@ -89,29 +94,37 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
                         "); the body stays whole";
         return {};
     }
+    if (broken.pushes) pushLoose(pieces, *broken.pushes);
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);
+    if (time_step_s > 0) setBackOnGround(world_, parent, pieces);
     inheritCollisionExceptions(world_, parent, pieces);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (parent.seed) pieces[i]->seed = splitMix64(*parent.seed + golden_step * (i + 1));
-        if (on_fragment_ && !released_) announceBirth(on_fragment_, parent, *pieces[i], event);
-        event.fragments.push_back(pieces[i]->body);
+    const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces));
+    for (Breakable* fragment : born) {
+        const auto callback = on_fragment_;  // which may set another one
+        if (*callback && !released_) announceBirth(*callback, parent, *fragment, event);
+        event.fragments.push_back(fragment->body);
     }
     RemovedJoints joints = removeFromWorld(world_, parent);
     event.removed_constraints = std::move(joints.constraints);
     event.removed_multi_body_constraints = std::move(joints.multi_body_constraints);
-    addToWorld(world_, pieces, time_step_s);
-
-    const double unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
-    std::vector<btCollisionObject*> objects;
-    for (auto& piece : pieces) {
-        piece->unbreakable_until_s = unbreakable_until_s;
-        piece->is_fragment = true;
-        objects.push_back(piece->body);
-        registerBreakable(std::move(piece));
-    }
+    addToWorld(world_, born, time_step_s);
+    for (Breakable* fragment : born) fragment->being_born = false;
     current_[broken.event].broken = breakables_.take(parent.token);
-    return objects;
+    return {event.fragments.begin(), event.fragments.end()};
+}
+
+std::vector<Breakable*> FractureWorld::Impl::registerFragments(
+    const Breakable& parent, std::vector<std::unique_ptr<Breakable>> pieces) {
+    std::vector<Breakable*> fragments;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        Breakable& fragment = registerBreakable(std::move(pieces[i]));
+        if (parent.seed) fragment.seed = splitMix64(*parent.seed + golden_step * (i + 1));
+        fragment.unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
+        fragment.is_fragment = fragment.being_born = true;
+        fragments.push_back(&fragment);
+    }
+    return fragments;
 }
 
 }  // namespace sherd

@@ -1,9 +1,11 @@
 // What a FractureWorld does in a step of Bullet's.
 
 #include <algorithm>
+#include <utility>
 
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
+#include "bullet/ground_contact.h"
 #include "core/numerics/split_mix.h"
 
 namespace sherd {
@@ -11,6 +13,12 @@ namespace sherd {
 namespace {
 
 constexpr int most_rounds = 8;  // of breaks in one step
+
+/// What the asset warns of, with the first blow on its body.
+std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
+    if (std::exchange(breakable.warned, true)) return {};
+    return breakable.asset.warnings();
+}
 
 BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
     BlowEvent event(struck.breakable->asset);
@@ -41,6 +49,7 @@ void FractureWorld::Impl::beforeSolve() {
         std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
     if (!any_breakable_) return;
     birth_overlaps_.applyAllowances(world_);
+    addGroundContacts(world_, fragments());
     before_.take(world_);
     write_back_.begin(world_);
 }
@@ -52,6 +61,9 @@ void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDr
         write_back_.end(world_);
         any_breakable_ = false;
     }
+}
+
+void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
     finish(info.m_timeStep);
     sweep_exceptions_.begin(
         world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
@@ -69,6 +81,7 @@ void FractureWorld::Impl::endIntegration() {
 }
 
 void FractureWorld::Impl::afterIntegration() {
+    stopAtGround(world_, breakables_, before_);
     endIntegration();
     markBetweenSteps(world_);
     deleteIfReleased();
@@ -78,7 +91,7 @@ void FractureWorld::Impl::afterIntegration() {
 /// several bodies in one step.
 void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer) {
     std::vector<Break> breaks;
-    const auto swept = sweptInto(world_, [&](const auto& object) { return isFragment(object); });
+    const auto swept = sweptInto(world_, [&](const auto& object) { return isFragmentOfAny(object); });
     if (!swept.empty()) resolveIslands(breaks, swept, false, info, drawer);
     breaks = evaluateBlows(struck(info));
     for (int round = 1; !breaks.empty(); ++round) {
@@ -102,9 +115,30 @@ std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverIn
     return collector.takeStruck();
 }
 
+void FractureWorld::Impl::bodiesEnter(const std::vector<btCollisionObject*>& bodies) {
+    if (any_breakable_) before_.add(bodies);
+}
+
+bool FractureWorld::Impl::isBreakable(const btCollisionObject& object) const {
+    return breakables_.find(&object) != nullptr;
+}
+
 bool FractureWorld::Impl::isFragment(const btCollisionObject& object) const {
     const Breakable* breakable = breakables_.find(&object);
     return breakable && breakable->is_fragment;
+}
+
+std::vector<const Breakable*> FractureWorld::Impl::fragments() const {
+    std::vector<const Breakable*> fragments;
+    for (const auto& breakable : breakables_.all())
+        if (breakable->is_fragment && breakable->in_world) fragments.push_back(breakable.get());
+    return fragments;
+}
+
+bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const {
+    bool found = false;
+    decorator_.forEachListener([&](const StepListener& hook) { found = found || hook.isFragment(object); });
+    return found;
 }
 
 std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
@@ -114,13 +148,14 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         const BreakableSolid& solid = *body.breakable->asset.solid();
         const FractureSettings& fracture = *body.breakable->fracture;
         if (isToBeRemoved(*body.breakable)) continue;
+        const std::vector<std::string> warnings = warningsAtFirstBlow(*body.breakable);
+        const bool may_break = canBreak(solid, body.blow, fracture);
         ++counts_.seen;
-        if (!canBreak(solid, body.blow, fracture)) {
-            ++counts_.skipped;
-            continue;
-        }
-        ++counts_.solved;
-        BlowOutcome outcome = strike(solid, body.blow, fracture, seedOf(*body.breakable));
+        ++(may_break ? counts_.solved : counts_.skipped);
+        if (!may_break && warnings.empty()) continue;
+        BlowOutcome outcome;
+        if (may_break) outcome = strike(solid, body.blow, fracture, seedOf(*body.breakable));
+        outcome.warnings.insert(outcome.warnings.begin(), warnings.begin(), warnings.end());
         current_.push_back({eventOf(body, outcome), nullptr});
         if (outcome.outcome == Outcome::broke)
             breaks.push_back({body.breakable->body, std::move(outcome), current_.size() - 1});

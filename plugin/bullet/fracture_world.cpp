@@ -13,7 +13,7 @@ FractureWorld::~FractureWorld() {
 Result<btRigidBody*> FractureWorld::add(const BreakableAsset& asset, const BodyOptions& options) {
     Impl& impl = *impl_;  // a callback of the app's may destroy this object
     auto added = impl.add(asset, options);
-    impl.deleteIfReleased();
+    Impl::deleteReleased(impl);
     return added;
 }
 Status FractureWorld::makeBreakable(btRigidBody* body, const Material& material, const Settings& settings,
@@ -23,7 +23,7 @@ Status FractureWorld::makeBreakable(btRigidBody* body, const Material& material,
 void FractureWorld::remove(btRigidBody* body) {
     Impl& impl = *impl_;
     impl.remove(body);
-    impl.deleteIfReleased();
+    Impl::deleteReleased(impl);
 }
 Status FractureWorld::applyBlow(btRigidBody* body, const Push& push) {
     return applyBlow(body, std::vector<Push>{push});
@@ -31,8 +31,14 @@ Status FractureWorld::applyBlow(btRigidBody* body, const Push& push) {
 Status FractureWorld::applyBlow(btRigidBody* body, const std::vector<Push>& pushes) {
     Impl& impl = *impl_;
     const Status done = impl.applyBlow(body, pushes);
-    impl.deleteIfReleased();
+    Impl::deleteReleased(impl);
     return done;
+}
+Result<int> FractureWorld::applyBlows(const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows) {
+    Impl& impl = *impl_;
+    const Result<int> struck = impl.applyBlows(blows);
+    Impl::deleteReleased(impl);
+    return struck;
 }
 void FractureWorld::onFragment(FragmentCallback callback) {
     impl_->onFragment(std::move(callback));
@@ -64,7 +70,9 @@ btTransform FractureWorld::assetTransform(const btRigidBody* body) const {
 
 btTransform FractureWorld::renderTransform(const btRigidBody* body) const {
     const Breakable* breakable = impl_->breakables().find(body);
-    return breakable ? breakable->placed(renderedTransform(*body)) : btTransform::getIdentity();
+    if (!breakable) return btTransform::getIdentity();
+    const btTransform body_from_asset = breakable->body_from_asset;  // a motion state is the app's code
+    return renderedTransform(*body) * body_from_asset;
 }
 
 }  // namespace sherd

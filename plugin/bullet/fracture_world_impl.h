@@ -28,7 +28,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     /// Destroys it, inside a step at the end of that: until then Bullet goes on using the solver and the
     /// bodies.
     static void release(std::unique_ptr<Impl> impl);
-    void deleteIfReleased();
+    /// Ends a call of the app's: deletes what its callbacks released meanwhile, perhaps `impl` itself.
+    static void deleteReleased(Impl& impl);
 
     // Called by the app.
     Result<btRigidBody*> add(const BreakableAsset& free_asset, const BodyOptions& options);
@@ -36,7 +37,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                          const BreakableOptions& options);
     void remove(btRigidBody* body);
     Status applyBlow(btRigidBody* body, const std::vector<Push>& pushes);
-    void onFragment(FragmentCallback callback) { on_fragment_ = std::move(callback); }
+    Result<int> applyBlows(const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows);
+    void onFragment(FragmentCallback callback) {
+        on_fragment_ = std::make_shared<const FragmentCallback>(std::move(callback));
+    }
     std::vector<BlowEvent> takeEvents() { return events_.take(insideStep()); }
     std::vector<btRigidBody*> bodies();
     const BreakableRegistry& breakables() const { return breakables_; }
@@ -45,14 +49,22 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     // Inside a step.
     void beforeSolve() override;
     void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+    void endSolve(const btContactSolverInfo& info) override;
+    void bodiesEnter(const std::vector<btCollisionObject*>& bodies) override;
     void afterIntegration() override;
+    void deleteIfReleased() override;
+
+    // Asked by the other FractureWorlds of the world.
+    bool isBreakable(const btCollisionObject& object) const override;
+    bool isFragment(const btCollisionObject& object) const override;
 
   private:
     /// A body that broke, to be swapped for its fragments.
     struct Break {
         btRigidBody* body = nullptr;
         BlowOutcome outcome;
-        std::size_t event = 0;  // in current_
+        std::size_t event = 0;                      // in current_
+        const std::vector<Push>* pushes = nullptr;  // that its loose fragments are still to be given
     };
     /// A blow of the app's, from inside a step.
     struct QueuedBlow {
@@ -69,13 +81,16 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck);
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info) const;
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
-    bool isFragment(const btCollisionObject& object) const;
+    std::vector<const Breakable*> fragments() const;
+    bool isFragmentOfAny(const btCollisionObject& object) const;
     void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
     std::vector<const btCollisionObject*> resolveIslands(std::vector<Break>& breaks,
                                                          const std::vector<btRigidBody*>& swept, bool last,
                                                          const btContactSolverInfo& info,
                                                          btIDebugDraw* drawer);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
+    std::vector<Breakable*> registerFragments(const Breakable& parent,
+                                              std::vector<std::unique_ptr<Breakable>> pieces);
     std::uint64_t seedOf(const Breakable& breakable) const;
     void finish(btScalar time_step_s);
     void endIntegration();
@@ -84,6 +99,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
+    Result<btRigidBody*> putIntoWorld(std::unique_ptr<Breakable> breakable, const BodyOptions& options);
     Status refusal(btRigidBody* body, const BreakableOptions& options) const;
     bool insideStep() const { return isInsideStep(world_); }
     bool isToBeRemoved(const Breakable& breakable) const;
@@ -102,7 +118,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
     EventQueue events_;
     BlowCounts counts_;
-    FragmentCallback on_fragment_;
+    std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
     std::deque<QueuedBlow> blows_;   // the same
     bool released_ = false;          // inside a step: to be destroyed at its end

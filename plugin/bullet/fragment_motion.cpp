@@ -81,6 +81,18 @@ void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pie
     }
 }
 
+void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point) {
+    const Assembly all = assemble(pieces);
+    const Vec3 gained = fromBullet(impulse) / all.mass;
+    const Vec3 angular = (fromBullet(point) - all.centre).cross(fromBullet(impulse));
+    const Vec3 spin = all.inertia.ldlt().solve(angular);
+    for (btRigidBody* piece : pieces) {
+        const btVector3 velocity = toBullet(Vec3(gained + spin.cross(centreOf(*piece) - all.centre)));
+        piece->setLinearVelocity(piece->getLinearVelocity() + velocity * piece->getLinearFactor());
+        piece->setAngularVelocity(piece->getAngularVelocity() + toBullet(spin) * piece->getAngularFactor());
+    }
+}
+
 void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces, bool gravity_if_none) {
     const Vec3 force = fromBullet(whole.getTotalForce()), torque = fromBullet(whole.getTotalTorque());
     // Bullet applies no gravity to a body that sleeps when the step begins. Its fragments are active and get

@@ -1,8 +1,10 @@
 #include "bullet/joint_anchors.h"
 
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <mutex>
+#include <unordered_set>
 #include <vector>
 
 namespace sherd {
@@ -10,7 +12,8 @@ namespace sherd {
 namespace {
 
 struct Anchors {
-    std::mutex mutex;  // worlds may be stepped on several threads
+    std::mutex mutex;                     // worlds may be stepped on several threads
+    std::unordered_set<BodyToken> named;  // by removed joints; for look-up only
     std::vector<std::unique_ptr<btRigidBody>> bodies;
 };
 
@@ -20,9 +23,22 @@ Anchors& anchors() {
     return all;
 }
 
+/// Whether removed joints name the body; from now on they count as none.
+bool takeNamed(BodyToken body) {
+    const std::lock_guard<std::mutex> lock(anchors().mutex);
+    return anchors().named.erase(body) > 0;
+}
+
 }  // namespace
 
-void keepForJoints(std::unique_ptr<btRigidBody> body) {
+void noteRemovedJoint(const btTypedConstraint& joint) {
+    const std::lock_guard<std::mutex> lock(anchors().mutex);
+    for (const btRigidBody* body : {&joint.getRigidBodyA(), &joint.getRigidBodyB()})
+        if (const BodyToken token = tokenOf(*body); token != no_token) anchors().named.insert(token);
+}
+
+void keepForJoints(std::unique_ptr<btRigidBody> body, BodyToken token) {
+    if (!takeNamed(token) || !body) return;
     const btVector3 none(0, 0, 0);
     body->setMassProps(0, none);
     body->updateInertiaTensor();

@@ -34,6 +34,12 @@ void freeAnchors(btSoftBody& soft, const btRigidBody& body) {
     }
 }
 
+/// The contacts of a soft body are found before a step is solved and solved after it.
+void dropContacts(btSoftBody& soft, const btRigidBody& body) {
+    for (int i = soft.m_rcontacts.size() - 1; i >= 0; --i)
+        if (soft.m_rcontacts[i].m_cti.m_colObj == &body) soft.m_rcontacts.removeAtIndex(i);
+}
+
 }  // namespace
 
 std::vector<btRigidBody*> rigidBodiesOf(const btMultiBodyConstraint& constraint) {
@@ -64,6 +70,7 @@ void detachSoftBodies(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
         btSoftBody* soft = btSoftBody::upcast(objects[i]);
         if (!soft) continue;
         freeAnchors(*soft, body);
+        dropContacts(*soft, body);
         for (int k = 0; k < soft->m_joints.size(); ++k)
             for (btSoftBody::Body& end : soft->m_joints[k]->m_bodies)
                 if (end.m_collisionObject == &body) end = btSoftBody::Body();

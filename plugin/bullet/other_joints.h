@@ -20,7 +20,8 @@ std::vector<btRigidBody*> rigidBodiesOf(const btMultiBodyConstraint& constraint)
 std::vector<btMultiBodyConstraint*> removeMultiBodyConstraints(btDiscreteDynamicsWorld& world,
                                                                const btRigidBody& body);
 
-/// Frees the nodes that soft bodies have anchored to a body, and fixes their joints with it where they are.
+/// Frees the nodes that soft bodies have anchored to a body, fixes their joints with it where they are, and
+/// drops their contacts with it.
 void detachSoftBodies(btDiscreteDynamicsWorld& world, const btRigidBody& body);
 
 }  // namespace sherd

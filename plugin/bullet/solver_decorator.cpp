@@ -10,23 +10,21 @@ SolverDecorator::SolverDecorator(btDiscreteDynamicsWorld& world, StepListener& l
     : world_(world),
       listener_(listener),
       inner_(world.getConstraintSolver()),
-      world_owned_inner_(WorldInternals::ownsSolver(world)) {
+      world_owned_inner_(WorldInternals::ownsSolver(world)),
+      inner_decorator_(dynamic_cast<SolverDecorator*>(inner_)) {
+    if (inner_decorator_) inner_decorator_->outer_decorator_ = this;
     // Otherwise setConstraintSolver would free the solver that this one forwards to.
     WorldInternals::ownsSolver(world_) = false;
     world_.setConstraintSolver(this);
 }
 
 SolverDecorator::~SolverDecorator() {
-    // Another decorator may be around this one: from now on it forwards to the solver that this one forwarded
-    // to.
-    for (auto* outer = dynamic_cast<SolverDecorator*>(world_.getConstraintSolver()); outer;
-         outer = dynamic_cast<SolverDecorator*>(outer->inner_)) {
-        if (outer->inner_ != this) continue;
-        outer->inner_ = inner_;
-        outer->world_owned_inner_ = world_owned_inner_;
-        return;
-    }
-    if (world_.getConstraintSolver() == this) {
+    if (inner_decorator_) inner_decorator_->outer_decorator_ = outer_decorator_;
+    if (outer_decorator_) {  // from now on it forwards to the solver that this one forwarded to
+        outer_decorator_->inner_ = inner_;
+        outer_decorator_->inner_decorator_ = inner_decorator_;
+        outer_decorator_->world_owned_inner_ = world_owned_inner_;
+    } else if (world_.getConstraintSolver() == this) {
         world_.setConstraintSolver(inner_);
         WorldInternals::ownsSolver(world_) = world_owned_inner_;
     } else if (world_owned_inner_) {
@@ -38,13 +36,30 @@ SolverDecorator::~SolverDecorator() {
 }
 
 bool SolverDecorator::inPlace() const {
-    for (auto* solver = dynamic_cast<SolverDecorator*>(world_.getConstraintSolver()); solver;
-         solver = dynamic_cast<SolverDecorator*>(solver->inner_))
-        if (solver == this) return true;
-    return false;
+    const SolverDecorator* outermost = this;
+    while (outermost->outer_decorator_) outermost = outermost->outer_decorator_;
+    return world_.getConstraintSolver() == outermost;
+}
+
+btConstraintSolver& SolverDecorator::innermost() const {
+    return inner_decorator_ ? inner_decorator_->innermost() : *inner_;
+}
+
+std::vector<StepListener*> SolverDecorator::listenersFromInside() const {
+    std::vector<StepListener*> listeners;
+    if (inner_decorator_) listeners = inner_decorator_->listenersFromInside();
+    listeners.push_back(&listener_);
+    return listeners;
+}
+
+void SolverDecorator::forEachListener(const std::function<void(StepListener&)>& call) const {
+    const SolverDecorator* outermost = this;
+    while (outermost->outer_decorator_) outermost = outermost->outer_decorator_;
+    for (StepListener* listener : outermost->listenersFromInside()) call(*listener);
 }
 
 void SolverDecorator::prepareSolve(int body_count, int manifold_count) {
+    solving_ = true;
     listener_.beforeSolve();
     inner_->prepareSolve(body_count, manifold_count);
 }
@@ -61,6 +76,11 @@ btScalar SolverDecorator::solveGroup(btCollisionObject** bodies, int body_count,
 void SolverDecorator::allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) {
     inner_->allSolved(info, drawer);
     listener_.afterSolve(info, drawer);
+    solving_ = false;
+    // One that was put around this one since the solve began is not told of it.
+    for (const SolverDecorator* outer = outer_decorator_; outer; outer = outer->outer_decorator_)
+        if (outer->solving_) return;
+    for (StepListener* listener : listenersFromInside()) listener->endSolve(info);  // may delete this
 }
 
 void SolverDecorator::reset() {

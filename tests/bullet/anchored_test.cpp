@@ -254,4 +254,78 @@ TEST(Anchored, WhatIsNoSupportIsRefusedWithASentence) {
     EXPECT_NE(fracture.add(asset, options).error().find("static"), std::string::npos);
 }
 
+/// Of the bodies that move, kg m/s.
+btVector3 momentumOf(const FractureWorld& fracture) {
+    btVector3 sum(0, 0, 0);
+    for (const btRigidBody* body : fracture.bodies())
+        if (body->getInvMass() > 0) sum += body->getLinearVelocity() / body->getInvMass();
+    return sum;
+}
+
+/// A wall held at its foot that breaks at a touch.
+struct WeakWall {
+    WeakWall() {
+        BodyOptions options;
+        options.supports = {foot()};
+        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.05, 0), Vec3(0.5, 0.05, 1)),
+                                                    crumbly(), coarse(0.1));
+        EXPECT_TRUE(asset.ok()) << asset.error();
+        body = fracture.add(asset.value(), options).value();
+    }
+    Push push() const { return {btVector3(0, -0.05f, 0.8f), btVector3(0, 100, 0)}; }
+
+    TestWorld scene;
+    FractureWorld fracture{scene.world.get()};
+    btRigidBody* body = nullptr;
+};
+
+TEST(Anchored, WhatComesLooseTakesTheImpulseOfAnAppliedBlow) {
+    WeakWall between;
+    ASSERT_TRUE(between.fracture.applyBlow(between.body, between.push()).ok());
+    ASSERT_FALSE(inWorld(between.scene, between.body));
+    EXPECT_NEAR(momentumOf(between.fracture).y(), 100, 0.01);
+    // As one rigid body: the top, which is above the centre, is the fastest.
+    const btRigidBody *highest = nullptr, *lowest = nullptr;
+    for (const btRigidBody* piece : between.fracture.bodies()) {
+        if (piece->isStaticObject()) continue;
+        const btScalar z = piece->getCenterOfMassPosition().z();
+        if (!highest || z > highest->getCenterOfMassPosition().z()) highest = piece;
+        if (!lowest || z < lowest->getCenterOfMassPosition().z()) lowest = piece;
+    }
+    ASSERT_NE(highest, lowest);
+    EXPECT_GT(highest->getLinearVelocity().y(), lowest->getLinearVelocity().y());
+    EXPECT_EQ(highest->getAngularVelocity(), lowest->getAngularVelocity());
+
+    WeakWall inside;
+    inside.scene.world->setInternalTickCallback(
+        [](btDynamicsWorld* world, btScalar) {
+            WeakWall& self = *static_cast<WeakWall*>(world->getWorldUserInfo());
+            if (self.fracture.asset(self.body)) (void)self.fracture.applyBlow(self.body, self.push());
+        },
+        &inside);
+    inside.scene.step();
+    inside.scene.world->setInternalTickCallback(nullptr);
+    EXPECT_NEAR(momentumOf(inside.fracture).y(), 100, 0.01);
+}
+
+TEST(Anchored, WhatHitsAFragmentThatStaysHeldMovesNothing) {
+    WeakWall wall;
+    Push push = wall.push();
+    push.point = btVector3(0, -0.05f, 0);
+    ASSERT_TRUE(wall.fracture.applyBlow(wall.body, push).ok());
+    ASSERT_FALSE(inWorld(wall.scene, wall.body));
+    EXPECT_EQ(momentumOf(wall.fracture).length(), 0);
+}
+
+TEST(Anchored, AnExplosionThrowsWhatComesLoose) {
+    WeakWall wall;
+    const Result<int> struck = explode(wall.fracture, Explosion{btVector3(0, -0.4f, 0.6f), 2000, 3});
+    ASSERT_TRUE(struck.ok()) << struck.error();
+    EXPECT_EQ(struck.value(), 1);
+    // The wall, 0.35 m away, fills about a third of the half-space: its share along y is some hundreds of N
+    // s.
+    EXPECT_GT(momentumOf(wall.fracture).y(), 100);
+    EXPECT_LT(momentumOf(wall.fracture).y(), 1000);
+}
+
 }  // namespace

@@ -32,6 +32,31 @@ Momentum momentumOf(const std::vector<btRigidBody*>& bodies) {
     return sum;
 }
 
+TEST(AppliedBlow, IsReportedWhereItHitsTheSurface) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.01, -0.5), Vec3(0.5, 0.01, 0.5)), crumbly());
+    btRigidBody* pane =
+        fracture.add(asset.value(), btTransform(btQuaternion::getIdentity(), {1, 2, 3})).value();
+    ASSERT_TRUE(fracture.applyBlow(pane, {{1.1f, 1.9f, 3.2f}, {0, 10, 0}}));
+    const auto events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_LT((events[0].position - Vec3(1.1, 1.99, 3.2)).norm(), 1e-5);
+}
+
+TEST(AppliedBlow, FarFromTheBodyIsRefused) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.01, -0.5), Vec3(0.5, 0.01, 0.5)), crumbly());
+    btRigidBody* pane = fracture.add(asset.value()).value();
+    const Status beside = fracture.applyBlow(pane, {{3, -1, 0}, {0, 10, 0}});
+    ASSERT_FALSE(beside);
+    EXPECT_NE(beside.error().find("2.6"), std::string::npos) << beside.error();
+    EXPECT_TRUE(fracture.takeEvents().empty());
+}
+
 TEST(AppliedBlow, BreaksABodyBetweenStepsAndItsFragmentsTakeTheImpulse) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
@@ -111,10 +136,9 @@ TEST(AppliedBlow, RefusalsSayWhy) {
     btRigidBody* ball = scene.addBall(1, 0.1, btVector3(0, 0, 3));
     const Push good{btVector3(0, 0, 0), btVector3(0, 0, -1)};
     const auto refusal = [&](const Push& push) { return fracture.applyBlow(body, push).error(); };
-    EXPECT_EQ(fracture.applyBlow(nullptr, good).error(),
-              "the body is not breakable; use add or makeBreakable first");
+    EXPECT_EQ(fracture.applyBlow(nullptr, good).error(), "there is no body to strike (nullptr)");
     EXPECT_EQ(fracture.applyBlow(ball, good).error(),
-              "the body is not breakable; use add or makeBreakable first");
+              "the body is not breakable (it broke, was removed, or was never added)");
     EXPECT_EQ(fracture.applyBlow(body, std::vector<Push>()).error(),
               "there is no push to strike the body with (an empty list)");
     EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 0)}),
@@ -127,6 +151,10 @@ TEST(AppliedBlow, RefusalsSayWhy) {
         "in m");
     EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1), 0, -2}),
               "the speed of the push is -2 but must be 0 (not known) or positive, in m/s");
+    EXPECT_NE(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1e20f)}).find("faster than light"),
+              std::string::npos);
+    EXPECT_NE(refusal({btVector3(1e20f, 0, 0), btVector3(0, 0, 1)}).find("away from the surface"),
+              std::string::npos);
     scene.world->removeRigidBody(body);
     EXPECT_EQ(refusal(good), "the body is not in this world; add it with addRigidBody first");
     body->setMassProps(0, btVector3(0, 0, 0));
@@ -267,6 +295,29 @@ TEST(Explosion, RefusalsSayWhatIsOutOfRange) {
     EXPECT_EQ(explode(fracture, {btVector3(std::numeric_limits<btScalar>::quiet_NaN(), 0, 0), 1, 1}).error(),
               "the centre of the explosion is not finite; give it in m");
     EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0), 1, 1}).value(), 0);
+}
+
+TEST(Explode, SaysThatNothingCanTakeIt) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    for (const double impulse : {1e30, 1e300})
+        EXPECT_FALSE(explode(fracture, Explosion{btVector3(0, 0, 0.4f), impulse, 3}).ok()) << impulse;
+    EXPECT_TRUE(inWorld(scene, body));
+    EXPECT_EQ(body->getLinearVelocity().length(), 0);
+}
+
+TEST(Explode, EndsWhereACallbackDestroysTheFractureWorld) {
+    TestWorld scene;
+    auto fracture = std::make_unique<FractureWorld>(scene.world.get());
+    const BreakableAsset asset = plate(crumbly(), 0.1);
+    for (int i = 0; i < 3; ++i) ASSERT_TRUE(fracture->add(asset, at(0.8f * btScalar(i), 0, 0)).ok());
+    fracture->onFragment([&](FragmentBirth&) { fracture.reset(); });
+    const Result<int> struck = explode(*fracture, Explosion{btVector3(0.8f, 0, 0.4f), 300, 3});
+    ASSERT_TRUE(struck.ok()) << struck.error();
+    EXPECT_EQ(struck.value(), 1);
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), 0);
+    EXPECT_EQ(scene.world->getConstraintSolver(), scene.solver.get());
 }
 
 }  // namespace

@@ -128,4 +128,54 @@ TEST(FragmentBirth, CallsFromTheCallbackAreAnsweredAsInsideAStep) {
     EXPECT_EQ(test.fracture.takeEvents().size(), 1u);
 }
 
+TEST(FragmentBirth, ACallbackMayEndItself) {
+    BreakingPlate test;
+    const std::vector<int> captured(1000, 7);
+    int sum = 0, calls = 0;
+    test.fracture.onFragment([&test, &sum, &calls, captured](FragmentBirth&) {
+        test.fracture.onFragment(nullptr);
+        ++calls;
+        for (const int number : captured) sum += number;  // still there
+    });
+    ASSERT_TRUE(test.fracture.applyBlow(test.body, {btVector3(0, 0, 0.03f), btVector3(0, 0, -50)}).ok());
+    EXPECT_EQ(calls, 1) << "counts from the next fragment on";
+    EXPECT_EQ(sum, 7000);
+}
+
+TEST(FragmentBirth, AFragmentThatIsBeingBornTakesCallsAsAnyBody) {
+    for (const bool in_step : {false, true}) {
+        BreakingPlate test;
+        int born = 0;
+        std::string refusal;
+        test.fracture.onFragment([&](FragmentBirth& birth) {
+            EXPECT_EQ(test.fracture.asset(&birth.body), &birth.asset);
+            EXPECT_EQ(test.fracture.name(&birth.body), "plate");
+            if (++born % 2) return test.fracture.remove(&birth.body);
+            const Push push{birth.body.getCenterOfMassPosition(), btVector3(1000, 0, 0)};
+            refusal += test.fracture.applyBlow(&birth.body, push).error();
+        });
+        if (!in_step) {
+            ASSERT_TRUE(
+                test.fracture.applyBlow(test.body, {btVector3(0, 0, 0.03f), btVector3(0, 0, -50)}).ok());
+        }
+        const BlowEvent event =
+            in_step ? stepUntilBreak(test.scene, test.fracture) : std::move(test.fracture.takeEvents().at(0));
+        EXPECT_GT(born, 2);
+        EXPECT_EQ(refusal, "");
+        EXPECT_EQ(int(test.fracture.bodies().size()), born / 2) << "remove waits for the end of the step";
+        EXPECT_EQ(event.fragments, test.fracture.bodies());
+        for (const btRigidBody* piece : event.fragments)
+            EXPECT_GT(piece->getLinearVelocity().x() / piece->getInvMass(), 900) << "so does a blow";
+    }
+}
+
+TEST(FragmentBirth, TheExtensionPointerStaysSherds) {
+    BreakingPlate test;
+    int tag = 0;
+    test.fracture.onFragment([&](FragmentBirth& birth) { birth.body.internalSetExtensionPointer(&tag); });
+    ASSERT_TRUE(test.fracture.applyBlow(test.body, {btVector3(0, 0, 0.03f), btVector3(0, 0, -50)}).ok());
+    for (btRigidBody* piece : test.fracture.bodies()) test.fracture.remove(piece);
+    EXPECT_TRUE(test.fracture.bodies().empty());
+}
+
 }  // namespace

@@ -85,6 +85,8 @@ TEST(Identity, BodyKnowsOtherWorldsApart) {
     FractureWorld second(box.scene.world.get());
     EXPECT_EQ(second.asset(box.body()), nullptr);
     EXPECT_TRUE(second.bodies().empty());
+    EXPECT_EQ(second.makeBreakable(box.body(), crumbly(), coarse(0.1)).error(),
+              "the body is breakable already, by another FractureWorld of this world");
 }
 
 TEST(Identity, RemoveEndsThatAnAppsBodyIsBreakable) {
@@ -99,12 +101,16 @@ TEST(Identity, RemoveEndsThatAnAppsBodyIsBreakable) {
 TEST(Identity, BodyWhoseMarkIsTakenIsRefused) {
     AppsBox box;
     int apps_own = 0;
-    box.body()->internalSetExtensionPointer(&apps_own);
-    const Status made = box.fracture.makeBreakable(box.body(), crumbly(), coarse(0.1));
-    ASSERT_FALSE(made.ok());
-    EXPECT_NE(made.error().find("extension pointer"), std::string::npos) << made.error();
-    EXPECT_EQ(box.fracture.asset(box.body()), nullptr);
-    EXPECT_EQ(box.body()->internalGetExtensionPointer(), &apps_own);
+    // Also with an index of the app's that is as small as the first marks.
+    ASSERT_TRUE(box.fracture.add(plate(crumbly(), 0.1), at(0, 0, 5)).ok());
+    for (void* const own : {static_cast<void*>(&apps_own), reinterpret_cast<void*>(std::uintptr_t(1))}) {
+        box.body()->internalSetExtensionPointer(own);
+        const Status made = box.fracture.makeBreakable(box.body(), crumbly(), coarse(0.1));
+        ASSERT_FALSE(made.ok());
+        EXPECT_NE(made.error().find("extension pointer"), std::string::npos) << made.error();
+        EXPECT_EQ(box.fracture.asset(box.body()), nullptr);
+        EXPECT_EQ(box.body()->internalGetExtensionPointer(), own);
+    }
 }
 
 }  // namespace

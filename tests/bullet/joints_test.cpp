@@ -165,4 +165,75 @@ TEST(Joints, OfAnAppsBodyThatBreaksAreNamedAndStayAsTheyWere) {
     scene.world->removeConstraint(&joint);
 }
 
+/// Two plates of Sherd's that a joint holds together.
+struct TwoPlates {
+    TwoPlates() {
+        scene.world->addConstraint(&joint, true);
+        scene.step(2);
+    }
+    /// What takes memory takes that which was freed; then the app's wrapper of the joint goes.
+    ~TwoPlates() {
+        std::vector<std::unique_ptr<btRigidBody>> bodies;
+        btSphereShape shape(1);
+        for (int i = 0; i < 50; ++i)
+            bodies.push_back(std::make_unique<btRigidBody>(btScalar(7), nullptr, &shape, btVector3(1, 1, 1)));
+        for (const btRigidBody* body : {&joint.getRigidBodyA(), &joint.getRigidBodyB()}) {
+            EXPECT_EQ(body->getInvMass(), 0) << "it was freed, and another body stands in its place";
+            EXPECT_EQ(body->getCollisionShape(), nullptr) << "only the shell of the body is kept";
+            EXPECT_EQ(body->getNumConstraintRefs(), 0);
+        }
+        scene.world->removeConstraint(&joint);
+        scene.step(2);
+    }
+
+    TestWorld scene;
+    std::unique_ptr<FractureWorld> fracture = std::make_unique<FractureWorld>(scene.world.get());
+    BreakableAsset asset = plate(crumbly(), 0.1);
+    btRigidBody* a = fracture->add(asset, at(0, 0, 0)).value();
+    btRigidBody* b = fracture->add(asset, at(0.7f, 0, 0)).value();
+    btPoint2PointConstraint joint{*a, *b, btVector3(0.35f, 0, 0), btVector3(-0.35f, 0, 0)};
+};
+
+TEST(JointOfTwoBreakables, OutlivesBothIfTheyAreRemoved) {
+    for (const bool first : {true, false}) {
+        TwoPlates plates;
+        plates.fracture->remove(first ? plates.a : plates.b);
+        plates.scene.step(3);
+        plates.fracture->remove(first ? plates.b : plates.a);
+        plates.scene.step(3);
+    }
+}
+
+TEST(JointOfTwoBreakables, OutlivesBothIfTheyBreak) {
+    TwoPlates plates;
+    for (btRigidBody* body : {plates.a, plates.b}) {
+        const btVector3 top = body->getCenterOfMassPosition() + btVector3(0, 0, 0.03f);
+        ASSERT_TRUE(plates.fracture->applyBlow(body, {top, btVector3(0, 0, -50)}).ok());
+    }
+    plates.scene.step(2);
+    const std::vector<BlowEvent> events = plates.fracture->takeEvents();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].removed_constraints, std::vector<btTypedConstraint*>{&plates.joint});
+    EXPECT_TRUE(events[1].removed_constraints.empty());
+    plates.scene.step(3);
+}
+
+TEST(JointOfTwoBreakables, OutlivesTheFractureWorld) {
+    TwoPlates plates;
+    plates.fracture.reset();
+}
+
+TEST(JointOfTwoBreakables, OutlivesTheirTwoFractureWorlds) {
+    TwoPlates plates;
+    FractureWorld second(plates.scene.world.get());
+    btRigidBody* c = second.add(plates.asset, at(0, 2, 0)).value();
+    btPoint2PointConstraint joint(*plates.a, *c, btVector3(0, 1, 0), btVector3(0, -1, 0));
+    plates.scene.world->addConstraint(&joint);
+    plates.fracture.reset();
+    second.remove(c);
+    plates.scene.step(3);
+    EXPECT_EQ(joint.getRigidBodyB().getCollisionShape(), nullptr) << "only the shell of the body is kept";
+    plates.scene.world->removeConstraint(&joint);
+}
+
 }  // namespace

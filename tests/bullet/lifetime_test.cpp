@@ -1,6 +1,8 @@
 // Bodies that come and go, and what is asked for at the wrong moment.
 
+#include <functional>
 #include <memory>
+#include <utility>
 
 #include "bullet/support.h"
 
@@ -75,6 +77,12 @@ TEST(MakeBreakable, RefusesWithASentence) {
     scene.world->addRigidBody(body);
     ASSERT_TRUE(fracture.makeBreakable(body, material).ok());
     EXPECT_EQ(fracture.makeBreakable(body, material).error(), "the body is breakable already");
+    btRigidBody* bare = scene.addBox(1, btVector3(0.1f, 0.1f, 0.1f), btVector3(3, 0, 0));
+    btCollisionShape* const shape = bare->getCollisionShape();
+    bare->setCollisionShape(nullptr);
+    EXPECT_EQ(fracture.makeBreakable(bare, material).error(),
+              "the body has no collision shape; give it one first");
+    bare->setCollisionShape(shape);
 }
 
 TEST(MakeBreakable, RefusesShapesThatAreNoConvexSolids) {
@@ -199,6 +207,56 @@ TEST(Lifetime, EventsAreHandedOutOnceAndTheirBodiesLiveUntilTheNextStep) {
     ASSERT_FALSE(events.empty());
     EXPECT_EQ(events.front().body->getUserPointer(), &tag);
     EXPECT_TRUE(fracture.takeEvents().empty());
+}
+
+/// A motion state that runs a piece of a test once when it is told a place.
+struct MeddlingState : btDefaultMotionState {
+    void setWorldTransform(const btTransform& place) override {
+        btDefaultMotionState::setWorldTransform(place);
+        if (task) std::exchange(task, nullptr)();
+    }
+    std::function<void()> task;
+};
+
+TEST(Lifetime, MotionStateMayMeddleWhileItsBodyIsAdded) {
+    const BreakableAsset asset = plate(crumbly(), 0.1);
+    MeddlingState motion_state;
+    BodyOptions options;
+    options.motion_state = &motion_state;
+    {
+        TestWorld scene;
+        auto fracture = std::make_unique<FractureWorld>(scene.world.get());
+        ASSERT_TRUE(fracture->add(asset, at(3, 0, 0)).ok());
+        motion_state.task = [&] { fracture.reset(); };
+        EXPECT_EQ(fracture->add(asset, options).error(),
+                  "the FractureWorld was destroyed by a callback while the body was added");
+        EXPECT_EQ(scene.world->getNumCollisionObjects(), 0);
+        scene.step(2);
+    }
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* other = fracture.add(asset, at(3, 0, 0)).value();
+    std::string refusal;
+    motion_state.task = [&] {
+        refusal = fracture.add(asset, at(6, 0, 0)).error();
+        fracture.remove(other);
+    };
+    btRigidBody* body = fracture.add(asset, options).value();
+    EXPECT_NE(refusal.find("inside a step"), std::string::npos) << refusal;
+    EXPECT_EQ(fracture.bodies(), std::vector<btRigidBody*>{body});
+}
+
+TEST(Lifetime, AnotherFractureWorldThatACallbackDestroysGoesAtOnce) {
+    TestWorld scene;
+    FractureWorld first(scene.world.get());
+    auto second = std::make_unique<FractureWorld>(scene.world.get());
+    const BreakableAsset asset = plate(crumbly(), 0.1);
+    btRigidBody* body = first.add(asset, at(0, 0, 0)).value();
+    ASSERT_TRUE(second->add(asset, at(2, 0, 0)).ok());
+    first.onFragment([&](FragmentBirth&) { second.reset(); });
+    ASSERT_TRUE(first.applyBlow(body, {btVector3(0, 0, 0.03f), btVector3(0, 0, -50)}).ok());
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), int(first.bodies().size()));
+    scene.step(2);
 }
 
 TEST(Lifetime, AppMayPutInAnotherSolverWhileHooked) {

@@ -1,7 +1,9 @@
 // What goes wrong in Bullet's step when a body is swapped in the middle of it.
 
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "bullet/support.h"
 
@@ -271,6 +273,59 @@ TEST(Traps, TwoHooksGoInAnyOrder) {
     EXPECT_FALSE(inWorld(scene, body));
     second.reset();
     scene.step(10);
+}
+
+/// Of all bodies, along z.
+double momentumOf(const TestWorld& scene) {
+    double sum = 0;
+    const auto& objects = scene.world->getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i) {
+        const btRigidBody* body = btRigidBody::upcast(objects[i]);
+        if (body->getInvMass() > 0) sum += double(body->getLinearVelocity().z()) / body->getInvMass();
+    }
+    return sum;
+}
+
+TEST(Traps, BodiesOfTwoHooksBreakInOneStepAndKeepTheirMomentum) {
+    TestWorld scene;
+    FractureWorld inner(scene.world.get()), outer(scene.world.get());
+    const BreakableAsset asset = plate(crumbly());
+    ASSERT_TRUE(inner.add(asset, at(-0.32f, 0, 0)).ok());
+    ASSERT_TRUE(outer.add(asset, at(0.32f, 0, 0)).ok());
+    btRigidBody* box = scene.addBox(5, btVector3(0.2f, 0.1f, 0.1f), btVector3(0, 0, 0.2f));
+    box->setLinearVelocity(btVector3(0, 0, -8));
+    int together = 0;
+    for (int i = 0; i < 12; ++i) {
+        scene.step();
+        EXPECT_NEAR(momentumOf(scene), -40, 1e-3) << "step " << i;
+        const auto of_inner = inner.takeEvents(), of_outer = outer.takeEvents();
+        together += !of_inner.empty() && !of_outer.empty();
+    }
+    EXPECT_EQ(together, 1) << "they were to break in the same step";
+}
+
+TEST(Traps, ABlowThatWaitsAtOneHookIsNotUndoneByAnother) {
+    TestWorld scene;
+    FractureWorld inner(scene.world.get()), outer(scene.world.get());
+    btRigidBody* pushed = inner.add(plate(unbreakable()), at(0, 0, -0.0601f)).value();
+    ASSERT_TRUE(outer.add(plate(crumbly()), at(0, 0, 0)).ok());
+    scene.addBall(5, 0.1, btVector3(0, 0, 0.129f), btVector3(0, 0, -8));
+    static std::function<void()> task;
+    task = [&] { EXPECT_TRUE(inner.applyBlow(pushed, {btVector3(0, 0, -0.06f), btVector3(30, 0, 0)}).ok()); };
+    scene.dispatcher->setNearCallback(
+        [](btBroadphasePair& pair, btCollisionDispatcher& dispatcher, const btDispatcherInfo& info) {
+            if (task) std::exchange(task, nullptr)();
+            btCollisionDispatcher::defaultNearCallback(pair, dispatcher, info);
+        });
+    scene.step();
+    ASSERT_GT(outer.bodies().size(), 1u) << "the outer hook was to solve the step again";
+    double momentum = 0;
+    for (int i = 0; i < scene.world->getNumCollisionObjects(); ++i) {
+        const btRigidBody* body = btRigidBody::upcast(scene.world->getCollisionObjectArray()[i]);
+        momentum += double(body->getLinearVelocity().x()) / body->getInvMass();
+    }
+    scene.dispatcher->setNearCallback(&btCollisionDispatcher::defaultNearCallback);
+    EXPECT_NEAR(momentum, 30, 0.01);
 }
 
 TEST(Traps, AnotherBodyAtTheSameAddressIsNotBreakable) {

@@ -313,6 +313,10 @@ TEST(Strike, FunctionsOfTheAppMayThrowAnything) {
     const BlowOutcome out = strike(*plate(Material::plaster(), settings), blow, 1);
     EXPECT_EQ(out.outcome, Outcome::failed);
     EXPECT_NE(out.message.find("guide field"), std::string::npos);
+    settings.fracture.guide.custom = [](const Vec3&, const Vec3&) -> Vec3 { return Vec3(NAN, 0, 0); };
+    const BlowOutcome not_finite = strike(*plate(Material::plaster(), settings), blow, 1);
+    EXPECT_EQ(not_finite.outcome, Outcome::failed);
+    EXPECT_NE(not_finite.message.find("guide field is (nan"), std::string::npos) << not_finite.message;
 }
 
 TEST(Strike, FurtherWavesOnlyAddDamage) {

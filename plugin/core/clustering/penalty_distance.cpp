@@ -1,14 +1,27 @@
 #include "core/clustering/penalty_distance.h"
 
+#include <sstream>
+#include <stdexcept>
+
 namespace sherd {
 
 namespace {
 
 /// The offset with its component along the field multiplied by lambda.
 Vec3 penalised(const Vec3& offset, const Vec3& field, double lambda) {
-    if (!field.allFinite() || field.isZero(0)) return offset;
+    if (field.isZero(0)) return offset;
     const Vec3 v = field.stableNormalized();  // the square of the length may overflow
     return offset - (1 - lambda) * offset.dot(v) * v;
+}
+
+/// Throws a sentence about a value that is no direction.
+Vec3 customDirection(const Vec3& x, const GuideField& guide, const Vec3& contact) {
+    const Vec3 field = guide.custom(x, contact);
+    if (field.allFinite()) return field;
+    std::ostringstream sentence;
+    sentence << "the guide field is (" << field.transpose() << ") at (" << x.transpose()
+             << ") m; it has to be finite everywhere in the body";
+    throw std::invalid_argument(sentence.str());
 }
 
 double radialDistance(const Vec3& seed, const Vec3& x, const BlowAxis& blow, double lambda) {
@@ -36,7 +49,9 @@ double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide,
         case GuideField::Kind::radial:
             return radialDistance(seed, x, blow, guide.cost_along);
         case GuideField::Kind::custom:
-            return penalised(x - seed, guide.custom(0.5 * (seed + x), blow.contact), guide.cost_along).norm();
+            return penalised(x - seed, customDirection(0.5 * (seed + x), guide, blow.contact),
+                             guide.cost_along)
+                .norm();
     }
     return (x - seed).norm();
 }

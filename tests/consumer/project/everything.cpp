@@ -165,7 +165,51 @@ int main() {
     check(!broken.empty(), "an explosion breaks what is near");
     std::printf("%zu of %d broke in the explosion\n", broken.size(), struck.value());
 
+    // Tiles that stand on edge, held at their feet: static until they are struck, and what is held stays.
+    const sherd::BoxRegion foot{{-0.15, -0.15, -0.01}, {0.15, -0.1, 0.01}};
+    const btTransform upright(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(10, 0, 0.15f));
+    sherd::BodyOptions held(upright);
+    held.supports = {foot};
+    const auto fence = fracture.add(asset, held);
+    check(fence.ok(), fence.error().c_str());
+    check(fence.value()->isStaticObject(), "a body with supports is static");
+    check(fracture.asset(fence.value())->supports().size() == 1,
+          "the asset of a held body names its supports");
+    check(asset.supports().empty(), "the asset that it was made of stays free");
+    const auto anchored = asset.anchored({foot});
+    check(anchored.ok(), anchored.error().c_str());
+    check(anchored.value().supports().size() == 1, "an anchored asset has supports");
+    sherd::BodyOptions beside(upright);
+    beside.start.setOrigin(btVector3(11, 0, 0.15f));
+    const auto second = fracture.add(anchored.value(), beside);
+    check(second.ok() && second.value()->isStaticObject(), "bodies of an anchored asset are static");
+    btBoxShape post_shape(btVector3(0.1f, 0.05f, 0.3f));
+    btRigidBody post(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &post_shape));
+    post.setCenterOfMassTransform(at(12, 0, 0.3f));
+    scene.world.addRigidBody(&post);
+    check(!fracture.makeBreakable(&post, sherd::Material::plaster(), settings).ok(),
+          "a static body without supports is refused");
+    sherd::BreakableOptions post_options;
+    post_options.supports = {sherd::BoxRegion{{-0.1, -0.05, -0.3}, {0.1, 0.05, -0.2}}};
+    const auto held_post = fracture.makeBreakable(&post, sherd::Material::plaster(), settings, post_options);
+    check(held_post.ok(), held_post.error().c_str());
+    for (const btScalar x : {btScalar(10), btScalar(11)}) {
+        btRigidBody* const tile_there = x < 10.5f ? fence.value() : second.value();
+        const sherd::Push at_the_top{btVector3(x, -0.01f, 0.2f), btVector3(0, 4, 0), 0.01, 400};
+        check(fracture.applyBlow(tile_there, at_the_top).ok(), "a held body may be struck");
+        broken = breaks(fracture);
+        check(broken.size() == 1, "a held tile breaks");
+        std::size_t stay = 0;
+        for (const btRigidBody* piece : broken.front().fragments) stay += piece->isStaticObject();
+        check(stay >= 1 && stay < broken.front().fragments.size(), "the foot stays, and the rest comes off");
+        std::printf("%zu of %zu pieces stay\n", stay, broken.front().fragments.size());
+    }
+
     // What cannot be done is answered with a sentence.
+    check(!asset.anchored({sherd::SphereRegion{{9, 9, 9}, 0.1}}).ok(),
+          "a support that touches nothing is refused");
+    held.velocity = btVector3(1, 0, 0);
+    check(!fracture.add(asset, held).ok(), "a body with supports cannot move");
     sherd::BodyOptions scaled;
     scaled.start.setBasis(scaled.start.getBasis().scaled(btVector3(2, 2, 2)));
     check(!fracture.add(asset, scaled).ok(), "a scaled start is refused");
@@ -176,8 +220,9 @@ int main() {
     const sherd::BlowCounts counts = fracture.counts();
     check(counts.solved > 0 && counts.events_dropped == 0, "blows are counted");
     for (btRigidBody* body : fracture.bodies())
-        if (body != &wall) fracture.remove(body);
-    check(fracture.bodies().size() <= 1, "bodies can be removed");
+        if (body != &wall && body != &post) fracture.remove(body);
+    check(fracture.bodies().size() <= 2, "bodies can be removed");
     scene.world.removeRigidBody(&wall);
+    scene.world.removeRigidBody(&post);
     std::puts("all as promised");
 }

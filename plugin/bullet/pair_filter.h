@@ -1,0 +1,19 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btDispatcher.h>
+#include <BulletCollision/BroadphaseCollision/btOverlappingPairCache.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+namespace sherd {
+
+/// Whether the world lets two of its objects push each other, by all filters of Bullet's.
+inline bool pushEachOther(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
+                          const btCollisionObject& b) {
+    auto* proxy_a = const_cast<btBroadphaseProxy*>(a.getBroadphaseHandle());
+    auto* proxy_b = const_cast<btBroadphaseProxy*>(b.getBroadphaseHandle());
+    btDispatcher& dispatcher = *world.getDispatcher();
+    return world.getPairCache()->needsBroadphaseCollision(proxy_a, proxy_b) &&
+           dispatcher.needsCollision(&a, &b) && dispatcher.needsResponse(&a, &b);
+}
+
+}  // namespace sherd

@@ -1,0 +1,161 @@
+// Fragments on ground that is a surface without an inside: triangle meshes and height fields.
+
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+
+#include <cmath>
+#include <optional>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+enum class Surface { two_triangles, hills, height_field };
+
+double heightOfHills(double x, double y) {
+    return 0.06 * std::sin(2.1 * x + 0.3) * std::cos(1.7 * y);
+}
+
+/// 24 x 24 m about the origin, static.
+class Ground {
+  public:
+    Ground(TestWorld& scene, Surface kind) {
+        if (kind == Surface::height_field) {
+            for (int j = 0; j <= cells; ++j)
+                for (int i = 0; i <= cells; ++i) heights_.push_back(corner(i, j, true).z());
+            auto shape = std::make_unique<btHeightfieldTerrainShape>(cells + 1, cells + 1, heights_.data(),
+                                                                     btScalar(1), btScalar(-1), btScalar(1),
+                                                                     2, PHY_FLOAT, false);
+            shape->setLocalScaling(btVector3(cell_m, cell_m, 1));
+            body_ = scene.addBody(std::move(shape), 0, btVector3(0, 0, 0));
+            return;
+        }
+        const bool hills = kind == Surface::hills;
+        const int step = hills ? 1 : cells;
+        for (int j = 0; j < cells; j += step)
+            for (int i = 0; i < cells; i += step) {
+                triangles_.addTriangle(corner(i, j, hills), corner(i + step, j, hills),
+                                       corner(i + step, j + step, hills));
+                triangles_.addTriangle(corner(i, j, hills), corner(i + step, j + step, hills),
+                                       corner(i, j + step, hills));
+            }
+        body_ =
+            scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0, btVector3(0, 0, 0));
+    }
+    /// Nothing beside it.
+    std::optional<double> heightAt(TestWorld& scene, const btVector3& place) const {
+        const btVector3 above(place.x(), place.y(), 9), below(place.x(), place.y(), -9);
+        btCollisionWorld::AllHitsRayResultCallback ray(above, below);
+        scene.world->rayTest(above, below, ray);
+        for (int i = 0; i < ray.m_collisionObjects.size(); ++i)
+            if (ray.m_collisionObjects[i] == body_) return ray.m_hitPointWorld[i].z();
+        return std::nullopt;
+    }
+
+  private:
+    static constexpr int cells = 160;
+    static constexpr btScalar cell_m = btScalar(0.15);
+    static btVector3 corner(int i, int j, bool hills) {
+        const btScalar x = (i - cells / 2) * cell_m, y = (j - cells / 2) * cell_m;
+        return btVector3(x, y, hills ? btScalar(heightOfHills(x, y)) : btScalar(0));
+    }
+    btTriangleMesh triangles_;
+    std::vector<float> heights_;
+    btRigidBody* body_ = nullptr;
+};
+
+BreakableAsset thinPlate(CollisionShape shape) {
+    Settings settings = coarse(0.04);
+    settings.fracture.collision_shape = shape;
+    settings.fracture.fragment_count = 12;
+    const auto asset = BreakableAsset::fromMesh(shapes::slab(Vec3(0.5, 0.5, 0.04)), crumbly(), settings);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    return asset.value();
+}
+
+/// A plate that falls with 6 m/s, tilted: flat it would go through whole at 60 Hz, as a plain body does.
+BodyOptions falling(int drop) {
+    BodyOptions options(
+        btTransform(btQuaternion(btVector3(1, 0.3f, 0).normalized(), btScalar(0.5 * (drop + 1))),
+                    btVector3(0.13f, btScalar(0.21 * drop), 0.6f)));
+    options.velocity = btVector3(0.5f, 0, -6);
+    options.angular_velocity = btVector3(0, btScalar(drop - 1), 1);
+    return options;
+}
+
+/// Of all in the world, kinetic and potential.
+double energy(const std::vector<btRigidBody*>& bodies) {
+    double sum = 0;
+    for (const btRigidBody* body : bodies) {
+        const btVector3 v = body->getLinearVelocity(), w = body->getAngularVelocity();
+        sum +=
+            0.5 * (v.length2() / body->getInvMass() + w.dot(body->getInvInertiaTensorWorld().inverse() * w)) +
+            10 / body->getInvMass() * body->getCenterOfMassPosition().z();
+    }
+    return sum;
+}
+
+struct Case {
+    Surface ground;
+    CollisionShape shape;
+    int hz;
+
+    friend void PrintTo(const Case& self, std::ostream* out) { *out << nameOf(self); }
+    static std::string nameOf(const Case& self) {
+        static constexpr const char* grounds[] = {"two_triangles", "hills", "height_field"};
+        static constexpr const char* shape_names[] = {"boxes", "hull", "convex_parts"};
+        return std::string(grounds[int(self.ground)]) + "_" + shape_names[int(self.shape)] + "_" +
+               std::to_string(self.hz);
+    }
+};
+
+class Drops : public testing::TestWithParam<Case> {};
+
+TEST_P(Drops, NoFragmentFallsThroughTheGround) {
+    const Case drop_case = GetParam();
+    const BreakableAsset asset = thinPlate(drop_case.shape);
+    int pieces = 0, lost = 0;
+    for (int drop = 0; drop < (drop_case.hz > 60 ? 1 : 3); ++drop) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -10));
+        const Ground ground(scene, drop_case.ground);
+        FractureWorld fracture(scene.world.get());
+        BodyOptions options = falling(drop);
+        options.fracture = asset.settings().fracture;
+        options.fracture->rest_after_break_s = 10;
+        ASSERT_TRUE(fracture.add(asset, options).ok());
+        double most = energy(fracture.bodies());
+        for (int i = 0; i < 3 * drop_case.hz / 2; ++i) {
+            scene.step(1, 1.0 / drop_case.hz);
+            const double now = energy(fracture.bodies());
+            // By what a fragment that is in the ground comes out of it, and rounding.
+            EXPECT_LT(now, most + 0.01 * std::abs(most)) << "step " << i;
+            most = std::max(most, now);
+        }
+        EXPECT_GE(fracture.bodies().size(), 4u);
+        for (const btRigidBody* piece : fracture.bodies()) {
+            ++pieces;
+            const btVector3 centre = piece->getCenterOfMassPosition();
+            const auto height = ground.heightAt(scene, centre);
+            lost += height && centre.z() < *height;
+            EXPECT_TRUE(height) << "it has left the ground at " << centre.x() << ", " << centre.y();
+        }
+    }
+    std::printf("%d of %d pieces lost\n", lost, pieces);
+    EXPECT_EQ(lost, 0);
+}
+
+std::vector<Case> cases() {
+    std::vector<Case> all;
+    for (const Surface ground : {Surface::two_triangles, Surface::hills, Surface::height_field})
+        for (const CollisionShape shape :
+             {CollisionShape::boxes, CollisionShape::hull, CollisionShape::convex_parts})
+            for (const int hz : {60, 240}) all.push_back({ground, shape, hz});
+    return all;
+}
+INSTANTIATE_TEST_SUITE_P(Ground, Drops, testing::ValuesIn(cases()),
+                         [](const auto& info) { return Case::nameOf(info.param); });
+
+}  // namespace
