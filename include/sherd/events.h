@@ -14,7 +14,8 @@ class btTypedConstraint;
 
 namespace sherd {
 
-/// One blow whose stress was solved: the body broke, or it held. World frame, SI units.
+/// One blow whose stress was solved: the body broke, or it held. The first blow on a body that has warnings
+/// is told of even if it was too weak to be solved. World frame, SI units.
 struct BlowEvent : BlowFigures {
     explicit BlowEvent(const BreakableAsset& of_body) : asset(of_body) {}
 

@@ -10,15 +10,17 @@ class FractureWorld;
 /// An explosion, by what a game wants of it: a push that falls with the square of the distance.
 struct Explosion {
     btVector3 centre = btVector3(0, 0, 0);  ///< m
-    double impulse_n_s = 0;                 ///< sent out evenly in all directions, all together
-    double reach_m = 0;                     ///< surface further away than this is left alone
+    /// Sent out evenly in all directions, all together: at a distance of 1 m a cup or a held pane breaks at
+    /// about 1000, a brick wall of 12 cm at 1.5 m at 10,000.
+    double impulse_n_s = 0;
+    double reach_m = 0;  ///< surface further away than this is left alone
 };
 
 /// Strikes every breakable body around the centre (FractureWorld::applyBlow): each triangle that faces the
 /// centre is pushed away from it, with the share of the impulse that its solid angle has of the sphere,
 /// joined to one push an octant. Bodies do not shield each other, nor what lies behind in the same body, and
-/// other bodies than breakable ones are left alone. Returns how many were struck; the error says which figure
-/// is out of range.
+/// other bodies than breakable ones are left alone: push them yourself. Returns how many were struck; the
+/// error says which figure is out of range.
 Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 }  // namespace sherd

@@ -9,6 +9,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #ifdef BT_USE_DOUBLE_PRECISION
@@ -19,6 +20,10 @@ class btDiscreteDynamicsWorld;
 class btRigidBody;
 
 namespace sherd {
+
+class FractureWorld;
+struct Explosion;
+Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 /// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made; the
 /// world must outlive it. Breaks happen inside `stepSimulation`, and inside `applyBlow`. Fragments inherit
@@ -41,7 +46,16 @@ namespace sherd {
 /// Inside a step, that is from a callback of Bullet's between the start of its collision detection and the
 /// end of its solver, and inside a FragmentCallback: `add` and `makeBreakable` are refused, `remove` and
 /// `applyBlow` wait for the end of the step, `takeEvents` gives the events of earlier steps, everything else
-/// works as always. Bullet's tick callbacks and actions are outside.
+/// works as always. Bullet's tick callbacks and actions are outside. A callback that throws out of
+/// `stepSimulation` leaves the world inside the step, until the next one is complete.
+///
+/// Bullet does not tell that it is busy elsewhere. From callbacks of what the app calls itself
+/// (`performDiscreteCollisionDetection`, `contactTest`, `rayTest`, `convexSweepTest`, `debugDrawWorld`) only
+/// ask: a call that adds, removes or strikes a body, or destroys the FractureWorld, changes the lists that
+/// Bullet is walking through, and crashes as Bullet's own `removeRigidBody` does there. Note what is wanted,
+/// and do it afterwards. For the same reason, do not make the first FractureWorld of a world inside a step.
+///
+/// A world may have several FractureWorlds; each breaks the bodies that were made breakable with it.
 class FractureWorld {
   public:
     explicit FractureWorld(btDiscreteDynamicsWorld* world);
@@ -50,8 +64,11 @@ class FractureWorld {
     FractureWorld& operator=(const FractureWorld&) = delete;
 
     /// Adds a body to the world: a btRigidBody with the shape that its settings ask for (a btCompoundShape,
-    /// or a btConvexHullShape for `CollisionShape::hull`), owned by this object. The error says what is wrong
-    /// with the options, why the asset's solid cannot be sampled, or that the world is inside a step.
+    /// or a btConvexHullShape for `CollisionShape::hull`), owned by this object, and valid until it is
+    /// removed or breaks (BlowEvent::body). The asset is sampled here unless `prepare` was called. The error
+    /// says what is wrong with the options, why the asset's solid cannot be sampled, or that the world is
+    /// inside a step. The app may take the body out of this world and put it back, but not into another
+    /// world. Its extension pointer (internalSetExtensionPointer) is Sherd's.
     Result<btRigidBody*> add(const BreakableAsset& asset, const BodyOptions& options = {});
 
     /// Makes a body of the app's, with a compound of convex children (or one convex shape), breakable. It has
@@ -68,15 +85,18 @@ class FractureWorld {
 
     /// Strikes a breakable body of the world as a bullet, a blast or a hammer of the program's own would: the
     /// same stress, strength, fragments and event as with a contact, and the impulse moves the body, or its
-    /// fragments as one. Outside a step the body breaks before this returns. Bodies that still rest from
-    /// their birth (FractureSettings::rest_after_break_s), and debris, are pushed only. The error says which
-    /// figure is out of range, or why the body cannot be struck.
+    /// fragments as one. Of a body with supports these are the fragments that come loose; what falls on a
+    /// fragment that stays held goes to what holds it. Outside a step the body breaks before this returns;
+    /// whether it broke or held, its event says (`takeEvents`), and there is none if the push is far too
+    /// weak. Bodies that still rest from their birth (FractureSettings::rest_after_break_s), and debris, are
+    /// pushed only. The error says which figure is out of range, or why the body cannot be struck.
     Status applyBlow(btRigidBody* body, const Push& push);
 
     /// The same with several pushes that act together.
     Status applyBlow(btRigidBody* body, const std::vector<Push>& pushes);
 
-    /// Has every new fragment shown to the app; an empty function ends that.
+    /// Has every new fragment shown to the app; an empty function ends that. Counts from the next fragment
+    /// on, also when it is called from a FragmentCallback.
     void onFragment(FragmentCallback callback);
 
     /// Takes the blows that were solved since the last call, in order. Events wait to be taken, up to 1000 of
@@ -105,6 +125,9 @@ class FractureWorld {
     btTransform renderTransform(const btRigidBody* body) const;
 
   private:
+    friend Result<int> explode(FractureWorld& world, const Explosion& explosion);
+    Result<int> applyBlows(const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows);
+
     class Impl;
     std::unique_ptr<Impl> impl_;
 };

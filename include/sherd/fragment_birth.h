@@ -34,9 +34,12 @@ struct FragmentBirth {
 
 /// Called for every fragment, before Bullet sees it; dropped debris is left out. May set everything of
 /// `body` that Bullet lets an app set: user pointer and indices, motion state, friction, velocity, ... Its
-/// place, mass and shape are Sherd's: a place that is changed is put back, and a motion state is told it.
-/// Must leave the world as it is. If it throws, the fragment enters the world with what had been set by
-/// then, and the event says so.
+/// place, mass, shape and extension pointer are Sherd's: a place or pointer that is changed is put back, and
+/// a motion state is told the place; a mass that is changed stays, and momentum is not conserved then. A
+/// motion state of the app's outlives the fragment: delete it when the fragment was removed, or after the
+/// event of its break was taken. May call the FractureWorld as from inside a step, also about `body`. Must
+/// leave the world as it is. If it throws, the fragment enters the world with what had been set by then, and
+/// the event says so.
 using FragmentCallback = std::function<void(FragmentBirth&)>;
 
 }  // namespace sherd

@@ -34,8 +34,10 @@ struct BlowFigures {
     double volume_error_rel = 0;  ///< the same of the volume
     double residual_rel = 0;      ///< of the linear solve
     StageTimes ms;
-    std::string message;                ///< failure and fallbacks, as sentences
-    std::vector<std::string> warnings;  ///< what limits trust in the stress, with the remedy
+    std::string message;  ///< failure and fallbacks, as sentences
+    /// What limits trust in the stress, with the remedy. In a world the first blow on a body says also what
+    /// its asset warns of (BreakableAsset::warnings).
+    std::vector<std::string> warnings;
 };
 
 }  // namespace sherd

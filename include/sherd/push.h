@@ -6,12 +6,16 @@ namespace sherd {
 
 /// A push that a program gives to a body: a hit of a bullet, of a hammer, of a blast. World frame.
 struct Push {
-    btVector3 point = btVector3(0, 0, 0);  ///< m; the nearest place of the surface that faces the push is hit
+    /// On the surface, as a ray test finds it, m. The nearest place that faces the push is hit; the way to it
+    /// is not looked at, so a point far from the surface is refused.
+    btVector3 point = btVector3(0, 0, 0);
     btVector3 impulse_n_s = btVector3(0, 0, 0);  ///< on the body
     double patch_radius_m = 0;  ///< of the part of the surface that is hit; 0: as small as the settings allow
     /// Of what strikes, m/s: the push then brings the energy J v / 2, as a striker that is stopped does (a
-    /// bullet of 8 g at 400 m/s: 3.2 N s, 640 J). 0: not known, and the energy is what the impulse alone
-    /// gives to the body, J^2 / 2 m; a lower speed than J / m counts as that.
+    /// hammer of 0.5 kg at 8 m/s: 4 N s, 16 J). All of it bends the body: none goes into a hole or into the
+    /// striker, so give a bullet, which spends most of its energy there, a fraction of its speed (20 to 50).
+    /// 0: not known, and the energy is what the impulse alone gives to the body, J^2 / 2 m; a lower speed
+    /// than J / m counts as that.
     double speed_m_s = 0;
 };
 

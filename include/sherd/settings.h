@@ -137,7 +137,7 @@ struct GuideField {
     Kind kind = Kind::none;
     Vec3 direction = Vec3::UnitZ();  ///< of any length
     /// The direction at x (m) after a blow at `contact` (m), of any length; zero: none is preferred there.
-    /// Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays whole.
+    /// Called in a blow, on the stepping thread. If it throws or is not finite, the body stays whole.
     std::function<Vec3(const Vec3& x, const Vec3& contact)> custom;
     /// Cost of a distance along the field relative to the same distance across it, 0 to 1 (lambda of Eq. 18).
     /// A particle belongs to the fragment whose seed it reaches at the least cost: at 0 fragments run through
@@ -185,7 +185,9 @@ struct FractureSettings {
     double energy_into_cracks = 0.05;
     /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it.
     int largest_fragment_count = 36;
-    /// Smaller pieces are debris. At 0 it is 1/200 of the body that was whole at first; fragments keep it.
+    /// No break is finer: fewer pieces are made where they would be smaller on average, and a body below
+    /// it never breaks. Pieces that come out smaller all the same are debris. At 0 it is 1/200 of the
+    /// body that was whole at first; fragments keep it.
     double smallest_fragment_m3 = 0;
     Debris debris = Debris::unbreakable;
     GuideField guide;
@@ -195,8 +197,9 @@ struct FractureSettings {
     /// Hulls and convex parts of neighbouring fragments may overlap when they are made. Such pairs collide,
     /// but only what they sink deeper into each other later pushes them apart.
     CollisionShape collision_shape = CollisionShape::boxes;
-    /// Fragments cannot break for this time after they were made.
-    double rest_after_break_s = 0.01;
+    /// Fragments cannot break for this time after they were made: they still fly apart from the same blow. A
+    /// very large value lets them never break.
+    double rest_after_break_s = 0.05;
 
     Status validate() const;
 };
