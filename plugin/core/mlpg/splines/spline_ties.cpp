@@ -66,7 +66,7 @@ class GoodParts {
         for (size_t part = 0; part < good_.size(); ++part)
             good_[part] = solid.parts[part].fill >= well_filled && holds_all[part];
         for (int function = 0; function < raw.count(); ++function)
-            if (nearest(function) < 0) promoteBestAround(function, holds_all);
+            if (nearest(function) < 0) promoteBestAround(holds_all);
     }
 
     bool any(const std::vector<int>& parts) const {
@@ -79,7 +79,9 @@ class GoodParts {
         layer_ = raw_.supports[function];
         ++stamp_;
         for (const int part : layer_) mark_[part] = stamp_;
+        looked_at_.clear();
         for (int step = 0; step <= search_layers; ++step) {
+            looked_at_.insert(looked_at_.end(), layer_.begin(), layer_.end());
             int best = -1;
             for (const int part : layer_)
                 if (good_[part] && (best < 0 || better(function, part, best))) best = part;
@@ -91,24 +93,16 @@ class GoodParts {
     }
 
   private:
-    /// Of the parts that `nearest` looked at in vain: those that hold all of their functions, if there are
-    /// any.
-    void promoteBestAround(int function, const std::vector<char>& holds_all) {
-        std::vector<int> around;
-        layer_ = raw_.supports[function];
-        ++stamp_;
-        for (const int part : layer_) mark_[part] = stamp_;
-        for (int step = 0; step <= search_layers && !layer_.empty(); ++step) {
-            around.insert(around.end(), layer_.begin(), layer_.end());
-            advance();
-        }
+    /// Of the parts that `nearest` has just looked at in vain: those that hold all of their functions, if
+    /// there are any.
+    void promoteBestAround(const std::vector<char>& holds_all) {
         const bool some =
-            std::any_of(around.begin(), around.end(), [&](int part) { return holds_all[part]; });
+            std::any_of(looked_at_.begin(), looked_at_.end(), [&](int part) { return holds_all[part]; });
         const auto counts = [&](int part) { return !some || holds_all[part]; };
         double fullest = 0;
-        for (const int part : around)
+        for (const int part : looked_at_)
             if (counts(part)) fullest = std::max(fullest, solid_.parts[part].fill);
-        for (const int part : around)
+        for (const int part : looked_at_)
             if (counts(part) && solid_.parts[part].fill >= well_filled * fullest) good_[part] = 1;
     }
 
@@ -138,8 +132,8 @@ class GoodParts {
 
     const CellParts& solid_;
     const RawFunctions& raw_;
-    std::vector<char> good_;                // per part
-    std::vector<int> mark_, layer_, next_;  // of the search
+    std::vector<char> good_;                            // per part
+    std::vector<int> mark_, layer_, next_, looked_at_;  // of the search
     int stamp_ = 0;
 };
 
