@@ -19,6 +19,7 @@
 
 #include "geometry/merge_vertices.h"
 #include "geometry/surface_checks.h"
+#include "geometry/surface_mesh_conversion.h"
 #include "geometry/surface_topology.h"
 
 namespace sherd {
@@ -76,24 +77,6 @@ bool unite(Solid& whole, const Solid& part) {
     return true;
 }
 
-TriangleMesh toTriangleMesh(const Solid& solid) {
-    TriangleMesh mesh;
-    std::vector<int> number(solid.number_of_vertices() + solid.number_of_removed_vertices(), -1);
-    for (const auto vertex : solid.vertices()) {
-        number[vertex] = static_cast<int>(mesh.vertices.size());
-        const auto& p = solid.point(vertex);
-        mesh.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
-    for (const auto face : solid.faces()) {
-        std::array<int, 3> triangle{};
-        int k = 0;
-        for (const auto vertex : solid.vertices_around_face(solid.halfedge(face)))
-            triangle[k++] = number[vertex];
-        mesh.triangles.push_back(triangle);
-    }
-    return mergeEqualVertices(mesh);
-}
-
 Result<Solid> uniteHulls(const Parts& parts) {
     std::vector<std::pair<std::size_t, Solid>> waiting;
     for (std::size_t p = 0; p < parts.size(); ++p) {
@@ -138,7 +121,7 @@ Result<TriangleMesh> uniteAll(Parts parts) {
     for (int attempt = 0; attempt < 2; ++attempt) {
         const Result<Solid> whole = uniteHulls(parts);
         if (!whole) return Error{whole.error()};
-        TriangleMesh mesh = toTriangleMesh(whole.value());
+        TriangleMesh mesh = mergeEqualVertices(fromSurfaceMesh(whole.value()));
         checked = checkSurface(mesh);
         if (checked) return mesh;
         if (!closedManifoldEdges(mesh)) break;  // parts that touch in a point; growth would only hide it

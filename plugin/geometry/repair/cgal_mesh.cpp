@@ -2,34 +2,16 @@
 
 #include <unordered_map>
 
+#include "geometry/surface_mesh_conversion.h"
+
 namespace sherd {
 
 RepairMesh toRepairMesh(const TriangleMesh& mesh) {
-    RepairMesh result;
-    for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
-    for (const auto& [a, b, c] : mesh.triangles)
-        result.add_face(RepairMesh::Vertex_index(a), RepairMesh::Vertex_index(b),
-                        RepairMesh::Vertex_index(c));
-    return result;
+    return toSurfaceMesh<RepairMesh>(mesh);
 }
 
 TriangleMesh toTriangleMesh(const RepairMesh& mesh) {
-    TriangleMesh result;
-    std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
-    for (const auto vertex : mesh.vertices()) {
-        if (mesh.is_isolated(vertex)) continue;
-        number[vertex] = static_cast<int>(result.vertices.size());
-        const auto& p = mesh.point(vertex);
-        result.vertices.emplace_back(p.x(), p.y(), p.z());
-    }
-    for (const auto face : mesh.faces()) {
-        std::array<int, 3> triangle{};
-        int k = 0;
-        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-            triangle[k++] = number[vertex];
-        result.triangles.push_back(triangle);
-    }
-    return result;
+    return fromSurfaceMesh(mesh);
 }
 
 TriangleMesh partOf(const TriangleMesh& mesh, const std::vector<int>& triangles) {

@@ -18,6 +18,7 @@
 #include "geometry/repair/cgal_mesh.h"
 #include "geometry/repair/mend_surface.h"
 #include "geometry/shells.h"
+#include "geometry/surface_mesh_conversion.h"
 
 namespace sherd {
 namespace {
@@ -112,37 +113,11 @@ int materialAround(const Part& part, const std::vector<Part>& parts) {
     return around;
 }
 
-ExactMesh toExact(const TriangleMesh& mesh) {
-    ExactMesh result;
-    for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
-    for (const auto& [a, b, c] : mesh.triangles)
-        result.add_face(ExactMesh::Vertex_index(a), ExactMesh::Vertex_index(b), ExactMesh::Vertex_index(c));
-    return result;
-}
-
-TriangleMesh rounded(const ExactMesh& mesh) {
-    TriangleMesh result;
-    std::vector<int> number(mesh.number_of_vertices() + mesh.number_of_removed_vertices(), -1);
-    for (const auto vertex : mesh.vertices()) {
-        number[vertex] = static_cast<int>(result.vertices.size());
-        const auto& p = mesh.point(vertex);
-        result.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
-    }
-    for (const auto face : mesh.faces()) {
-        std::array<int, 3> triangle{};
-        int k = 0;
-        for (const auto vertex : mesh.vertices_around_face(mesh.halfedge(face)))
-            triangle[k++] = number[vertex];
-        result.triangles.push_back(triangle);
-    }
-    return mergeEqualVertices(result);
-}
-
 Result<TriangleMesh> unionOf(const std::vector<const Part*>& cluster) {
     std::vector<ExactMesh> wholes;
     for (const Part* part : cluster) {
         if (part->crosses_itself) return Error{"A part crosses itself, so it cannot be united with others."};
-        wholes.push_back(toExact(part->mesh));
+        wholes.push_back(toSurfaceMesh<ExactMesh>(part->mesh));
     }
     // Neighbours first, then pairs of pairs: each triangle goes through few unions.
     for (std::size_t step = 1; step < wholes.size(); step *= 2)
@@ -153,7 +128,7 @@ Result<TriangleMesh> unionOf(const std::vector<const Part*>& cluster) {
             wholes[p] = std::move(both);
             wholes[p + step].clear();
         }
-    return rounded(wholes[0]);
+    return mergeEqualVertices(fromSurfaceMesh(wholes[0]));
 }
 
 }  // namespace
