@@ -158,39 +158,6 @@ TEST(Anchored, ARodHeldAtOneEndHasTheStressOfACantilever) {
     EXPECT_NEAR(event.largest_stress_pa / stress, 1, 0.05);
 }
 
-TEST(Anchored, WhatLosesItsSupportComesDown) {
-    TestWorld scene;
-    scene.world->setGravity(btVector3(0, 0, -9.81f));
-    FractureWorld fracture(scene.world.get());
-    // Two consoles that stick out of a wall at x = 0, and a shelf on them that came to rest and sleeps.
-    Settings settings = coarse(0.02);
-    settings.fracture.smallest_fragment_m3 = 1e-5;
-    const auto console = BreakableAsset::fromMesh(
-        shapes::box(Vec3(0, -0.03, -0.03), Vec3(0.3, 0.03, 0.03), 5, 1, 1), Material::plaster(), settings);
-    ASSERT_TRUE(console.ok());
-    const auto held = console.value().anchored({flat({0, -1, -1}, {0, 1, 1})});
-    ASSERT_TRUE(held.ok()) << held.error();
-    btRigidBody* left = fracture.add(held.value(), at(0, -0.4f, 1)).value();
-    fracture.add(held.value(), at(0, 0.4f, 1)).value();
-    btRigidBody* shelf = scene.addBox(3, btVector3(0.09f, 0.5f, 0.01f), btVector3(0.2f, 0, 1.0405f));
-    scene.step(480);
-    EXPECT_TRUE(fracture.takeEvents().empty()) << "they carry the shelf";
-    shelf->setActivationState(ISLAND_SLEEPING);
-    const btScalar rest_z = shelf->getCenterOfMassPosition().z();
-    EXPECT_NEAR(rest_z, 1.04, 0.005);
-
-    Push push;
-    push.point = btVector3(0.2f, -0.4f, 0.97f);
-    push.impulse_n_s = btVector3(0, 0, -30);
-    push.speed_m_s = 10;
-    ASSERT_TRUE(fracture.applyBlow(left, push).ok());
-    const std::vector<BlowEvent> events = fracture.takeEvents();
-    ASSERT_EQ(events.size(), 1u);
-    ASSERT_EQ(events.front().outcome, Outcome::broke) << events.front().message;
-    scene.step(240);
-    EXPECT_LT(shelf->getCenterOfMassPosition().z(), rest_z - 0.1) << "the shelf sleeps on in the air";
-}
-
 TEST(Anchored, AnAppsStaticWallBreaksOnlyWhereItIsSaidToBeHeld) {
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, -9.81f));
