@@ -147,6 +147,46 @@ TEST_P(Drops, NoFragmentFallsThroughTheGround) {
     EXPECT_EQ(lost, 0);
 }
 
+class Sunk : public testing::TestWithParam<CollisionShape> {};
+
+// Tilted pieces with their centres just above the ground: about half of each is below, some boxes as a whole.
+// Bullet pushes these down, and half of a hull may go either way. The inner ball comes out in any case.
+TEST_P(Sunk, FragmentsComeOutOnTheSideOfTheirCentres) {
+    TestWorld scene;
+    const Ground ground(scene, Surface::two_triangles);
+    FractureWorld fracture(scene.world.get());
+    BodyOptions options(at(0, 0, 3));
+    const BreakableAsset asset = thinPlate(GetParam());
+    options.fracture = asset.settings().fracture;
+    options.fracture->rest_after_break_s = 10;
+    btRigidBody* body = fracture.add(asset, options).value();
+    Push push;
+    push.point = btVector3(0, 0, 3.02f);
+    push.impulse_n_s = btVector3(0, 0, -1);
+    push.speed_m_s = 1;
+    ASSERT_TRUE(fracture.applyBlow(body, push).ok());
+    const std::vector<btRigidBody*> pieces = fracture.bodies();
+    ASSERT_GE(pieces.size(), 4u);
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const btQuaternion tilt(btVector3(btScalar(i % 3), 1, 0).normalized(), btScalar(0.3 + 0.1 * (i % 4)));
+        pieces[i]->setWorldTransform(btTransform(tilt, btVector3(btScalar(i) - 5, 0.4f, 0.001f)));
+        pieces[i]->setInterpolationWorldTransform(pieces[i]->getWorldTransform());
+        pieces[i]->setLinearVelocity(btVector3(0, 0, 0));
+        pieces[i]->setAngularVelocity(btVector3(0, 0, 0));
+        pieces[i]->setGravity(btVector3(0, 0, -10));
+        pieces[i]->activate(true);
+    }
+    scene.step(120, 1.0 / 60);
+    for (const btRigidBody* piece : pieces) {
+        EXPECT_GT(piece->getCenterOfMassPosition().z(), 0.007) << "the inner ball has a radius of 0.008";
+        EXPECT_LT(piece->getLinearVelocity().length(), 0.5);
+    }
+}
+INSTANTIATE_TEST_SUITE_P(Ground, Sunk,
+                         testing::Values(CollisionShape::boxes, CollisionShape::hull,
+                                         CollisionShape::convex_parts),
+                         [](const auto& info) { return std::string(nameOf(info.param)); });
+
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const Surface ground : {Surface::two_triangles, Surface::hills, Surface::height_field})
