@@ -2,7 +2,9 @@
 
 #include <cmath>
 #include <exception>
+#include <numeric>
 #include <utility>
+#include <vector>
 
 #include "core/numerics/mesh_measures.h"
 #include "geometry/mesh_attributes.h"
@@ -99,13 +101,22 @@ Mended tryToMend(const TriangleMesh& original, double size, Repair::Mode mode) {
     return mended;
 }
 
-/// Triangles without area join others, as long as they do no harm: without them there would be a slit.
+/// Triangles without area are left out where the rest is sound. Elsewhere they join others, as long as they
+/// do no harm: without them there would be a slit.
 Mended mend(const TriangleMesh& original, const TriangleMesh& with_area, double size, Repair::Mode mode) {
-    Mended mended = tryToMend(original, size, mode);
-    const std::size_t flat = original.triangles.size() - with_area.triangles.size();
+    const auto flat = static_cast<int>(original.triangles.size() - with_area.triangles.size());
+    Mended mended;
+    if (flat > 0 && checkSurface(with_area)) {
+        std::vector<int> all(with_area.triangles.size());
+        std::iota(all.begin(), all.end(), 0);
+        mended.mesh = mended.filled = partOf(with_area, all);
+        mended.report.flat_triangles = flat;
+        return mended;
+    }
+    mended = tryToMend(original, size, mode);
     if (mended.status || flat == 0) return mended;
     mended = tryToMend(with_area, size, mode);
-    mended.report.flat_triangles += static_cast<int>(flat);
+    mended.report.flat_triangles += flat;
     return mended;
 }
 

@@ -118,6 +118,17 @@ TEST(Repair, PartsASolidThatTouchesItselfInAnEdge) {
     EXPECT_NEAR(volumeOf(result.mesh), 7, 2e-2);
 }
 
+TEST(Repair, PartsAnEdgeWhoseEndsStayTogether) {
+    // Between two full layers two cells touch in an edge, and the layers join both ends of it.
+    const TriangleMesh mesh =
+        shapes::rectilinear(shapes::lines(0, 2, 2), shapes::lines(0, 2, 2), shapes::lines(0, 3, 3),
+                            [](int i, int j, int k) { return k != 1 || i == j; });
+    expectRefusedUntouched(mesh, "not a manifold");
+    const RepairedMesh result = repaired(mesh);
+    EXPECT_EQ(result.report.parted_places, 1) << "the middle of the edge";
+    EXPECT_NEAR(volumeOf(result.mesh), 10, 2e-2);
+}
+
 TEST(Repair, TurnsTriangles) {
     TriangleMesh mesh = shapes::icosphere(1, 2);
     const double whole = volumeOf(mesh);
@@ -154,7 +165,23 @@ TEST(Repair, RemovesTrianglesWithoutArea) {
     mesh.triangles.push_back(second);
     mesh.triangles.push_back({b, a, 8});
     expectRefusedUntouched(mesh, "has no area");
-    EXPECT_NEAR(volumeOf(repaired(mesh).mesh), 1, 1e-12);
+    const RepairedMesh result = repaired(mesh);
+    EXPECT_NEAR(volumeOf(result.mesh), 1, 1e-12);
+    EXPECT_EQ(result.report.flat_triangles, 1);
+    EXPECT_EQ(result.report.filled_holes, 0) << "its neighbours are joined";
+    EXPECT_EQ(result.report.crossings, 0) << "nothing is cut out around it";
+}
+
+TEST(Repair, LeavesOutATriangleWithoutAreaThatHangsOnAnEdge) {
+    TriangleMesh mesh = unit_box;
+    const int a = mesh.triangles[0][0], b = mesh.triangles[0][1];
+    mesh.vertices.push_back((mesh.vertices[a] + mesh.vertices[b]) / 2);
+    mesh.triangles.push_back({a, b, 8});
+    expectRefusedUntouched(mesh, "has no area");
+    const RepairedMesh result = repaired(mesh);
+    EXPECT_EQ(result.report.flat_triangles, 1);
+    EXPECT_EQ(result.mesh.triangles.size(), unit_box.triangles.size());
+    EXPECT_NEAR(volumeOf(result.mesh), 1, 1e-12);
 }
 
 TEST(Repair, UnitesPartsThatOverlap) {
@@ -192,6 +219,7 @@ TEST(Repair, UndoesASmallFold) {
     EXPECT_GT(result.report.crossings, 0);
     EXPECT_NEAR(volumeOf(result.mesh), whole, 0.02);
     EXPECT_LT(result.report.largest_distance_m, 0.05);
+    EXPECT_GT(result.report.largest_distance_m, 1e-4);
 }
 
 }  // namespace

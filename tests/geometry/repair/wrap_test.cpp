@@ -25,6 +25,7 @@ TEST(Repair, WrapsWhatCannotBeMended) {
     const RepairedMesh result = repaired(sheet(), Repair::automatic());
     EXPECT_TRUE(result.report.wrapped);
     EXPECT_LT(result.report.largest_distance_m, 0.01 * result.report.size_m);
+    EXPECT_GT(result.report.largest_distance_m, 0.002 * result.report.size_m) << "the walls around a sheet";
     EXPECT_GT(volumeOf(result.mesh), 0.005);
     Repair always = Repair::automatic();
     always.mode = Repair::Mode::wrap;
