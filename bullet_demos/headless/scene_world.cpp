@@ -95,7 +95,10 @@ sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const 
     // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles
     // anything.
     if (asset.value().particleCount() == 0) return sherd::Error{source + asset.value().prepare().error()};
-    return asset;
+    if (body.supports.empty()) return asset;
+    auto anchored = asset.value().anchored(body.supports);
+    if (!anchored) return sherd::Error{source + anchored.error()};
+    return anchored;
 }
 
 }  // namespace
@@ -155,7 +158,7 @@ void SceneWorld::addBody(BreakableBody& body, const sherd::BreakableAsset& asset
     options.velocity = toBullet(body.velocity);
     options.angular_velocity = toBullet(body.spin);
     options.user_pointer = &body;
-    // makeAssets has sampled the asset, so it is not refused.
+    // makeAssets has sampled the asset and looked at its supports, so it is not refused.
     btRigidBody* added = fracture_->add(asset, options).value();
     setTouch(*added, body.touch);
 }

@@ -58,6 +58,9 @@ struct BreakableBody {
     sherd::Settings settings;
     /// None: the mesh's colours say nothing about its strength.
     std::optional<PaintedStrength> painted_strength;
+    /// Parts of the surface that the world holds, in the shape's own coordinates; none: the body moves
+    /// freely.
+    std::vector<sherd::SurfaceRegion> supports;
     Touch touch;
     Look look;
     Vec3 turn_deg = Vec3::Zero();  ///< about the world's x, then y, then z axis

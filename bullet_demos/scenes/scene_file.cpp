@@ -10,6 +10,7 @@
 #include "scenes/scene_changes.h"
 #include "scenes/scene_fields.h"
 #include "scenes/scene_json.h"
+#include "scenes/support_regions.h"
 
 namespace demo {
 namespace {
@@ -81,6 +82,9 @@ void readBody(Fields& fields, BreakableBody& body, const fs::path& folder, std::
     });
     if (fields.has("painted_strength")) body.painted_strength.emplace();
     fields.object("painted_strength", [&](Fields& part) { part.readAll(*body.painted_strength); });
+    readSupports(fields, body.supports);
+    if (!body.supports.empty() && !(body.velocity.isZero(0) && body.spin.isZero(0)))
+        fields.fail("supports", "hold the body where it is, so velocity_m_s and spin_rad_s must be zero");
     if (body.position.z() < 0)
         fields.fail("position_m[2]",
                     "must not be negative: it is the height of the lowest point over the floor");

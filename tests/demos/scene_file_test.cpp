@@ -142,6 +142,37 @@ TEST(SceneFiles, PaintedStrengthIsOfTheBody) {
               "bodies[0].painted_strength.black is 0 but must be between 0.001 and 1000.");
 }
 
+TEST(SceneFiles, SupportsAreRegionsOfTheBodysSurface) {
+    const auto held = demo::readScene(written(scene("", body(R"(, "supports": [
+        {"box": {"lo_m": [-1, -1, -0.5], "hi_m": [1, 2, -0.5]}},
+        {"sphere": {"centre_m": [0, 0, 0.5], "radius_m": 0.1}},
+        {"cylinder": {"point_m": [0.1, 0, 0], "axis": [0, 1, 0], "radius_m": 0.02}}])"))));
+    ASSERT_TRUE(held) << held.error();
+    const std::vector<sherd::SurfaceRegion>& supports = held.value().bodies[0].supports;
+    ASSERT_EQ(supports.size(), 3u);
+    EXPECT_EQ(std::get<sherd::BoxRegion>(supports[0]).lo, Vec3(-1, -1, -0.5));
+    EXPECT_EQ(std::get<sherd::BoxRegion>(supports[0]).hi, Vec3(1, 2, -0.5));
+    EXPECT_EQ(std::get<sherd::SphereRegion>(supports[1]).centre, Vec3(0, 0, 0.5));
+    EXPECT_EQ(std::get<sherd::SphereRegion>(supports[1]).radius_m, 0.1);
+    EXPECT_EQ(std::get<sherd::CylinderRegion>(supports[2]).point, Vec3(0.1, 0, 0));
+    EXPECT_EQ(std::get<sherd::CylinderRegion>(supports[2]).axis, Vec3(0, 1, 0));
+    EXPECT_EQ(std::get<sherd::CylinderRegion>(supports[2]).radius_m, 0.02);
+}
+
+TEST(SceneFiles, SupportsThatSayNoRegionAreRefused) {
+    const auto refused = [](const std::string& supports) {
+        return fault(scene("", body(R"(, "supports": )" + supports)));
+    };
+    EXPECT_EQ(refused("{}"), "bodies[0].supports must be a list in brackets, not {}.");
+    EXPECT_EQ(refused("[{}]"), "bodies[0].supports[0] must have one of sphere, box and cylinder.");
+    EXPECT_EQ(refused(R"([{"box": {"lo_m": [0, 0, 0]}}])"),
+              "bodies[0].supports[0].box.hi_m is missing; it is the opposite corner.");
+    EXPECT_EQ(refused(R"([{"sphere": {"centre_m": [0, 0, 0], "radius_m": 0}}])"),
+              "bodies[0].supports[0].sphere.radius_m is 0 but must be between 1e-06 and 1000 m.");
+    EXPECT_EQ(refused(R"([{"box": {"lo_m": [0, 0, 0], "hi_m": [1, 1, 0]}}], "velocity_m_s": [1, 0, 0])"),
+              "bodies[0].supports hold the body where it is, so velocity_m_s and spin_rad_s must be zero.");
+}
+
 TEST(SceneFiles, AMaterialMayHaveAFileOfItsOwn) {
     const std::string path = written(scene("", R"({"shape": {"obj": "a.obj"}, "material": "tile.json"})"));
     std::ofstream(fs::path(path).parent_path() / "tile.json")

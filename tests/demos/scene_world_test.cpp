@@ -41,6 +41,35 @@ TEST(SceneWorld, ASolidThatCannotBeSampledIsRefusedWithTheReason) {
     EXPECT_NE(assets.error().find("use a spacing of at least"), std::string::npos) << assets.error();
 }
 
+TEST(SceneWorld, ABodyWithSupportsStandsAndItsPiecesThereStay) {
+    demo::Scene scene = plasterBox();
+    scene.bodies[0].position = Vec3(0, 0, 1);
+    scene.bodies[0].supports = {sherd::BoxRegion{{-1, -1, -0.5}, {1, 1, -0.5}}};
+    demo::Ball ball;
+    ball.position = Vec3(0, -0.9, 1.5);
+    ball.velocity = Vec3(0, 8, 0);
+    scene.balls = {ball};
+    const auto assets = assetsOf(scene);
+    ASSERT_TRUE(assets.ok()) << assets.error();
+    demo::SceneWorld world(scene, assets.value());
+    for (int step = 0; step < 20; ++step) world.step();
+    ASSERT_EQ(world.fracture().bodies().size(), 1u);
+    EXPECT_TRUE(world.fracture().bodies()[0]->isStaticObject()) << "it hangs in the air and stays";
+    for (int step = 0; step < 60; ++step) world.step();
+    int held = 0, moving = 0;
+    for (const btRigidBody* piece : world.fracture().bodies()) ++(piece->isStaticObject() ? held : moving);
+    EXPECT_GT(held, 0);
+    EXPECT_GT(moving, 0);
+}
+
+TEST(SceneWorld, SupportsThatHoldNothingAreRefusedWithTheReason) {
+    demo::Scene scene = plasterBox();
+    scene.bodies[0].supports = {sherd::BoxRegion{{-1, -1, 5}, {1, 1, 5}}};
+    const auto assets = assetsOf(scene);
+    ASSERT_FALSE(assets.ok());
+    EXPECT_EQ(assets.error().find("A support cannot be placed: No part"), 0u) << assets.error();
+}
+
 TEST(SceneWorld, PaintedStrengthNeedsColours) {
     demo::Scene scene = plasterBox();
     scene.bodies[0].painted_strength.emplace();
