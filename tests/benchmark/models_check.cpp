@@ -117,11 +117,14 @@ Fall dropOnFloor(const BreakableAsset& asset, double height_m) {
     FractureWorld fracture(&bullet.world);
     const Eigen::Matrix3d tilt =
         (Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::AngleAxisd(0.3, Vec3::UnitY())).toRotationMatrix();
-    double lowest = 1e30;
-    for (const Vec3& v : asset.surface().vertices) lowest = std::min(lowest, (tilt * v).z());
+    Eigen::AlignedBox3d box;
+    for (const Vec3& v : asset.surface().vertices) box.extend(tilt * v);
+    // Over the middle of the floor, wherever the mesh has its origin.
+    const Vec3 start_at(-box.center().x(), -box.center().y(), 0.01 - box.min().z());
     const Eigen::Quaterniond q(tilt);
-    const btTransform start(btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
-                            btVector3(0, 0, btScalar(0.01 - lowest)));
+    const btTransform start(
+        btQuaternion(btScalar(q.x()), btScalar(q.y()), btScalar(q.z()), btScalar(q.w())),
+        btVector3(btScalar(start_at.x()), btScalar(start_at.y()), btScalar(start_at.z())));
     Fall fall;
     const auto body = fracture.add(asset, start);
     if (!body) return {0, 0, 0, body.error()};
