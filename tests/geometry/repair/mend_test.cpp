@@ -1,5 +1,4 @@
 #include <array>
-#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -52,43 +51,6 @@ TEST(Repair, AMissingTriangleIsAHoleHoweverLargeAndHalfABallIsASheet) {
     const TriangleMesh bowl = without(
         shapes::icosphere(1, 3), [](const Vec3& x) { return x.z() > 0; }, 1 << 30);
     EXPECT_NE(repairMesh(bowl, mendOnly()).error().find("is open"), std::string::npos);
-}
-
-TEST(Repair, StitchesTrianglesThatOnlyLieAtEachOther) {
-    TriangleMesh soup;
-    const TriangleMesh ball = shapes::icosphere(1, 2);
-    for (std::size_t t = 0; t < ball.triangles.size(); ++t) {
-        for (const int corner : ball.triangles[t])
-            // A float's rounding apart, which differs from triangle to triangle.
-            soup.vertices.push_back(ball.vertices[corner] + 1e-7 * std::sin(double(t)) * Vec3(1, 1, 1));
-        const int first = static_cast<int>(3 * t);
-        soup.triangles.push_back({first, first + 1, first + 2});
-    }
-    expectRefusedUntouched(soup, "is open");
-    const RepairedMesh result = repaired(soup);
-    EXPECT_EQ(result.mesh.vertices.size(), ball.vertices.size());
-    EXPECT_EQ(result.mesh.triangles.size(), ball.triangles.size());
-    EXPECT_EQ(result.report.filled_holes, 0);
-    EXPECT_NEAR(volumeOf(result.mesh), volumeOf(ball), 1e-5);
-}
-
-TEST(Repair, TakesOutDoubledTriangles) {
-    TriangleMesh mesh = unit_box;
-    mesh.triangles.push_back(mesh.triangles[3]);
-    mesh.triangles.push_back({mesh.triangles[5][1], mesh.triangles[5][0], mesh.triangles[5][2]});
-    expectRefusedUntouched(mesh, "not a manifold");
-    const RepairedMesh result = repaired(mesh);
-    EXPECT_EQ(result.report.doubled_triangles, 2);
-    EXPECT_EQ(result.mesh.triangles.size(), unit_box.triangles.size());
-}
-
-TEST(Repair, TakesOutAWallBetweenTwoParts) {
-    const TriangleMesh mesh = sharing(unit_box, shapes::translated(unit_box, Vec3(1, 0, 0)));
-    expectRefusedUntouched(mesh, "not a manifold");
-    const RepairedMesh result = repaired(mesh);
-    EXPECT_EQ(result.report.doubled_triangles, 4);
-    EXPECT_EQ(result.mesh.triangles.size(), 20u);
-    EXPECT_NEAR(volumeOf(result.mesh), 2, 1e-12);
 }
 
 TEST(Repair, PartsWhatTouchesInAPoint) {
