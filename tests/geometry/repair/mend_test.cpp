@@ -170,6 +170,17 @@ TEST(Repair, PartsInsideOthersAreUnitedAndCavitiesStay) {
     EXPECT_NEAR(volumeOf(hollow.mesh), volumeOf(shapes::hollowSphere(1, 0.5, 2)) + volumeOf(core), 1e-12);
 }
 
+TEST(Repair, ABallInACavityStays) {
+    const TriangleMesh hollow = shapes::hollowSphere(1, 0.5, 2);
+    TriangleMesh ball = shapes::icosphere(0.2, 1);
+    const double whole = volumeOf(hollow) + volumeOf(ball);
+    ball.triangles.pop_back();
+    const RepairedMesh result = repaired(shapes::joined(hollow, ball));
+    EXPECT_EQ(result.report.filled_holes, 1);
+    EXPECT_EQ(result.report.united_parts, 0) << "it is in the open, not in material";
+    EXPECT_NEAR(volumeOf(result.mesh), whole, 1e-12);
+}
+
 TEST(Repair, UndoesASmallFold) {
     TriangleMesh mesh = shapes::icosphere(1, 3);
     const double whole = volumeOf(mesh);
