@@ -1,8 +1,8 @@
-# Makes SuiteSparse::cholmod and SuiteSparse::umfpack, for releases of SuiteSparse without CMake packages of their own.
-# The components CHOLMOD and UMFPACK say which of them are needed.
+# Makes SuiteSparse::amd, SuiteSparse::camd and SuiteSparse::umfpack, for releases of SuiteSparse without CMake packages
+# of their own. The components AMD, CAMD and UMFPACK say which of them are needed.
 include(FindPackageHandleStandardArgs)
 
-find_path(SuiteSparse_INCLUDE_DIR cholmod.h PATH_SUFFIXES suitesparse)
+find_path(SuiteSparse_INCLUDE_DIR amd.h PATH_SUFFIXES suitesparse)
 foreach(part ${SuiteSparse_FIND_COMPONENTS})
   string(TOLOWER ${part} name)
   find_library(SuiteSparse_${part}_LIBRARY ${name})

@@ -2,6 +2,7 @@
 
 #include <sherd/result.h>
 
+#include <Eigen/Core>
 #include <memory>
 
 #include "core/linear_algebra/sparse_matrix.h"
@@ -9,15 +10,17 @@
 
 namespace sherd {
 
-/// Supernodal Cholesky factorisation of a symmetric positive definite matrix (CHOLMOD), given in CSC; entries
-/// above the diagonal are ignored. Unknowns come in blocks of `block_size` with equal patterns; the
-/// fill-reducing order is sought for blocks (METIS and AMD, the better one), which is far cheaper than for
-/// single unknowns. A matrix that is not safely positive definite gets a small shift of its diagonal
+/// Cholesky factorisation of a symmetric positive definite matrix, given in CSC in blocks of `block_size`
+/// squared with equal patterns, from the diagonal blocks (complete) downwards. `places`: of the block columns
+/// on a lattice where they couple with near ones only, or empty; they make it quick to find an order with
+/// little fill. A matrix that is not safely positive definite gets a small shift of its diagonal
 /// (`relativeShift`).
-Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size);
+Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size,
+                                                     const std::vector<Eigen::Vector3i>& places = {});
 
-/// Numbers that the Cholesky factor of a symmetric matrix would store, from its pattern alone: CSC of blocks
-/// of `block_size`; entries above the diagonal are ignored, values are not used.
-Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size);
+/// Numbers that the Cholesky factor of such a matrix has, from its pattern alone: CSC of blocks of
+/// `block_size`, each of them one entry, without values.
+Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size,
+                               const std::vector<Eigen::Vector3i>& places);
 
 }  // namespace sherd

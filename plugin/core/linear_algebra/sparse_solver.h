@@ -13,6 +13,17 @@ class SparseSolver {
     /// May be called from several threads; calls wait for each other.
     virtual bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const = 0;
 
+    /// The same for all columns of B; x gets its size.
+    virtual bool solve(const Eigen::MatrixXd& b, Eigen::MatrixXd& x) const {
+        x.resize(b.rows(), b.cols());
+        Eigen::VectorXd column;
+        for (Eigen::Index j = 0; j < b.cols(); ++j) {
+            if (!solve(Eigen::VectorXd(b.col(j)), column)) return false;
+            x.col(j) = column;
+        }
+        return true;
+    }
+
     /// Numbers stored in the triangular factors.
     virtual long long factorEntries() const = 0;
 

@@ -8,9 +8,10 @@ namespace sherd {
 PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned)
     : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
 
-Result<PinnedSystem> PinnedSystem::factor(SparseMatrix lower, std::vector<int> pinned, int block_size) {
+Result<PinnedSystem> PinnedSystem::factor(SparseMatrix lower, std::vector<int> pinned, int block_size,
+                                          const std::vector<Eigen::Vector3i>& places) {
     pinUnknowns(lower, pinned);
-    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size);
+    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places);
     if (!solver) return Error{solver.error()};
     return PinnedSystem(std::move(solver).value(), std::move(pinned));
 }

@@ -15,8 +15,10 @@ namespace sherd {
 /// free components, and carry no reaction since loads are balanced. The direct solver is chosen here.
 class PinnedSystem {
   public:
-    /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards.
-    static Result<PinnedSystem> factor(SparseMatrix lower, std::vector<int> pinned, int block_size);
+    /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards. `places`: see
+    /// factorCholesky.
+    static Result<PinnedSystem> factor(SparseMatrix lower, std::vector<int> pinned, int block_size,
+                                       const std::vector<Eigen::Vector3i>& places = {});
 
     struct Solution {
         Eigen::VectorXd unknowns;
@@ -31,6 +33,7 @@ class PinnedSystem {
                            double good_residual) const;
 
     const SparseSolver& solver() const { return *solver_; }
+    const std::vector<int>& pinned() const { return pinned_; }
 
   private:
     PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned);

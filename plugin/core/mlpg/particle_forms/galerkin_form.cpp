@@ -52,6 +52,15 @@ class GalerkinForm : public WeakForm {
     InertiaRelief inertia_;
 };
 
+/// The cells that particles lie in.
+std::vector<Eigen::Vector3i> placesOf(const Discretisation& solid) {
+    std::vector<Eigen::Vector3i> places;
+    for (const Particle& particle : solid.particles)
+        places.push_back(
+            ((particle.position - solid.grid_origin) / solid.spacing).array().floor().cast<int>());
+    return places;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem, double& factor_ms,
@@ -60,7 +69,8 @@ Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem,
     std::vector<int> pinned = unknownsToPin(problem.motions);
     Stopwatch watch;
     Result<PinnedSystem> system =
-        PinnedSystem::factor(std::move(stiffness), std::move(pinned), problem.space.unknownsPerParticle());
+        PinnedSystem::factor(std::move(stiffness), std::move(pinned), problem.space.unknownsPerParticle(),
+                             placesOf(problem.solid));
     factor_ms = watch.milliseconds();
     if (!system) return Error{system.error()};
     if (system.value().solver().relativeShift() > 0)

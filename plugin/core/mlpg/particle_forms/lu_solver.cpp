@@ -40,6 +40,7 @@ class LuSolver : public SparseSolver {
         return success();
     }
 
+    using SparseSolver::solve;
     /// UMFPACK reads columns and ours are rows, so it holds A^T: solve with its transpose.
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override {
         const std::lock_guard<std::mutex> lock(mutex_);
