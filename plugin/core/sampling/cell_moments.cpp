@@ -88,6 +88,18 @@ CellPart measurePart(const SamplingGrid& grid, const SolidVoxels& solid, const s
     return part;
 }
 
+/// The same without moments, from the volumes of the voxels.
+CellPart fillPart(const SamplingGrid& grid, const SolidVoxels& solid, const std::vector<int>& voxels) {
+    const int per_cell = grid.cells_per_spacing;
+    CellPart part;
+    part.cell = grid.voxelAt(solid.index[voxels[0]]) / per_cell;
+    for (const int v : voxels) {
+        part.fill += solid.moments[v].volume / (per_cell * per_cell * per_cell);
+        part.voxels.push_back(grid.voxelAt(solid.index[v]));
+    }
+    return part;
+}
+
 /// Lists the parts by cell, those of no volume left out, and returns which part each wanted root became, or
 /// -1; #voxels.
 std::vector<int> listParts(const VoxelGroups& groups, std::vector<CellPart> parts, CellParts& cells) {
@@ -107,10 +119,9 @@ std::vector<int> listParts(const VoxelGroups& groups, std::vector<CellPart> part
     return part_of_root;
 }
 
-CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
-                         const SolidVoxels& solid, int order, const CellColumns& columns) {
-    CellParts cells = emptyCells(grid, order);
-    const VoxelGroups groups = groupVoxels(grid, solid, cells, columns);
+std::vector<CellPart> measureParts(const TriangleMesh& surface, const SamplingGrid& grid,
+                                   const CutSurface& cut, const SolidVoxels& solid, int order,
+                                   const CellColumns& columns, const VoxelGroups& groups) {
     const VoxelMoments moments(grid, cut, solid, momentFlux(surface, grid, cut, columns, order), order);
     std::vector<CellPart> parts(groups.wanted.size());
     forEachChunk(chunk_count, [&](int chunk) {
@@ -119,7 +130,18 @@ CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, 
         for (int p = chunkBegin(chunk, chunk_count, total); p < end; ++p)
             parts[p] = measurePart(grid, solid, groups.members[groups.wanted[p]], moments, order);
     });
+    return parts;
+}
 
+CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
+                         const SolidVoxels& solid, int order, const CellColumns& columns) {
+    CellParts cells = emptyCells(grid, order);
+    const VoxelGroups groups = groupVoxels(grid, solid, cells, columns);
+    std::vector<CellPart> parts;
+    if (order == 0)
+        for (const int root : groups.wanted) parts.push_back(fillPart(grid, solid, groups.members[root]));
+    else
+        parts = measureParts(surface, grid, cut, solid, order, columns, groups);
     const std::vector<int> part_of_root = listParts(groups, std::move(parts), cells);
     std::vector<std::array<int, 2>> links;
     for (const VoxelFace& face : solid.faces) {

@@ -3,97 +3,144 @@
 #include <algorithm>
 #include <array>
 
-#include "core/numerics/gauss_legendre.h"
 #include "core/numerics/parallel_chunks.h"
+#include "core/numerics/triangle_rule.h"
+#include "core/numerics/wide_vectors.h"
 #include "core/sampling/polygon_clipping.h"
 
 namespace sherd {
 namespace {
 
-/// Adds up the flux of polygons; `order` + 1 powers a direction.
+constexpr int most_points = 64;  // that are summed up at a time
+constexpr int most_powers = 7;   // a direction
+constexpr int group = 8;         // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
+
+/// What quadrature points on the surface add, for N powers a direction.
+struct FluxPoints {
+    double rows[most_points * most_powers * group];  // N groups a point
+    double weights[most_powers][most_points];        // z^c times the x component of the area
+    int count = 0;
+};
+
+/// sums[c] += sum over points of weights[c] rows.
+template <int N>
+inline __attribute__((always_inline)) void sumUp(const FluxPoints& points, double* sums) {
+    constexpr int width = N * group;
+    for (int c = 0; c < N; ++c) {
+        double own[width] = {};
+        for (int k = 0; k < points.count; ++k) {
+            const double weight = points.weights[c][k];
+            const double* row = points.rows + k * width;
+            for (int i = 0; i < width; ++i) own[i] += weight * row[i];
+        }
+        for (int i = 0; i < width; ++i) sums[c * width + i] += own[i];
+    }
+}
+
+SHERD_WIDE_VECTORS void sumUp1(const FluxPoints& points, double* sums) {
+    sumUp<1>(points, sums);
+}
+SHERD_WIDE_VECTORS void sumUp3(const FluxPoints& points, double* sums) {
+    sumUp<3>(points, sums);
+}
+SHERD_WIDE_VECTORS void sumUp5(const FluxPoints& points, double* sums) {
+    sumUp<5>(points, sums);
+}
+SHERD_WIDE_VECTORS void sumUp7(const FluxPoints& points, double* sums) {
+    sumUp<7>(points, sums);
+}
+
+/// Adds up the flux of polygons.
 class FluxSum {
   public:
-    explicit FluxSum(int order) : powers_(order + 1) {
-        // Gradients of splines of degree p = order / 2 have the flux degree 3 p + 1; n points are exact to 2
-        // n - 2. The error of fewer points falls with the size of the triangle, as size^(2 n): far below 1e-8
-        // for these.
+    explicit FluxSum(int order)
+        : powers_(order + 1),
+          sum_up_(order == 0   ? sumUp1
+                  : order == 2 ? sumUp3
+                  : order == 4 ? sumUp5
+                               : sumUp7) {
+        for (int i = 0; i < group; ++i) inverse_[i] = 1.0 / (i + 1);
+        // Gradients of splines of degree p = order / 2 have the flux degree 3 p + 1; n points a side are
+        // exact to 2 n - 2. The error of fewer points falls with the size of the triangle, as size^(2 n): far
+        // below 1e-8 for these.
         const int exact = (3 * order / 2 + 4) / 2;
         for (const int points : {exact - 3, exact - 2, exact, exact + 2})
-            rules_.push_back(gaussLegendre(std::max(3, points)));
+            rules_.push_back(triangleRule(2 * std::max(3, points) - 2));
     }
 
-    void add(const Polygon& polygon, const Vec3& centre, double scale, bool with_volume,
-             MomentFlux& flux) const {
+    /// Numbers that `add` adds to.
+    std::size_t size() const { return static_cast<std::size_t>(powers_ * powers_ * group); }
+
+    void add(const Polygon& polygon, const Vec3& centre, double scale, double* sums) const {
+        FluxPoints points;
         const Vec3 a = (polygon.points[0] - centre) * scale;
         for (int i = 1; i + 1 < polygon.count; ++i) {
-            const Vec3 b = (polygon.points[i] - centre) * scale, c = (polygon.points[i + 1] - centre) * scale;
-            if (powers_ == 1) addTriangle<1>(a, b, c, with_volume, flux);
-            if (powers_ == 3) addTriangle<3>(a, b, c, with_volume, flux);
-            if (powers_ == 5) addTriangle<5>(a, b, c, with_volume, flux);
-            if (powers_ == 7) addTriangle<7>(a, b, c, with_volume, flux);
+            const Vec3 b = (polygon.points[i] - centre) * scale - a,
+                       c = (polygon.points[i + 1] - centre) * scale - a;
+            const double area = b.y() * c.z() - b.z() * c.y();
+            if (area == 0) continue;
+            const double size = std::max(b.squaredNorm(), c.squaredNorm());
+            const TriangleRule& rule = rules_[size < 0.001 ? 0 : size < 0.02 ? 1 : size < 0.2 ? 2 : 3];
+            const int count = static_cast<int>(rule.weights.size());
+            for (int k = 0; k < count; ++k) {
+                if (points.count == most_points) flush(points, sums);
+                const double u = rule.u[k], v = rule.v[k];
+                const Vec3 x = a + u * b + v * c;
+                addPoint(x, area * rule.weights[k], points);
+            }
         }
+        flush(points, sums);
+    }
+
+    MomentFlux unpacked(const std::vector<double>& sums) const {
+        MomentFlux flux;
+        flux.volume.reserve(static_cast<std::size_t>(powers_ * powers_ * powers_));
+        for (std::size_t begin = 0; begin < sums.size(); begin += group) {
+            flux.volume.insert(flux.volume.end(), sums.begin() + begin, sums.begin() + begin + powers_);
+            flux.face.push_back(sums[begin + powers_]);
+        }
+        return flux;
     }
 
   private:
-    /// Collapsed Gauss rule: x = a + u (b - a) + u v (c - b), dA = 2 A u du dv. N powers a direction, known
-    /// to the compiler, which unrolls the sums.
-    template <int N>
-    void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, bool with_volume, MomentFlux& flux) const {
-        const double area = (b - a).cross(c - a).x();
-        if (area == 0) return;
-        const double size = std::max((b - a).squaredNorm(), (c - a).squaredNorm());
-        const GaussRule& rule = rules_[size < 0.001 ? 0 : size < 0.02 ? 1 : size < 0.2 ? 2 : 3];
-        std::array<double, N> px, py, pz;
-        for (size_t i = 0; i < rule.points.size(); ++i) {
-            const double u = rule.points[i] + 0.5;
-            const Vec3 start = a + u * (b - a), span = u * (c - b);
-            for (size_t j = 0; j < rule.points.size(); ++j) {
-                const Vec3 x = start + (rule.points[j] + 0.5) * span;
-                const double weight = area * u * rule.weights[i] * rule.weights[j];
-                double power = x.x();
-                py[0] = pz[0] = 1;
-                for (int k = 0; k < N; ++k, power *= x.x()) {
-                    px[k] = power / (k + 1);
-                    if (k == 0) continue;
-                    py[k] = py[k - 1] * x.y();
-                    pz[k] = pz[k - 1] * x.z();
-                }
-                double* volume = flux.volume.data();
-                double* face = flux.face.data();
-                for (int kc = 0; kc < N; ++kc)
-                    for (int kb = 0; kb < N; ++kb) {
-                        const double yz = weight * pz[kc] * py[kb];
-                        *face++ += yz;
-                        if (!with_volume) continue;
-                        for (int ka = 0; ka < N; ++ka) *volume++ += yz * px[ka];
-                    }
-            }
-        }
+    void addPoint(const Vec3& x, double weight, FluxPoints& points) const {
+        std::array<double, group> px{};
+        double power = x.x(), y = 1;
+        for (int a = 0; a < powers_; ++a, power *= x.x()) px[a] = power * inverse_[a];
+        px[powers_] = 1;
+        double* row = points.rows + points.count * powers_ * group;
+        for (int b = 0; b < powers_; ++b, row += group, y *= x.y())
+            for (int a = 0; a < group; ++a) row[a] = y * px[a];
+        for (int c = 0; c < powers_; ++c, weight *= x.z()) points.weights[c][points.count] = weight;
+        ++points.count;
+    }
+
+    void flush(FluxPoints& points, double* sums) const {
+        sum_up_(points, sums);
+        points.count = 0;
     }
 
     int powers_;
-    std::vector<GaussRule> rules_;  // by the size of the triangle, the smallest first
+    std::array<double, group> inverse_;
+    void (*sum_up_)(const FluxPoints&, double*);
+    std::vector<TriangleRule> rules_;  // by the size of the triangle, the smallest first
 };
 
-MomentFlux noFlux(int powers) {
-    return {std::vector<double>(powers * powers * powers, 0.0), std::vector<double>(powers * powers, 0.0)};
-}
+using Sums = std::vector<double>;
 
 /// Of a range of the surface's triangles. Voxels that none of them meets keep empty lists.
-std::vector<MomentFlux> fluxOf(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
-                               const CutSurface& cut, const CellColumns& columns, const FluxSum& sum,
-                               int powers) {
+std::vector<Sums> fluxOf(const TriangleMesh& surface, int first, int last, const SamplingGrid& grid,
+                         const CutSurface& cut, const CellColumns& columns, const FluxSum& flux) {
     const int per_cell = grid.cells_per_spacing;
-    std::vector<MomentFlux> flux(cut.voxels.size());
+    std::vector<Sums> sums(cut.voxels.size());
     forEachVoxelPiece(surface, first, last, grid, [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
-        const int column = voxel.x() / per_cell;
-        if (column < columns.first) return;
-        MomentFlux& own = flux[cut.cut_voxel_at[grid.indexOf(voxel)]];
-        if (own.face.empty()) own = noFlux(powers);
+        if (voxel.x() / per_cell < columns.first) return;
+        Sums& own = sums[cut.cut_voxel_at[grid.indexOf(voxel)]];
+        if (own.empty()) own.assign(flux.size(), 0.0);
         const Vec3 centre = (voxel / per_cell).cast<double>() * per_cell + Vec3::Constant(0.5 * per_cell);
-        sum.add(polygon, centre, 1.0 / per_cell, column < columns.last, own);
+        flux.add(polygon, centre, 1.0 / per_cell, own.data());
     });
-    return flux;
+    return sums;
 }
 
 }  // namespace
@@ -101,20 +148,22 @@ std::vector<MomentFlux> fluxOf(const TriangleMesh& surface, int first, int last,
 std::vector<MomentFlux> momentFlux(const TriangleMesh& surface, const SamplingGrid& grid,
                                    const CutSurface& cut, const CellColumns& columns, int order) {
     constexpr int ranges = 4;  // fixed, so that sums do not depend on the number of threads
-    const int powers = order + 1, triangles = static_cast<int>(surface.triangles.size());
-    const FluxSum sum(order);
-    std::array<std::vector<MomentFlux>, ranges> parts;
+    const int triangles = static_cast<int>(surface.triangles.size());
+    const FluxSum flux(order);
+    std::array<std::vector<Sums>, ranges> parts;
     forEachChunk(ranges, [&](int range) {
         parts[range] = fluxOf(surface, chunkBegin(range, ranges, triangles),
-                              chunkBegin(range + 1, ranges, triangles), grid, cut, columns, sum, powers);
+                              chunkBegin(range + 1, ranges, triangles), grid, cut, columns, flux);
     });
-    std::vector<MomentFlux> flux(cut.voxels.size(), noFlux(powers));
-    for (const std::vector<MomentFlux>& part : parts)
-        for (size_t v = 0; v < flux.size(); ++v) {
-            for (size_t i = 0; i < part[v].volume.size(); ++i) flux[v].volume[i] += part[v].volume[i];
-            for (size_t i = 0; i < part[v].face.size(); ++i) flux[v].face[i] += part[v].face[i];
-        }
-    return flux;
+    std::vector<MomentFlux> result(cut.voxels.size());
+    Sums sums;
+    for (std::size_t v = 0; v < result.size(); ++v) {
+        sums.assign(flux.size(), 0.0);
+        for (const std::vector<Sums>& part : parts)
+            for (std::size_t i = 0; i < part[v].size(); ++i) sums[i] += part[v][i];
+        result[v] = flux.unpacked(sums);
+    }
+    return result;
 }
 
 }  // namespace sherd

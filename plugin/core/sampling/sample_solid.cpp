@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "core/numerics/parallel_chunks.h"
 #include "core/sampling/cell_moments.h"
 #include "core/sampling/cut_cells.h"
 #include "core/sampling/sampling_grid.h"
@@ -74,11 +75,16 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
     result.surface = std::make_shared<const TriangleMesh>(surface);
     result.cell_size = grid.cell_size;
     result.grid_origin = grid.origin;
-    result.surface_points = surfacePoints(grid, cut, solid, cells);
-    result.particles = placeParticles(grid, cells, domains);
-    result.neighbours = neighboursThroughSolid(cells, domains);
-    if (settings.moment_order > 0)
-        result.parts = measureCellParts(surface, grid, cut, solid, settings.moment_order);
+    const auto measure = [&] {
+        if (settings.moment_order > 0)
+            result.parts = measureCellParts(surface, grid, cut, solid, settings.moment_order);
+    };
+    const auto placePoints = [&] {
+        result.surface_points = surfacePoints(grid, cut, solid, cells);
+        result.particles = placeParticles(grid, cells, domains);
+        result.neighbours = neighboursThroughSolid(cells, domains);
+    };
+    forEachChunk(2, [&](int task) { task == 0 ? measure() : placePoints(); });
     listVoxels(grid, solid, cells, result);
     listCells(std::move(cells), domains, result);
     return result;
