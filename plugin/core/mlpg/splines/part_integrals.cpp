@@ -3,29 +3,56 @@
 #include <cmath>
 
 #include "core/mlpg/splines/b_spline.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 namespace {
 
 /// Product of polynomials given by their powers.
-Eigen::RowVectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int powers) {
-    Eigen::RowVectorXd c = Eigen::RowVectorXd::Zero(powers);
+Eigen::VectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int powers) {
+    Eigen::VectorXd c = Eigen::VectorXd::Zero(powers);
     for (long i = 0; i < a.size(); ++i)
         for (long j = 0; j < b.size() && i + j < powers; ++j) c[i + j] += a[i] * b[j];
     return c;
 }
 
-/// Contracts the first index of an array with the second of `factor`, and moves it to the end.
+/// out(r, i) = sum over k of factor(k, i) in(r, k), with r fastest, then k or i.
+template <int Terms>
+inline __attribute__((always_inline)) void contractLast(const double* factor, long count, const double* in,
+                                                        long rest, double* out) {
+    for (long i = 0; i < count; ++i, factor += Terms, out += rest)
+        for (long r = 0; r < rest; ++r) {
+            double sum = factor[0] * in[r];
+            for (int k = 1; k < Terms; ++k) sum += factor[k] * in[k * rest + r];
+            out[r] = sum;
+        }
+}
+
+SHERD_WIDE_VECTORS void contractLast3(const double* factor, long count, const double* in, long rest,
+                                      double* out) {
+    contractLast<3>(factor, count, in, rest, out);
+}
+SHERD_WIDE_VECTORS void contractLast5(const double* factor, long count, const double* in, long rest,
+                                      double* out) {
+    contractLast<5>(factor, count, in, rest, out);
+}
+SHERD_WIDE_VECTORS void contractLast7(const double* factor, long count, const double* in, long rest,
+                                      double* out) {
+    contractLast<7>(factor, count, in, rest, out);
+}
+
+/// Contracts the first index of an array with the first of `factor` (powers x count), and moves it to the
+/// end.
 Eigen::VectorXd contractFirst(const Eigen::MatrixXd& factor, const Eigen::VectorXd& array) {
-    const long rest = array.size() / factor.cols();
-    const Eigen::Map<const Eigen::MatrixXd> in(array.data(), factor.cols(), rest);
-    Eigen::VectorXd result(rest * factor.rows());
-    Eigen::Map<Eigen::MatrixXd>(result.data(), rest, factor.rows()).noalias() =
-        in.transpose().lazyProduct(factor.transpose());
+    const long terms = factor.rows(), count = factor.cols(), rest = array.size() / terms;
+    Eigen::MatrixXd turned = Eigen::Map<const Eigen::MatrixXd>(array.data(), terms, rest).transpose();
+    Eigen::VectorXd result(rest * count);
+    const auto contract = terms == 3 ? contractLast3 : terms == 5 ? contractLast5 : contractLast7;
+    contract(factor.data(), count, turned.data(), rest, result.data());
     return result;
 }
 
-/// sum over (a, b, c) of x(i, a) y(j, b) z(k, c) moments[a, b, c], i fastest.
+/// sum over (a, b, c) of x(a, i) y(b, j) z(c, k) moments[a, b, c], i fastest.
 Eigen::VectorXd contract(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::MatrixXd& z,
                          const Eigen::VectorXd& moments) {
     return contractFirst(z, contractFirst(y, contractFirst(x, moments)));
@@ -45,17 +72,17 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
     Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(width_, width_);
     for (int k = 1; k < width_; ++k) slope.row(k - 1) = k * value.row(k);
     for (int kind = 0; kind < 4; ++kind) {
-        pairs_[kind].resize(width_ * width_, powers_);
+        pairs_[kind].resize(powers_, width_ * width_);
         for (int b = 0; b < width_; ++b)
             for (int a = 0; a < width_; ++a)
-                pairs_[kind].row(b * width_ + a) =
+                pairs_[kind].col(b * width_ + a) =
                     product((kind & 1 ? slope : value).col(a), (kind & 2 ? slope : value).col(b), powers_);
     }
-    squares_.resize(width_, powers_);
-    for (int a = 0; a < width_; ++a) squares_.row(a) = pairs_[0].row(a * width_ + a);
+    squares_.resize(powers_, width_);
+    for (int a = 0; a < width_; ++a) squares_.col(a) = pairs_[0].col(a * width_ + a);
     for (int shift = 0; shift < 2; ++shift) {
-        functions_[shift] = Eigen::MatrixXd::Zero(width_, powers_);
-        functions_[shift].middleCols(shift, width_) = value.transpose();
+        functions_[shift] = Eigen::MatrixXd::Zero(powers_, width_);
+        functions_[shift].middleRows(shift, width_) = value;
     }
     whole_ = contracted(whole_moments_);
 }

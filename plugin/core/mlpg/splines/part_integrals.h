@@ -34,8 +34,8 @@ class PartIntegrals {
     int width_, powers_;  // functions and moments in one direction
     Vec3 edges_;
     Eigen::VectorXd whole_moments_;
-    /// Powers of phi_a phi_b, one row for every pair a + width b; [1 of a, 2 of b]: with the slope of a, of
-    /// b.
+    /// Powers of phi_a phi_b, one column for every pair a + width b; [1 of a, 2 of b]: with the slope of a,
+    /// of b.
     std::array<Eigen::MatrixXd, 4> pairs_;
     std::array<Eigen::MatrixXd, 2> functions_;  // powers of phi_a and xi phi_a
     Eigen::MatrixXd squares_;                   // powers of phi_a^2

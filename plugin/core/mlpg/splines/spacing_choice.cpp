@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "core/linear_algebra/cholesky_solver.h"
 #include "core/mlpg/splines/stiffness_pattern.h"
@@ -11,8 +12,9 @@ namespace sherd {
 namespace {
 
 constexpr int attempts = 6;
-constexpr double supernodal_surplus = 1.25;  // dense blocks store zeros too; 1.1 to 1.25 was measured
+constexpr double supernodal_surplus = 1.25;  // dense blocks store zeros too; 1.22 to 1.37 was measured
 constexpr double good_use = 0.6;  // of the entries that are allowed; closer is not worth another attempt
+constexpr double aim = 0.8;       // the middle of what is good
 constexpr double entries_power =
     3;  // entries grow about as h^-3, from h^-2.5 of sheets to h^-4 of compact bodies
 
@@ -24,8 +26,9 @@ Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int 
     const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
     if (!solid) return Error{solid.error()};
     const CellParts parts = measureCellParts(surface, grid.value(), cut, solid.value(), 0);
-    const StiffnessPattern pattern{SplineSpace(parts, degree)};
-    const Result<double> entries = factorEntriesOf(blockMatrix(pattern), 3);
+    const SplineSpace space(parts, degree);
+    const Result<double> entries =
+        factorEntriesOf(blockMatrix(StiffnessPattern(space)), 3, space.highest_cells);
     if (!entries) return Error{entries.error()};
     return supernodal_surplus * entries.value();
 }
@@ -48,30 +51,55 @@ double firstGuess(const TriangleMesh& surface, double entries) {
     return spacing;
 }
 
-/// The finest spacing from `finest` up with no more than `largest` entries, or one with at least `good_use`
-/// of them.
+/// Looks for spacings, and remembers what it saw.
 template <class EntriesAt>
-double finestWithin(const EntriesAt& entries_at, double finest, double largest, double guess) {
-    double spacing = std::max(finest, guess);
-    double too_fine = 0;  // the coarsest spacing known to need too much
-    double good = 0;      // the finest one known to do
-    for (int attempt = 0; attempt < attempts; ++attempt) {
-        const Result<double> entries = entries_at(spacing);
-        // A grid that is too large to be laid is too fine as well.
-        const double excess = entries ? entries.value() / largest : 1000;
-        if (excess <= 1) {
-            good = good > 0 ? std::min(good, spacing) : spacing;
-            if (spacing <= finest || excess > good_use) return good;
-        } else {
-            too_fine = std::max(too_fine, spacing);
-        }
-        if (good > 0 && too_fine > 0.97 * good) return good;
-        const double next = spacing * std::pow(excess / 0.85, 1 / entries_power);
-        spacing = good > 0 ? std::clamp(next, std::max(finest, 1.001 * too_fine), 0.999 * good)
-                           : std::max(next, 1.03 * too_fine);
+class Search {
+  public:
+    explicit Search(const EntriesAt& entries_at) : entries_at_(entries_at) {}
+
+    /// Entries of the factor at a spacing. A grid that is too large to be laid has far too many.
+    double look(double spacing) {
+        const auto found = entries_.find(spacing);
+        if (found != entries_.end()) return found->second;
+        const Result<double> entries = entries_at_(spacing);
+        return entries_[spacing] = entries ? entries.value() : 1e15;
     }
-    return good > 0 ? good : spacing;
-}
+
+    /// Whether some spacing from `spacing` up was seen to have more entries.
+    bool isTooFine(double spacing, double largest) const {
+        return std::any_of(entries_.lower_bound(spacing), entries_.end(),
+                           [&](const auto& seen) { return seen.second > largest; });
+    }
+
+    /// The finest spacing from `finest` up with no more than `largest` entries, or one with at least
+    /// `good_use` of them.
+    double finestWithin(double finest, double largest, double guess) {
+        double spacing = std::max(finest, guess);
+        double too_fine = 0;  // the coarsest spacing known to need too much
+        double good = 0;      // the finest one known to do
+        const auto judge = [&](double seen, double entries) {
+            if (entries > largest)
+                too_fine = std::max(too_fine, seen);
+            else
+                good = std::max(finest, good > 0 ? std::min(good, seen) : seen);
+            const double next = seen * std::pow(entries / (aim * largest), 1 / entries_power);
+            spacing = good > 0 ? std::clamp(next, std::max(finest, 1.001 * too_fine),
+                                            std::max(1.001 * too_fine, 0.999 * good))
+                               : std::max(next, 1.03 * too_fine);
+            return good > 0 && (good <= finest || (entries <= largest && entries > good_use * largest) ||
+                                too_fine > 0.97 * good);
+        };
+        for (const auto& [seen, entries] : entries_)
+            if (judge(seen, entries)) return good;
+        for (int attempt = 0; attempt < attempts; ++attempt)
+            if (judge(spacing, look(spacing))) return good;
+        return good > 0 ? good : spacing;
+    }
+
+  private:
+    const EntriesAt& entries_at_;
+    std::map<double, double> entries_;  // per spacing
+};
 
 }  // namespace
 
@@ -79,10 +107,17 @@ Result<double> chooseSpacing(const TriangleMesh& surface, const SpacingWish& wis
     const auto entries_at = [&](double spacing) {
         return factorEntriesAt(surface, spacing, wish.spline_degree, cells_per_spacing);
     };
+    constexpr double near_wall = 1.15;  // as far as the guess may be wrong
     const double guess = firstGuess(surface, wish.largest_factor_entries);
-    const double spacing = finestWithin(entries_at, wish.finest_m, wish.largest_factor_entries, guess);
-    if (spacing <= wish.wall_m) return spacing;
-    return finestWithin(entries_at, std::max(wish.wall_m, wish.finest_m), wish.largest_if_thin, spacing);
+    const double thin = std::max(wish.wall_m, wish.finest_m);
+    Search search(entries_at);
+    // A spacing of one wall decides which of the limits holds, and is mostly the answer under the second.
+    if (guess < near_wall * thin && thin < near_wall * guess) (void)search.look(thin);
+    if (!search.isTooFine(wish.wall_m, wish.largest_factor_entries)) {
+        const double spacing = search.finestWithin(wish.finest_m, wish.largest_factor_entries, guess);
+        if (spacing <= wish.wall_m) return spacing;
+    }
+    return search.finestWithin(thin, wish.largest_if_thin, guess);
 }
 
 }  // namespace sherd

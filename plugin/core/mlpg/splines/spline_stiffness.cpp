@@ -1,5 +1,7 @@
 #include "core/mlpg/splines/spline_stiffness.h"
 
+#include <algorithm>
+
 #include "core/mlpg/splines/b_spline.h"
 #include "core/mlpg/splines/part_integrals.h"
 #include "core/mlpg/splines/part_ties.h"
@@ -11,12 +13,9 @@ namespace {
 
 constexpr int batch_size = 128;  // parts whose matrices are held at a time
 constexpr int chunk_count = 16;
+constexpr int scatter_count = 4;
 
-/// What one part adds to K between the unknown functions that reach it.
-struct PartMatrix {
-    PartIntegrals::Gram gram;  // of gradients, for i <= j
-    Eigen::MatrixXd springs;   // sum over springs k phi_a phi_b; empty if there are none
-};
+using Gram = PartIntegrals::Gram;
 
 /// sum over a part's springs k phi_a phi_b.
 Eigen::MatrixXd springMatrix(const SplineSpace& space, const std::vector<PointSpring>& springs,
@@ -31,28 +30,64 @@ Eigen::MatrixXd springMatrix(const SplineSpace& space, const std::vector<PointSp
     return matrix;
 }
 
-/// Adds a part's matrix to those blocks of K that belong to `functions`.
-void scatter(const PartMatrix& part, const std::vector<int>& functions, const Elasticity& elasticity,
-             const StiffnessPattern& pattern, SparseMatrix& matrix) {
+/// The blocks of K that a part adds to between `count` functions: entry (i, j) of block (a, b) at
+/// ((3 b + j) count + a) 3 + i, for a >= b. `gram`: of gradients, for i <= j; `springs`: between functions,
+/// or empty.
+void blocksOf(const Gram& gram, const Eigen::MatrixXd& springs, int count, const Elasticity& elasticity,
+              std::vector<double>& blocks) {
     const double lambda = elasticity.lambda_pa, mu = elasticity.mu_pa;
-    const int count = static_cast<int>(functions.size());
-    for (int b = 0; b < count; ++b) {
-        const std::vector<int>& rows = pattern.rows_of_column[functions[b]];
-        size_t position = 0;
+    blocks.resize(static_cast<size_t>(9 * count * count));
+    for (int b = 0; b < count; ++b)
         for (int a = b; a < count; ++a) {
-            while (rows[position] != functions[a]) ++position;
-            double isotropic = mu * (part.gram[0](a, b) + part.gram[4](a, b) + part.gram[8](a, b));
-            const auto gram = [&](int i, int j) {
-                return i <= j ? part.gram[3 * i + j](a, b) : part.gram[3 * j + i](b, a);
-            };
-            if (part.springs.size() > 0) isotropic += part.springs(a, b);
+            Mat3 g;  // int grad phi_a grad phi_b^T
+            for (int j = 0; j < 3; ++j)
+                for (int i = 0; i <= j; ++i) {
+                    g(i, j) = gram[3 * i + j](a, b);
+                    if (i < j) g(j, i) = gram[3 * i + j](b, a);
+                }
+            double isotropic = mu * (g(0, 0) + g(1, 1) + g(2, 2));
+            if (springs.size() > 0) isotropic += springs(a, b);
             for (int j = 0; j < 3; ++j) {
-                double* target = matrix.values.data() + matrix.starts[3 * functions[b] + j] + 3 * position;
-                for (int i = 0; i < 3; ++i) target[i] += lambda * gram(i, j) + mu * gram(j, i);
+                double* target = blocks.data() + ((3 * b + j) * count + a) * 3;
+                for (int i = 0; i < 3; ++i) target[i] = lambda * g(i, j) + mu * g(j, i);
                 target[j] += isotropic;
             }
         }
+}
+
+/// Adds a part's blocks to those of K that belong to `functions`, in every `stride`-th column of blocks from
+/// `first` on.
+void scatter(const std::vector<double>& blocks, const std::vector<int>& functions,
+             const StiffnessPattern& pattern, int first, int stride, SparseMatrix& matrix) {
+    const int count = static_cast<int>(functions.size());
+    std::vector<int> places(count);
+    for (int b = 0; b < count; ++b) {
+        if (functions[b] % stride != first) continue;
+        const std::vector<int>& rows = pattern.rows_of_column[functions[b]];
+        auto row = rows.begin();
+        for (int a = b; a < count; ++a) {
+            row = std::find(row, rows.end(), functions[a]);
+            places[a] = 3 * static_cast<int>(row - rows.begin());
+        }
+        for (int j = 0; j < 3; ++j) {
+            double* column = matrix.values.data() + matrix.starts[3 * functions[b] + j];
+            const double* source = blocks.data() + (3 * b + j) * count * 3;
+            for (int a = b; a < count; ++a)
+                for (int i = 0; i < 3; ++i) column[places[a] + i] += source[3 * a + i];
+        }
     }
+}
+
+/// Whether a part's own functions all carry unknowns, in ascending order.
+bool isUntied(const SplineSpace& space, int part, const std::vector<int>& functions) {
+    if (static_cast<int>(functions.size()) != space.perPart()) return false;
+    for (int a = 0; a < space.perPart(); ++a) {
+        const SplineSpace::Terms terms = space.termsOf(space.raw_of[part][a]);
+        if (terms.end() - terms.begin() != 1 || terms.begin()->factor != 1 ||
+            terms.begin()->function != functions[a])
+            return false;
+    }
+    return true;
 }
 
 }  // namespace
@@ -67,29 +102,42 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
     const StiffnessPattern pattern(space);
     SparseMatrix matrix = zeroStiffness(pattern);
     const PartIntegrals integrals(space.degree, solid.edges);
-    const auto matrixOf = [&](int part) {
-        PartMatrix own;
-        own.gram = integrals.gradientProducts(solid.parts[part]);
-        const PartTies ties(space, part, pattern.functions_of_part[part]);
+    std::vector<double> whole;
+    blocksOf(integrals.wholeCell(), {}, space.perPart(), elasticity, whole);
+    const auto addsWhole = [&](int part) {
+        return solid.parts[part].moments.empty() && share_of_part.empty() && springs_of[part].empty() &&
+               isUntied(space, part, pattern.functions_of_part[part]);
+    };
+    const auto measure = [&](int part, std::vector<double>& blocks) {
+        const std::vector<int>& functions = pattern.functions_of_part[part];
+        Gram gram = integrals.gradientProducts(solid.parts[part]);
+        const PartTies ties(space, part, functions);
         for (int j = 0; j < 3; ++j)
             for (int i = 0; i <= j; ++i) {
-                if (!share_of_part.empty()) own.gram[3 * i + j] *= share_of_part[part];
-                ties.apply(own.gram[3 * i + j]);
+                if (!share_of_part.empty()) gram[3 * i + j] *= share_of_part[part];
+                ties.apply(gram[3 * i + j]);
             }
-        if (springs_of[part].empty()) return own;
-        own.springs = springMatrix(space, springs, springs_of[part]);
-        ties.apply(own.springs);
-        return own;
+        Eigen::MatrixXd hold;
+        if (!springs_of[part].empty()) {
+            hold = springMatrix(space, springs, springs_of[part]);
+            ties.apply(hold);
+        }
+        blocksOf(gram, hold, static_cast<int>(functions.size()), elasticity, blocks);
     };
-    std::vector<PartMatrix> batch(batch_size);
+    std::vector<std::vector<double>> batch(batch_size);
     for (int first = 0; first < part_count; first += batch_size) {
         const int size = std::min(batch_size, part_count - first);
         forEachChunk(chunk_count, [&](int chunk) {
             const int end = chunkBegin(chunk + 1, chunk_count, size);
-            for (int n = chunkBegin(chunk, chunk_count, size); n < end; ++n) batch[n] = matrixOf(first + n);
+            for (int n = chunkBegin(chunk, chunk_count, size); n < end; ++n)
+                if (!addsWhole(first + n)) measure(first + n, batch[n]);
         });
-        for (int n = 0; n < size; ++n)
-            scatter(batch[n], pattern.functions_of_part[first + n], elasticity, pattern, matrix);
+        // A column takes what the parts add in their order, whichever core it is on.
+        forEachChunk(scatter_count, [&](int scattered) {
+            for (int n = 0; n < size; ++n)
+                scatter(addsWhole(first + n) ? whole : batch[n], pattern.functions_of_part[first + n],
+                        pattern, scattered, scatter_count, matrix);
+        });
     }
     return matrix;
 }
