@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <string>
 
 #include "headless/stage_times.h"
 
@@ -11,18 +13,6 @@ namespace {
 using nlohmann::ordered_json;
 using sherd::BlowEvent;
 using sherd::Outcome;
-
-const char* word(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::broke:
-            return "broke";
-        case Outcome::held:
-            return "held";
-        case Outcome::failed:
-            break;
-    }
-    return "failed";
-}
 
 /// Of all breakable bodies together.
 struct Totals {
@@ -60,32 +50,45 @@ double difference(double is, double was) {
     return was > 0 ? std::abs(is - was) / was : 0;
 }
 
-/// What it took up to the first break: the sampling, the stress (with assembling and factoring, wherever that
-/// was done) and the making of fragments. Null if nothing broke.
-ordered_json firstBreakMilliseconds(const SceneRun& run) {
-    double sample = 0, matrix = 0;
+/// What it took up to the first break: the sampling, the stress (with assembling and factoring) and the
+/// making of fragments. Null if nothing broke.
+ordered_json firstBreakMilliseconds(const SceneRun& run, double sample_ms) {
+    double matrix = 0;
     for (const TimedEvent& timed : run.events) {
         const sherd::StageTimes& ms = timed.event.ms;
-        sample += ms.sample;
         matrix += ms.assemble + ms.factor;
         if (timed.event.outcome != Outcome::broke) continue;
-        return {{"sample", sample},
-                {"stress", matrix + ms.solve + ms.stress},
-                {"fragmentation", ms.damage + ms.cluster + ms.surface}};
+        return {{"sample", sample_ms},
+                {"stress", matrix + ms.loads + ms.solve + ms.stress},
+                {"fragmentation", ms.damage + ms.cluster + ms.surface + ms.fragments}};
     }
     return nullptr;
 }
 
-ordered_json milliseconds(const SceneRun& run, const FurtherBlows& further_blows) {
+/// Of the first blow that was solved; 0 if none was.
+double firstBlowMilliseconds(const SceneRun& run) {
+    for (const TimedEvent& timed : run.events)
+        if (timed.event.level != sherd::Level::gate) return stressMilliseconds(timed.event);
+    return 0;
+}
+
+ordered_json milliseconds(const SceneRun& run, double sample_ms, const FurtherBlows& further_blows) {
     ordered_json ms;
     for (const StageTotal& stage : stageTotals(run)) ms[stage.name] = stage.total_ms;
-    ms["first_break"] = firstBreakMilliseconds(run);
+    for (const auto& field : sherd::time_fields<sherd::StepTimes>)
+        ms[field.name] = run.times.steps.*field.value;
+    // What the steps took: in all, of that Sherd's part, all stages above together, Bullet's own solve.
+    ms["steps_ms"] = std::accumulate(run.step_ms.begin(), run.step_ms.end(), 0.0);
+    ms["ours_ms"] = run.times.whole;
+    ms["stages_ms"] = run.times.stages();
+    ms["bullet_solve_ms"] = run.times.bullet_solve;
+    ms["first_break"] = firstBreakMilliseconds(run, sample_ms);
     ms["step_total_worst"] =
         run.step_ms.empty() ? 0 : *std::max_element(run.step_ms.begin(), run.step_ms.end());
     ms["step_total_median"] = median(run.step_ms);
     std::vector<double> further;
     for (const BlowEvent& blow : further_blows) further.push_back(stressMilliseconds(blow));
-    ms["first_blow_ms"] = run.events.empty() ? 0 : stressMilliseconds(run.events.front().event);
+    ms["first_blow_ms"] = firstBlowMilliseconds(run);
     ms["further_blow_ms"] = median(further);
     return ms;
 }
@@ -95,7 +98,12 @@ ordered_json describe(const TimedEvent& timed) {
     const auto list = [](const Vec3& v) { return ordered_json::array({v.x(), v.y(), v.z()}); };
     ordered_json entry;
     entry["time_s"] = timed.time_s;
-    entry["outcome"] = word(event.outcome);
+    entry["outcome"] = sherd::nameOf(event.outcome);
+    entry["level"] = sherd::nameOf(event.level);
+    if (event.full_solve_outcome) {
+        entry["full_solve_outcome"] = sherd::nameOf(*event.full_solve_outcome);
+        entry["full_solve_largest_stress_pa"] = event.full_solve_largest_stress_pa;
+    }
     entry["fragments"] = event.fragments.size();
     entry["position_m"] = list(event.position);
     entry["normal"] = list(event.normal);
@@ -111,8 +119,8 @@ ordered_json describe(const TimedEvent& timed) {
 
 }  // namespace
 
-ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets,
-                        const SceneRun& run, const FurtherBlows& further_blows) {
+ordered_json makeReport(const Scene& scene, const SceneAssets& assets, const SceneRun& run,
+                        const FurtherBlows& further_blows) {
     const Totals before = totals(run.before), broken = totals(run.broken), after = totals(run.after);
     ordered_json report;
     report["scene"] = scene.name;
@@ -122,7 +130,7 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
         report["bodies"].push_back({{"material", ordered_json::parse(body.material.toJson())},
                                     {"settings", ordered_json::parse(body.settings.toJson())}});
     int particles = 0;
-    for (const sherd::BreakableAsset& asset : assets) particles += asset.particleCount();
+    for (const sherd::BreakableAsset& asset : assets.bodies) particles += asset.particleCount();
     report["particles"] = particles;
     report["triangles_before"] = before.triangles;
     report["triangles_after"] = after.triangles;
@@ -131,8 +139,8 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["triangles_after_first_break"] = broken.triangles;
     report["bodies_after"] = after.bodies;
     report["blows_seen"] = run.counts.seen;
-    report["blows_skipped"] = run.counts.skipped;
-    report["blows_solved"] = run.counts.solved;
+    for (const auto& level : sherd::enum_names<sherd::Level>)
+        report[std::string("blows_by_") + level.name] = run.counts.at(level.value);
     report["first_break_s"] = run.first_break_s;
     report["largest_stress_pa"] = worst(run, &BlowEvent::largest_stress_pa);
     // Over each swap, and from the start to the end: pieces that got lost later would show in the second. Of
@@ -147,7 +155,7 @@ ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAs
     report["residual_rel"] = worst(run, &BlowEvent::residual_rel);
     report["events"] = ordered_json::array();
     for (const TimedEvent& timed : run.events) report["events"].push_back(describe(timed));
-    report["ms"] = milliseconds(run, further_blows);
+    report["ms"] = milliseconds(run, assets.sample_ms, further_blows);
     return report;
 }
 

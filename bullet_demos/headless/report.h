@@ -15,7 +15,7 @@ using FurtherBlows = std::vector<sherd::BlowEvent>;
 
 /// The content of report.json. Wall-clock times are inside `ms` and nowhere else: two runs differ in nothing
 /// else.
-nlohmann::ordered_json makeReport(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets,
-                                  const SceneRun& run, const FurtherBlows& further_blows);
+nlohmann::ordered_json makeReport(const Scene& scene, const SceneAssets& assets, const SceneRun& run,
+                                  const FurtherBlows& further_blows);
 
 }  // namespace demo

@@ -25,8 +25,8 @@ double timedStep(SceneWorld& world) {
 std::string describe(const SceneRun& run, SceneWorld& world) {
     const sherd::BlowCounts counts = world.fracture().counts();
     return std::to_string(world.fracture().bodies().size()) +
-           " bodies; blows: " + std::to_string(counts.seen) + " seen, " + std::to_string(counts.skipped) +
-           " skipped, " + std::to_string(counts.solved) + " solved" +
+           " bodies; blows: " + std::to_string(counts.seen) + " seen, " + std::to_string(counts.solved()) +
+           " solved" +
            (run.first_break_s < 0 ? ""
                                   : "; broke at " + std::to_string(run.first_break_s).substr(0, 5) + " s");
 }
@@ -41,7 +41,7 @@ void collectEvents(SceneRun& run, SceneWorld& world, double time_s) {
 
 }  // namespace
 
-SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets, Progress& progress) {
+SceneRun runScene(const Scene& scene, const SceneAssets& assets, Progress& progress) {
     SceneWorld world(scene, assets);
     SceneRun run;
     const std::vector<BodyState> start = world.states();
@@ -64,15 +64,16 @@ SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& 
     run.after = world.states();
     if (run.shown.empty()) run.shown = run.after;
     run.counts = world.fracture().counts();
+    run.times = world.fracture().times();
     return run;
 }
 
-std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene,
-                                            const std::vector<sherd::BreakableAsset>& assets) {
+std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene, const SceneAssets& assets) {
     SceneWorld world(scene, assets);
     for (int step = 0; step < stepCount(scene); ++step) {
         world.step();
-        for (sherd::BlowEvent& event : world.fracture().takeEvents()) return std::move(event);
+        for (sherd::BlowEvent& event : world.fracture().takeEvents())
+            if (event.level != sherd::Level::gate) return std::move(event);
     }
     return std::nullopt;
 }

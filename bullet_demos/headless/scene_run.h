@@ -26,16 +26,16 @@ struct SceneRun {
     std::vector<BodyState> after;   ///< the end
     std::vector<TimedEvent> events;
     sherd::BlowCounts counts;
+    sherd::WorldTimes times;
     std::vector<double> step_ms;  ///< wall-clock time of every step
     double first_break_s = -1;    ///< simulated time; -1: nothing broke
 };
 
 /// Runs a scene from start to end.
-SceneRun runScene(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets, Progress& progress);
+SceneRun runScene(const Scene& scene, const SceneAssets& assets, Progress& progress);
 
 /// The first solved blow of the scene, struck once more on the same assets: what a blow costs on a body that
 /// is factored already. Nothing if no blow was solved within the scene's duration.
-std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene,
-                                            const std::vector<sherd::BreakableAsset>& assets);
+std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene, const SceneAssets& assets);
 
 }  // namespace demo

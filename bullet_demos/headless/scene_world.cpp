@@ -1,6 +1,7 @@
 #include "headless/scene_world.h"
 
 #include <algorithm>
+#include <chrono>
 #include <limits>
 #include <string>
 
@@ -83,7 +84,7 @@ sherd::Result<sherd::Settings> makeSettings(const BreakableBody& body, const she
 }
 
 sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const std::string& meshes,
-                                               const Announce& announce) {
+                                               const Announce& announce, double& sample_ms) {
     const auto surface = makeSurface(body.shape, meshes, announce);
     if (!surface) return sherd::Error{surface.error()};
     const auto* file = std::get_if<ObjFile>(&body.shape);
@@ -92,9 +93,12 @@ sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const 
     if (!settings) return sherd::Error{source + settings.error()};
     auto asset = sherd::BreakableAsset::fromMesh(surface.value(), body.material, settings.value());
     if (!asset) return sherd::Error{source + asset.error()};
+    const auto start = std::chrono::steady_clock::now();
+    const bool is_sampled = asset.value().particleCount() > 0;
+    sample_ms += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     // A solid that cannot be sampled gets no body in the world; `prepare` says why, before it assembles
     // anything.
-    if (asset.value().particleCount() == 0) return sherd::Error{source + asset.value().prepare().error()};
+    if (!is_sampled) return sherd::Error{source + asset.value().prepare().error()};
     if (body.supports.empty()) return asset;
     auto anchored = asset.value().anchored(body.supports);
     if (!anchored) return sherd::Error{source + anchored.error()};
@@ -103,22 +107,22 @@ sherd::Result<sherd::BreakableAsset> makeAsset(const BreakableBody& body, const 
 
 }  // namespace
 
-sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(const Scene& scene, const std::string& meshes,
-                                                             const Announce& announce) {
-    std::vector<sherd::BreakableAsset> assets;
+sherd::Result<SceneAssets> makeAssets(const Scene& scene, const std::string& meshes,
+                                      const Announce& announce) {
+    SceneAssets assets;
     for (const BreakableBody& body : scene.bodies) {
-        auto asset = makeAsset(body, meshes, announce);
+        auto asset = makeAsset(body, meshes, announce, assets.sample_ms);
         if (!asset) return sherd::Error{asset.error()};
-        assets.push_back(std::move(asset).value());
+        assets.bodies.push_back(std::move(asset).value());
     }
     return assets;
 }
 
-SceneWorld::SceneWorld(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets) : scene_(scene) {
+SceneWorld::SceneWorld(const Scene& scene, const SceneAssets& assets) : scene_(scene) {
     world_.setGravity(toBullet(scene.gravity));
     fracture_ = std::make_unique<sherd::FractureWorld>(&world_);
     addFloor();
-    for (std::size_t i = 0; i < assets.size(); ++i) addBody(scene_.bodies[i], assets[i]);
+    for (std::size_t i = 0; i < assets.bodies.size(); ++i) addBody(scene_.bodies[i], assets.bodies[i]);
     for (const Ball& ball : scene_.balls) addBall(ball);
 }
 

@@ -13,10 +13,16 @@
 
 namespace demo {
 
-/// The assets of a scene's breakable bodies, checked; they outlive runs, so that a second run finds them
-/// factored. Generated meshes are kept in the folder `meshes`; what takes long is said to `announce`.
-sherd::Result<std::vector<sherd::BreakableAsset>> makeAssets(
-    const Scene& scene, const std::string& meshes, const std::function<void(const std::string&)>& announce);
+/// The assets of a scene's breakable bodies, checked and sampled; they outlive runs, so that a second run
+/// finds them factored.
+struct SceneAssets {
+    std::vector<sherd::BreakableAsset> bodies;
+    double sample_ms = 0;  ///< wall-clock time of sampling them
+};
+
+/// Generated meshes are kept in the folder `meshes`; what takes long is said to `announce`.
+sherd::Result<SceneAssets> makeAssets(const Scene& scene, const std::string& meshes,
+                                      const std::function<void(const std::string&)>& announce);
 
 /// A breakable body or a ball, where it is at one moment.
 struct BodyState {
@@ -29,7 +35,7 @@ struct BodyState {
 /// A scene set up in a Bullet world of its own.
 class SceneWorld {
   public:
-    SceneWorld(const Scene& scene, const std::vector<sherd::BreakableAsset>& assets);
+    SceneWorld(const Scene& scene, const SceneAssets& assets);
     ~SceneWorld();
     SceneWorld(const SceneWorld&) = delete;
     SceneWorld& operator=(const SceneWorld&) = delete;

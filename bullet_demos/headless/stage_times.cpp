@@ -3,33 +3,15 @@
 #include <algorithm>
 
 namespace demo {
-namespace {
-
-using sherd::StageTimes;
-
-struct Stage {
-    const char* name;
-    double StageTimes::*time;
-};
-
-constexpr Stage stages[] = {
-    {"sample", &StageTimes::sample},   {"assemble", &StageTimes::assemble},
-    {"factor", &StageTimes::factor},   {"solve", &StageTimes::solve},
-    {"stress", &StageTimes::stress},   {"damage", &StageTimes::damage},
-    {"cluster", &StageTimes::cluster}, {"surface", &StageTimes::surface},
-    {"bodies", &StageTimes::bodies},   {"resolve_step", &StageTimes::resolve_step},
-};
-
-}  // namespace
 
 std::vector<StageTotal> stageTotals(const SceneRun& run) {
     std::vector<StageTotal> totals;
-    for (const Stage& stage : stages) {
+    for (const auto& stage : sherd::time_fields<sherd::StageTimes>) {
         StageTotal total{stage.name};
+        total.total_ms = run.times.blows.*stage.value;
         for (const TimedEvent& timed : run.events) {
-            const double ms = timed.event.ms.*(stage.time);
+            const double ms = timed.event.ms.*stage.value;
             total.count += ms > 0;
-            total.total_ms += ms;
             total.worst_ms = std::max(total.worst_ms, ms);
         }
         totals.push_back(total);

@@ -9,9 +9,9 @@ namespace demo {
 /// What one stage of the pipeline took over a run.
 struct StageTotal {
     const char* name = "";
-    int count = 0;  ///< blows that needed the stage
-    double total_ms = 0;
-    double worst_ms = 0;  ///< of a single blow
+    int count = 0;        ///< blows that needed the stage, of those that have an event
+    double total_ms = 0;  ///< of all blows
+    double worst_ms = 0;  ///< of a single blow that has an event
 };
 
 /// All stages in the order of the pipeline.

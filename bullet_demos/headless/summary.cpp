@@ -23,17 +23,22 @@ std::string stageTable(const SceneRun& run, const ordered_json& ms) {
     for (const StageTotal& stage : stageTotals(run)) {
         text += line("%-14s %6d %12.2f %12.2f", stage.name, stage.count, stage.total_ms, stage.worst_ms);
     }
-    const double worst = ms["step_total_worst"], middle = ms["step_total_median"];
-    return text + line("%-14s %6zu %12s %12.2f   (median %.3f)", "whole step", run.step_ms.size(), "", worst,
-                       middle);
+    for (const auto& field : sherd::time_fields<sherd::StepTimes>)
+        text += line("%-14s %6s %12.2f", field.name, "", run.times.steps.*field.value);
+    const double steps = ms["steps_ms"], worst = ms["step_total_worst"], middle = ms["step_total_median"];
+    text += line("%-14s %6s %12.2f   (%.1f %% of it in the stages above)", "all of Sherd", "",
+                 run.times.whole, 100 * run.times.stages() / run.times.whole);
+    return text + line("%-14s %6zu %12.2f %12.2f   (median %.3f)", "whole step", run.step_ms.size(), steps,
+                       worst, middle);
 }
 
 std::string blowLines(const ordered_json& report) {
-    const long long seen = report["blows_seen"], skipped = report["blows_skipped"],
-                    solved = report["blows_solved"];
-    std::string text =
-        line("%-14s %6lld seen, %lld skipped by the trigger (%.1f %%), %lld solved", "blows", seen, skipped,
-             seen > 0 ? 100.0 * static_cast<double>(skipped) / static_cast<double>(seen) : 0.0, solved);
+    const long long seen = report["blows_seen"], gate = report["blows_by_gate"],
+                    reduced = report["blows_by_reduced"], full = report["blows_by_full"];
+    std::string text = line(
+        "%-14s %6lld seen; decided by the gate %lld (%.1f %%), the reduced model %lld, a full solve %lld",
+        "blows", seen, gate, seen > 0 ? 100.0 * static_cast<double>(gate) / static_cast<double>(seen) : 0.0,
+        reduced, full);
     const double first = report["ms"]["first_blow_ms"], further = report["ms"]["further_blow_ms"];
     if (further > 0) {
         text += line("%-14s first blow %.2f ms, further blow on the same body %.2f ms (%.0f times less)",

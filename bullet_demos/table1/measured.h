@@ -11,8 +11,8 @@ struct Measured {
     int particles = 0;
     double grid_ms = 0;           ///< sampling, with the table of neighbours
     double dynamics_ms = 0;       ///< a step in which nothing breaks: the median
-    double stress_s = 0;          ///< assembling, factoring, solving, stress from displacements
-    double fragmentation_ms = 0;  ///< damage, clusters and surfaces
+    double stress_s = 0;          ///< loads, assembling, factoring, solving, stress from displacements
+    double fragmentation_ms = 0;  ///< damage, clusters, surfaces and solids
     double render_s = 0;          ///< of the picture after the break
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <sherd/outcome.h>
 #include <sherd/repair.h>
 #include <sherd/settings.h>
 
@@ -86,6 +87,20 @@ inline constexpr NamedValue<Quality> enum_names<Quality>[] = {
     {"preview", Quality::preview},
     {"game", Quality::game},
     {"film", Quality::film},
+};
+
+template <>
+inline constexpr NamedValue<Outcome> enum_names<Outcome>[] = {
+    {"broke", Outcome::broke},
+    {"held", Outcome::held},
+    {"failed", Outcome::failed},
+};
+
+template <>
+inline constexpr NamedValue<Level> enum_names<Level>[] = {
+    {"gate", Level::gate},
+    {"reduced", Level::reduced},
+    {"full", Level::full},
 };
 
 /// The name of a value; empty for what is none of the enum's values.

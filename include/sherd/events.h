@@ -14,8 +14,9 @@ class btTypedConstraint;
 
 namespace sherd {
 
-/// One blow whose stress was solved: the body broke, or it held. The first blow on a body that has warnings
-/// is told of even if it was too weak to be solved. World frame, SI units.
+/// One blow whose stress was solved: the body broke, or it held. Blows that the gate decided have an event
+/// only where it has something to say: the first blow on a body that has warnings, and all blows with
+/// FractureSettings::check_with_full_solve. World frame, SI units.
 struct BlowEvent : BlowFigures {
     explicit BlowEvent(const BreakableAsset& of_body) : asset(of_body) {}
 
@@ -46,14 +47,6 @@ struct BlowEvent : BlowFigures {
     double dropped_mass_kg = 0;  ///< of debris that left the world (FractureSettings::debris)
     /// Linear and angular, of all fragments against the body; 0 if the world held it or holds some of them.
     double momentum_error_rel = 0;
-};
-
-/// Counts since the FractureWorld was made.
-struct BlowCounts {
-    long long seen = 0;            ///< blows: a breakable body in contact in one step
-    long long skipped = 0;         ///< of these: the energy cannot break the body, so nothing was solved
-    long long solved = 0;          ///< of these: the stress was solved
-    long long events_dropped = 0;  ///< since nobody took them, see FractureWorld::takeEvents
 };
 
 }  // namespace sherd

@@ -99,12 +99,15 @@ class FractureWorld {
     /// on, also when it is called from a FragmentCallback.
     void onFragment(FragmentCallback callback);
 
-    /// Takes the blows that were solved since the last call, in order. Events wait to be taken, up to 1000 of
-    /// them, and with them the bodies that broke; then the oldest are dropped, and counted in
-    /// `BlowCounts::events_dropped`.
+    /// Takes the blows that were solved since the last call (BlowEvent says which others), in order. Events
+    /// wait to be taken, up to 1000 of them, and with them the bodies that broke; then the oldest are
+    /// dropped, and counted in `BlowCounts::events_dropped`.
     std::vector<BlowEvent> takeEvents();
 
     BlowCounts counts() const;
+
+    /// Wall-clock times. Called inside a step, those of earlier steps and of the stages that are done.
+    WorldTimes times() const;
 
     /// The bodies made or made breakable here that are in the world now, fragments included, also those that
     /// never break (Debris::unbreakable).

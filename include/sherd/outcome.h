@@ -1,5 +1,8 @@
 #pragma once
 
+#include <sherd/times.h>
+
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,18 +16,17 @@ enum class Outcome {
     failed,  ///< the blow could not be worked out; the body stays whole, and `message` says why
 };
 
-/// Milliseconds of each stage of one blow; 0 where a stage was not needed.
-struct StageTimes {
-    double sample = 0, assemble = 0, factor = 0;  ///< of a first blow on a body
-    double solve = 0, stress = 0;                 ///< the linear solve, and the stress of its solution
-    double damage = 0, cluster = 0, surface = 0;  ///< from the stress to the surfaces of the fragments
-    double bodies = 0;                            ///< making the rigid bodies
-    double resolve_step = 0;                      ///< solving the step again with them, `bodies` not included
+/// What decided a blow: the first of these that could. Each one costs more than the one before.
+enum class Level {
+    gate,     ///< the blow is too weak to break the body: nothing was solved
+    reduced,  ///< the reduced model of the stress that the asset keeps
+    full,     ///< a full solve of the stress
 };
 
-/// The figures of one blow whose stress was solved. SI units.
+/// The figures of one blow. SI units.
 struct BlowFigures {
     Outcome outcome = Outcome::held;
+    Level level = Level::gate;
     double impulse_n_s = 0;     ///< sum of the normal impulses of all contacts
     double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
     double contact_time_s = 0;  ///< duration of that pulse
@@ -34,10 +36,32 @@ struct BlowFigures {
     double volume_error_rel = 0;  ///< the same of the volume
     double residual_rel = 0;      ///< of the linear solve
     StageTimes ms;
+    /// What a full solve says of a blow that another level decided, and its largest stress: only with
+    /// FractureSettings::check_with_full_solve.
+    std::optional<Outcome> full_solve_outcome;
+    double full_solve_largest_stress_pa = 0;
     std::string message;  ///< failure and fallbacks, as sentences
     /// What limits trust in the stress, with the remedy. In a world the first blow on a body says also what
     /// its asset warns of (BreakableAsset::warnings).
     std::vector<std::string> warnings;
+};
+
+/// Counts since the FractureWorld was made.
+struct BlowCounts {
+    long long seen = 0;  ///< blows: a breakable body in contact in one step
+    // Of these, by what decided them: gate + reduced + full = seen.
+    long long gate = 0, reduced = 0, full = 0;
+    long long events_dropped = 0;  ///< since nobody took them, see FractureWorld::takeEvents
+
+    long long solved() const { return reduced + full; }  ///< blows whose stress was solved
+
+    /// Blows that a level decided.
+    long long& at(Level level) {
+        return level == Level::gate ? gate : level == Level::reduced ? reduced : full;
+    }
+    long long at(Level level) const {
+        return level == Level::gate ? gate : level == Level::reduced ? reduced : full;
+    }
 };
 
 }  // namespace sherd

@@ -18,5 +18,6 @@
 #include <sherd/stress_field.h>
 #include <sherd/stress_model.h>
 #include <sherd/surface_region.h>
+#include <sherd/times.h>
 #include <sherd/triangle_mesh.h>
 #include <sherd/types.h>

@@ -23,7 +23,7 @@ Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>
     if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
     if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
     blows_.push_back({breakable->serial, body, pushes});
-    if (!insideStep()) finish(0);
+    if (!insideStep()) finishBetweenSteps();
     return success();
 }
 
@@ -45,15 +45,23 @@ Result<int> FractureWorld::Impl::applyBlows(
 /// What waited for the end of the step, or of the blow that is applied between steps.
 void FractureWorld::Impl::finish(btScalar time_step_s) {
     const InsideStep guard(world_);
-    removeRequested();
+    timed(times_.steps.sync, [&] { removeRequested(); });
     while (!blows_.empty()) {
         const QueuedBlow blow = std::move(blows_.front());
         blows_.pop_front();
         carryOut(blow, time_step_s);
-        removeRequested();
+        timed(times_.steps.sync, [&] { removeRequested(); });
     }
-    for (QueuedEvent& queued : current_) events_.push(std::move(queued));
+    const AddedTime time(times_.steps.sync);
+    for (QueuedEvent& queued : current_) {
+        times_.blows += queued.event.ms;
+        events_.push(std::move(queued));
+    }
     current_.clear();
+}
+
+void FractureWorld::Impl::finishBetweenSteps() {
+    timed(times_.whole, [&] { finish(0); });
 }
 
 void FractureWorld::Impl::removeRequested() {
@@ -67,7 +75,7 @@ void FractureWorld::Impl::removeRequested() {
 void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s) {
     Breakable* target = targetOf(blow);
     if (!target || !isInWorld(world_, target->body) || !target->canBeStruck()) return;
-    const StruckBreakable struck = asContacts(*target, blow.pushes);
+    const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
     // What is held takes no impulse itself; what comes loose of it does.
     const bool held = target->asset.solid()->isAnchored();
     if (!held) push(*target->body, blow.pushes);
@@ -80,8 +88,7 @@ void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s)
     }
     if (held && fragments.empty()) push(*target->body, blow.pushes);
     if (fragments.empty()) return;
-    findContactsOf(world_, fragments);
-    allowOverlapsAtBirth(fragments);
+    findNewContacts(fragments);
 }
 
 /// The body itself; the fragment that is nearest to the blow if the body has broken since the blow was asked

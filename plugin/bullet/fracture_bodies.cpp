@@ -113,7 +113,7 @@ Result<btRigidBody*> FractureWorld::Impl::putIntoWorld(std::unique_ptr<Breakable
         world_.addRigidBody(body, options.collision_group.value_or(usual.group),
                             options.collision_mask.value_or(usual.mask));
     }
-    finish(0);  // what the app asked for meanwhile
+    finishBetweenSteps();  // what the app asked for meanwhile
     if (released_) return Error{"the FractureWorld was destroyed by a callback while the body was added"};
     return body;
 }
@@ -173,7 +173,7 @@ void FractureWorld::Impl::remove(btRigidBody* body) {
     const BodyToken token = tokenToRemove(body);
     if (token == no_token) return;
     to_remove_.push_back({body, token});
-    if (!insideStep()) finish(0);
+    if (!insideStep()) finishBetweenSteps();
 }
 
 /// Of a breakable body, or of one that broke in the current step; no_token for others.

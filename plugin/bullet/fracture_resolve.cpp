@@ -11,7 +11,6 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
 #include "core/numerics/split_mix.h"
-#include "core/numerics/stopwatch.h"
 
 namespace sherd {
 
@@ -31,12 +30,9 @@ std::vector<btCollisionObject*> without(std::vector<btCollisionObject*> objects,
 std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     std::vector<Break>& breaks, const std::vector<btRigidBody*>& swept, bool last,
     const btContactSolverInfo& info, btIDebugDraw* drawer) {
-    const Stopwatch watch;
     std::vector<btCollisionObject*> members(swept.begin(), swept.end());
     for (const Break& broken : breaks) members.push_back(broken.body);
-    const Island whole = connectedIsland(world_, members);
-    before_.restore(whole);
-    members = whole.bodies;
+    members = restoredIsland(members).bodies;
 
     std::vector<btCollisionObject*> new_bodies;
     for (Break& broken : breaks) {
@@ -44,32 +40,50 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
         if (!fragments.empty()) members = without(std::move(members), broken.body);
         new_bodies.insert(new_bodies.end(), fragments.begin(), fragments.end());
     }
-    decorator_.forEachListener([&](StepListener& hook) { hook.bodiesEnter(new_bodies); });
-    findContactsOf(world_, new_bodies);
-    allowOverlapsAtBirth(new_bodies);
-    std::vector<const Breakable*> new_fragments;
-    for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
-    addGroundContacts(world_, new_fragments);
+    timed(times_.steps.snapshot,
+          [&] { decorator_.forEachListener([&](StepListener& hook) { hook.bodiesEnter(new_bodies); }); });
+    findNewContacts(new_bodies);
+    timed(times_.steps.ground, [&] {
+        std::vector<const Breakable*> new_fragments;
+        for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
+        addGroundContacts(world_, new_fragments);
+    });
     members.insert(members.end(), new_bodies.begin(), new_bodies.end());
+    auto next = timed(times_.steps.sweep, [&] { return sweepAgain(swept, last, info.m_timeStep); });
+
+    // Fragments may touch bodies that the whole body did not, and their islands then have to be solved again
+    // too.
+    Island pieces = restoredIsland(members);
+    const AddedTime time(times_.steps.resolve);
+    for (btCollisionObject* body : pieces.bodies) body->activate();
+    solveIsland(world_, decorator_.innermost(), pieces, info, drawer);
+    return next;
+}
+
+/// The islands of some bodies, set back to before the solve.
+Island FractureWorld::Impl::restoredIsland(const std::vector<btCollisionObject*>& members) {
+    const AddedTime time(times_.steps.restore);
+    Island island = connectedIsland(world_, members);
+    before_.restore(island);
+    return island;
+}
+
+/// Makes the predictive contacts of bodies anew. Returns the breakable bodies that they are about to hit.
+std::vector<const btCollisionObject*> FractureWorld::Impl::sweepAgain(const std::vector<btRigidBody*>& swept,
+                                                                      bool last, btScalar time_step_s) {
     const Obstacles obstacles{[&](const auto& object) { return isFragmentOfAny(object); },
                               [&](const auto& object) { return last && breakables_.find(&object); }};
     std::vector<const btCollisionObject*> next;
     for (btRigidBody* body : swept) {
-        const btCollisionObject* hit = predictContacts(world_, *body, obstacles, info.m_timeStep);
+        const btCollisionObject* hit = predictContacts(world_, *body, obstacles, time_step_s);
         if (hit && breakables_.find(hit)) next.push_back(hit);
     }
-
-    // Fragments may touch bodies that the whole body did not, and their islands then have to be solved again
-    // too.
-    Island pieces = connectedIsland(world_, members);
-    before_.restore(pieces);
-    for (btCollisionObject* body : pieces.bodies) body->activate();
-    solveIsland(world_, decorator_.innermost(), pieces, info, drawer);
-    double without_bodies_ms = watch.milliseconds();
-    for (const Break& broken : breaks) without_bodies_ms -= current_[broken.event].event.ms.bodies;
-    for (const Break& broken : breaks)
-        current_[broken.event].event.ms.resolve_step = without_bodies_ms / breaks.size();
     return next;
+}
+
+void FractureWorld::Impl::findNewContacts(const std::vector<btCollisionObject*>& new_bodies) {
+    timed(times_.steps.resolve, [&] { findContactsOf(world_, new_bodies); });
+    timed(times_.steps.overlaps, [&] { allowOverlapsAtBirth(new_bodies); });
 }
 
 void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies) {
@@ -80,20 +94,35 @@ void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObje
     birth_overlaps_.applyAllowances(world_);
 }
 
+/// Returns the fragments, now in the world; none if their bodies could not be made.
 std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
-    BlowEvent& event = current_[broken.event].event;
+    StageTimes& ms = current_[broken.event].event.ms;
     Breakable& parent = *breakables_.find(broken.body);
-    std::vector<std::unique_ptr<Breakable>> pieces;
+    auto pieces = timed(ms.bodies, [&] { return makePieces(broken, parent, time_step_s > 0); });
+    if (pieces.empty()) return {};
+    return timed(ms.swap, [&] { return exchange(broken, parent, std::move(pieces), time_step_s); });
+}
+
+/// The bodies of the fragments. If that fails there are none, and the event says why.
+std::vector<std::unique_ptr<Breakable>> FractureWorld::Impl::makePieces(const Break& broken,
+                                                                        const Breakable& parent,
+                                                                        bool inside_step) {
     try {
-        const Stopwatch watch;
-        pieces = makeFragmentBodies(parent, broken.outcome.fragments, world_.getGravity(), time_step_s > 0);
-        event.ms.bodies += watch.milliseconds();
+        return makeFragmentBodies(parent, broken.outcome.fragments, world_.getGravity(), inside_step);
     } catch (const std::exception& trouble) {
+        BlowEvent& event = current_[broken.event].event;
         event.outcome = Outcome::failed;
         event.message = std::string("the fragments' bodies could not be made (") + trouble.what() +
                         "); the body stays whole";
         return {};
     }
+}
+
+/// Puts the pieces in the place of their parent.
+std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Breakable& parent,
+                                                              std::vector<std::unique_ptr<Breakable>> pieces,
+                                                              btScalar time_step_s) {
+    BlowEvent& event = current_[broken.event].event;
     if (broken.pushes) pushLoose(pieces, *broken.pushes);
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);

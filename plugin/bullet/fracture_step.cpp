@@ -7,6 +7,7 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
 #include "core/numerics/split_mix.h"
+#include "fracture/decide_blow.h"
 
 namespace sherd {
 
@@ -35,38 +36,30 @@ BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
 
 }  // namespace
 
+// `times_.whole` is measured here, and in `finishBetweenSteps`: these are all the ways in from outside.
+
 void FractureWorld::Impl::beforeSolve() {
-    to_delete_.clear();
-    events_.deleteReleased();
-    if (integrating_) {  // the world went on without calling its actions
-        world_calls_actions_ = false;
-        endIntegration();
-    }
-    breakables_.dropReplaced(world_.getCollisionObjectArray());
-    breakables_.syncWithWorld(world_.getCollisionObjectArray());
-    const auto& all = breakables_.all();
-    any_breakable_ =
-        std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
-    if (!any_breakable_) return;
-    birth_overlaps_.applyAllowances(world_);
-    addGroundContacts(world_, fragments());
-    before_.take(world_);
-    write_back_.begin(world_);
+    timed(times_.whole, [&] { prepareSolve(); });
+    solve_watch_ = {};
 }
 
 void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) {
+    times_.bullet_solve += solve_watch_.milliseconds();
     time_s_ += info.m_timeStep;
-    if (any_breakable_) {
-        solveBreaks(info, drawer);
-        write_back_.end(world_);
-        any_breakable_ = false;
-    }
+    if (!any_breakable_) return;
+    const AddedTime whole(times_.whole);
+    solveBreaks(info, drawer);
+    timed(times_.steps.snapshot, [&] { write_back_.end(world_); });
+    any_breakable_ = false;
 }
 
 void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
-    finish(info.m_timeStep);
-    sweep_exceptions_.begin(
-        world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
+    timed(times_.whole, [&] {
+        finish(info.m_timeStep);
+        const AddedTime time(times_.steps.sweep);
+        sweep_exceptions_.begin(
+            world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
+    });
     integrating_ = true;
     if (released_)
         delete this;
@@ -74,31 +67,62 @@ void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
         afterIntegration();
 }
 
+void FractureWorld::Impl::afterIntegration() {
+    timed(times_.whole, [&] {
+        timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+        endIntegration();
+    });
+    markBetweenSteps(world_);
+    deleteIfReleased();
+}
+
 void FractureWorld::Impl::endIntegration() {
     integrating_ = false;
-    sweep_exceptions_.end();
+    timed(times_.steps.sweep, [&] { sweep_exceptions_.end(); });
     finish(0);
 }
 
-void FractureWorld::Impl::afterIntegration() {
-    stopAtGround(world_, breakables_, before_);
-    endIntegration();
-    markBetweenSteps(world_);
-    deleteIfReleased();
+void FractureWorld::Impl::prepareSolve() {
+    StepTimes& ms = times_.steps;
+    timed(ms.release, [&] {
+        to_delete_.clear();
+        events_.deleteReleased();
+    });
+    if (integrating_) {  // the world went on without calling its actions
+        world_calls_actions_ = false;
+        endIntegration();
+    }
+    timed(ms.sync, [&] {
+        breakables_.dropReplaced(world_.getCollisionObjectArray());
+        breakables_.syncWithWorld(world_.getCollisionObjectArray());
+        const auto& all = breakables_.all();
+        any_breakable_ =
+            std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
+    });
+    if (!any_breakable_) return;
+    timed(ms.overlaps, [&] { birth_overlaps_.applyAllowances(world_); });
+    timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
+    timed(ms.snapshot, [&] {
+        before_.take(world_);
+        write_back_.begin(world_);
+    });
 }
 
 /// What breaks in the step, and what is struck through it: a body with continuous collision may go through
 /// several bodies in one step.
 void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer) {
     std::vector<Break> breaks;
-    const auto swept = sweptInto(world_, [&](const auto& object) { return isFragmentOfAny(object); });
+    const auto swept = timed(times_.steps.sweep, [&] {
+        return sweptInto(world_, [&](const auto& object) { return isFragmentOfAny(object); });
+    });
     if (!swept.empty()) resolveIslands(breaks, swept, false, info, drawer);
     breaks = evaluateBlows(struck(info));
     for (int round = 1; !breaks.empty(); ++round) {
-        const auto through = sweptInto(world_, [&](const auto& object) {
+        const auto is_broken = [&](const auto& object) {
             return std::any_of(breaks.begin(), breaks.end(),
                                [&](const Break& broken) { return broken.body == &object; });
-        });
+        };
+        const auto through = timed(times_.steps.sweep, [&] { return sweptInto(world_, is_broken); });
         const auto next = resolveIslands(breaks, through, round == most_rounds, info, drawer);
         std::vector<StruckBreakable> blows;
         if (!next.empty())
@@ -109,7 +133,8 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
     }
 }
 
-std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverInfo& info) const {
+std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverInfo& info) {
+    const AddedTime time(times_.steps.contacts);
     ContactCollector collector(breakables_, before_, time_s_, info);
     feedSolvedContacts(world_, collector);
     return collector.takeStruck();
@@ -145,16 +170,16 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck) {
     std::vector<Break> breaks;
     for (const StruckBreakable& body : struck) {
-        const BreakableSolid& solid = *body.breakable->asset.solid();
-        const FractureSettings& fracture = *body.breakable->fracture;
         if (isToBeRemoved(*body.breakable)) continue;
         const std::vector<std::string> warnings = warningsAtFirstBlow(*body.breakable);
-        const bool may_break = canBreak(solid, body.blow, fracture);
+        BlowOutcome outcome = decideBlow(*body.breakable->asset.solid(), body.blow, *body.breakable->fracture,
+                                         seedOf(*body.breakable));
         ++counts_.seen;
-        ++(may_break ? counts_.solved : counts_.skipped);
-        if (!may_break && warnings.empty()) continue;
-        BlowOutcome outcome;
-        if (may_break) outcome = strike(solid, body.blow, fracture, seedOf(*body.breakable));
+        ++counts_.at(outcome.level);
+        if (outcome.level == Level::gate && warnings.empty() && !outcome.full_solve_outcome) {
+            times_.blows += outcome.ms;  // those of the others are added with their events
+            continue;
+        }
         outcome.warnings.insert(outcome.warnings.begin(), warnings.begin(), warnings.end());
         current_.push_back({eventOf(body, outcome), nullptr});
         if (outcome.outcome == Outcome::broke)

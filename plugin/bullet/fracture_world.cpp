@@ -49,6 +49,9 @@ std::vector<BlowEvent> FractureWorld::takeEvents() {
 BlowCounts FractureWorld::counts() const {
     return impl_->counts();
 }
+WorldTimes FractureWorld::times() const {
+    return impl_->times();
+}
 std::vector<btRigidBody*> FractureWorld::bodies() const {
     return impl_->bodies();
 }

@@ -15,7 +15,8 @@
 #include "bullet/island_state.h"
 #include "bullet/solver_decorator.h"
 #include "bullet/step_phase.h"
-#include "fracture/pipeline.h"
+#include "core/numerics/stopwatch.h"
+#include "fracture/blow_outcome.h"
 
 namespace sherd {
 
@@ -45,6 +46,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<btRigidBody*> bodies();
     const BreakableRegistry& breakables() const { return breakables_; }
     BlowCounts counts() const;
+    const WorldTimes& times() const { return times_; }
 
     // Inside a step.
     void beforeSolve() override;
@@ -78,8 +80,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         BodyToken token = no_token;
     };
 
+    void prepareSolve();
+    void endIntegration();
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck);
-    std::vector<StruckBreakable> struck(const btContactSolverInfo& info) const;
+    std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<const Breakable*> fragments() const;
     bool isFragmentOfAny(const btCollisionObject& object) const;
@@ -88,12 +92,21 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                                                          const std::vector<btRigidBody*>& swept, bool last,
                                                          const btContactSolverInfo& info,
                                                          btIDebugDraw* drawer);
+    Island restoredIsland(const std::vector<btCollisionObject*>& members);
+    std::vector<const btCollisionObject*> sweepAgain(const std::vector<btRigidBody*>& swept, bool last,
+                                                     btScalar time_step_s);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
     std::vector<Breakable*> registerFragments(const Breakable& parent,
                                               std::vector<std::unique_ptr<Breakable>> pieces);
     std::uint64_t seedOf(const Breakable& breakable) const;
+    std::vector<std::unique_ptr<Breakable>> makePieces(const Break& broken, const Breakable& parent,
+                                                       bool inside_step);
+    std::vector<btCollisionObject*> exchange(Break& broken, Breakable& parent,
+                                             std::vector<std::unique_ptr<Breakable>> pieces,
+                                             btScalar time_step_s);
+    void findNewContacts(const std::vector<btCollisionObject*>& new_bodies);
     void finish(btScalar time_step_s);
-    void endIntegration();
+    void finishBetweenSteps();
     void removeRequested();
     void carryOut(const QueuedBlow& blow, btScalar time_step_s);
     Breakable* targetOf(const QueuedBlow& blow) const;
@@ -118,6 +131,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
     EventQueue events_;
     BlowCounts counts_;
+    WorldTimes times_;
+    Stopwatch solve_watch_;  // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
     std::deque<QueuedBlow> blows_;   // the same

@@ -1,10 +1,13 @@
 #pragma once
 
 #include <sherd/result.h>
+#include <sherd/times.h>
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
+#include "core/mlpg/stress_solver.h"
 #include "core/numerics/stopwatch.h"
 
 namespace sherd {
@@ -21,13 +24,11 @@ T valueOrFail(Result<T> result) {
     return std::move(result).value();
 }
 
-/// Runs a stage, and adds the time that it took.
-template <class Stage>
-auto timed(double& milliseconds, const Stage& stage) {
-    const Stopwatch watch;
-    auto result = stage();
-    milliseconds += watch.milliseconds();
-    return result;
+/// Adds what making a stress solver took: its factor, and all the rest of it.
+inline void addMaking(const StressSolver& made, double took_ms, StageTimes& ms) {
+    const double factor_ms = std::min(made.report().factor_ms, took_ms);  // it may be of another thread
+    ms.factor += factor_ms;
+    ms.assemble += took_ms - factor_ms;
 }
 
 }  // namespace sherd

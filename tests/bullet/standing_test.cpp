@@ -97,7 +97,7 @@ TEST(Standing, ABodyThatIsPushedAgainstAWallRests) {
                 pushed->applyCentralForce(btVector3(0, 0, btScalar(-force_n)));
                 scene.step(1, 1 / rate);
             }
-            EXPECT_EQ(fracture.counts().solved, 0) << rate << " Hz, " << force_n;
+            EXPECT_EQ(fracture.counts().solved(), 0) << rate << " Hz, " << force_n;
         }
 }
 

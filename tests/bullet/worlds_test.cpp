@@ -200,10 +200,10 @@ TEST(MultiBodyWorld, ClosingSpeedOfAMultiBodyIsKnown) {
     // So slow that nothing can break, then so fast that it must be looked at.
     MultiBodyBall slow(world, 2, 0.05f, btVector3(0.1f, 0, 0.09f), btVector3(0, 0, -0.001f));
     scene.step(30);
-    EXPECT_EQ(fracture.counts().solved, 0);
+    EXPECT_EQ(fracture.counts().solved(), 0);
     MultiBodyBall fast(world, 2, 0.05f, btVector3(-0.1f, 0, 0.3f), btVector3(0, 0, -10));
     scene.step(30);
-    EXPECT_GT(fracture.counts().solved, 0);
+    EXPECT_GT(fracture.counts().solved(), 0);
 }
 
 /// A world of deformable bodies, with all that Bullet wants beside it.

@@ -32,8 +32,8 @@ Pieces piecesOf(const Stage& stage) {
 
 void expectSound(const Pieces& pieces, const Stage& stage) {
     for (const sherd::TriangleMesh& surface : pieces.surfaces) EXPECT_EQ(faultOf(surface), "");
-    EXPECT_NEAR(pieces.volume / stage.assets[0].volume(), 1, 1e-3);
-    EXPECT_NEAR(pieces.mass / stage.assets[0].mass(), 1, 1e-6);
+    EXPECT_NEAR(pieces.volume / stage.assets.bodies[0].volume(), 1, 1e-3);
+    EXPECT_NEAR(pieces.mass / stage.assets.bodies[0].mass(), 1, 1e-6);
     for (const auto& event : stage.events) EXPECT_EQ(event.message, "");
 }
 

@@ -29,7 +29,7 @@ std::string paintedObj() {
     return path;
 }
 
-sherd::Result<std::vector<sherd::BreakableAsset>> assetsOf(const demo::Scene& scene) {
+sherd::Result<demo::SceneAssets> assetsOf(const demo::Scene& scene) {
     return demo::makeAssets(scene, SHERD_MESHES, [](const std::string&) {});
 }
 

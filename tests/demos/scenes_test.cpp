@@ -21,7 +21,7 @@ Scene uprightCup(double height) {
 TEST(CoffeeCup, StandsForTenSecondsWithoutASolve) {
     Stage stage(uprightCup(0));
     stage.run(10);
-    EXPECT_EQ(stage.world->fracture().counts().solved, 0);
+    EXPECT_EQ(stage.world->fracture().counts().solved(), 0);
     EXPECT_EQ(stage.bodies(), 1u);
 }
 
@@ -33,7 +33,7 @@ TEST(CoffeeCup, DroppedFromTwoCentimetresHolds) {
 }
 
 TEST(PlasterWall, HasAsManyParticlesAsThePapers) {
-    EXPECT_EQ(Stage(named("plaster_wall")).assets[0].particleCount(), 968);
+    EXPECT_EQ(Stage(named("plaster_wall")).assets.bodies[0].particleCount(), 968);
 }
 
 TEST(PlasterWall, BallGoesOnThroughAWallWithoutStrength) {

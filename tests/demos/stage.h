@@ -49,7 +49,7 @@ struct Stage {
     std::size_t bodies() const { return world->fracture().bodies().size(); }
 
     Scene scene;
-    std::vector<sherd::BreakableAsset> assets;
+    SceneAssets assets;
     std::unique_ptr<SceneWorld> world;
     std::vector<sherd::BlowEvent> events;
     double seconds = 0;             ///< simulated so far

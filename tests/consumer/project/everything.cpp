@@ -218,7 +218,9 @@ int main() {
     for (int frame = 0; frame < 30; ++frame) scene.world.stepSimulation(1.0f / 60, 10, 1.0f / 240);
     fracture.onFragment(nullptr);
     const sherd::BlowCounts counts = fracture.counts();
-    check(counts.solved > 0 && counts.events_dropped == 0, "blows are counted");
+    check(counts.solved() > 0 && counts.events_dropped == 0, "blows are counted");
+    const sherd::WorldTimes times = fracture.times();
+    check(times.stages() > 0 && times.stages() <= times.whole, "every stage is timed, and none twice");
     for (btRigidBody* body : fracture.bodies())
         if (body != &wall && body != &post) fracture.remove(body);
     check(fracture.bodies().size() <= 2, "bodies can be removed");

@@ -1,0 +1,32 @@
+#include "fracture/decide_blow.h"
+
+#include "core/numerics/stopwatch.h"
+#include "fracture/can_break.h"
+#include "fracture/pipeline.h"
+
+namespace sherd {
+
+BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                       std::uint64_t seed) {
+    BlowOutcome out;  // held, by the gate
+    out.impulse_n_s = normalImpulse(blow);
+    double gate_ms = 0;
+    if (timed(gate_ms, [&] { return canBreak(solid, blow, fracture); }))
+        out = strike(solid, blow, fracture, seed);
+    out.ms.gate = gate_ms;
+    if (fracture.check_with_full_solve && out.level != Level::full)
+        checkWithFullSolve(solid, blow, fracture, seed, out);
+    return out;
+}
+
+void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                        std::uint64_t seed, BlowFigures& decided) {
+    const AddedTime time(decided.ms.check);
+    FractureSettings in_full = fracture;
+    in_full.use_reduced_model = false;
+    const BlowOutcome full = strike(solid, blow, in_full, seed);
+    decided.full_solve_outcome = full.outcome;
+    decided.full_solve_largest_stress_pa = full.largest_stress_pa;
+}
+
+}  // namespace sherd

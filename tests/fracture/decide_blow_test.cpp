@@ -1,0 +1,89 @@
+#include "fracture/decide_blow.h"
+
+#include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
+
+#include "fracture/default_fracture.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+
+/// A plate of 0.4 x 0.4 x 0.03 m that a ball hits in the middle of its upper face.
+std::shared_ptr<const BreakableSolid> plate() {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
+                                                Material::plaster());
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    return asset.value().solid();
+}
+
+Blow blowInTheMiddle(double mass, double speed) {
+    ContactImpulse contact;
+    contact.point = Vec3(0.003, 0.002, 0.015);
+    contact.normal = -Vec3::UnitZ();
+    contact.impulse = -Vec3::UnitZ() * mass * speed;
+    contact.approach_m_s = speed;
+    contact.partner_radius_m = 0.03;
+    return {{contact}, {Mobility::ofPoint(mass)}};
+}
+
+const Blow weak = blowInTheMiddle(0.05, 0.001), hard = blowInTheMiddle(1, 10);
+
+FractureSettings checking(const BreakableSolid& solid) {
+    FractureSettings fracture = solid.settings().fracture;
+    fracture.check_with_full_solve = true;
+    return fracture;
+}
+
+TEST(DecideBlow, TheGateDecidesWeakBlowsAndSolvesNothing) {
+    const auto solid = plate();
+    const BlowOutcome out = decideBlow(*solid, weak, solid->settings().fracture, 1);
+    EXPECT_EQ(out.level, Level::gate);
+    EXPECT_EQ(out.outcome, Outcome::held);
+    EXPECT_DOUBLE_EQ(out.impulse_n_s, 0.05 * 0.001);
+    EXPECT_FALSE(solid->prepared());
+    EXPECT_FALSE(out.full_solve_outcome);
+    EXPECT_GT(out.ms.gate, 0);
+    EXPECT_EQ(sumOf(out.ms), out.ms.gate);
+}
+
+TEST(DecideBlow, AFullSolveDecidesTheOthers) {
+    const auto solid = plate();
+    for (const bool check : {false, true}) {
+        const BlowOutcome out =
+            decideBlow(*solid, hard, check ? checking(*solid) : solid->settings().fracture, 1);
+        EXPECT_EQ(out.level, Level::full);
+        EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
+        EXPECT_EQ(out.largest_stress_pa, strike(*solid, hard, 1).largest_stress_pa);
+        EXPECT_FALSE(out.full_solve_outcome) << "it would say the same";
+        EXPECT_GT(out.ms.gate, 0);
+    }
+}
+
+TEST(DecideBlow, ACheckSaysWhatAFullSolveFindsAndDecidesNothing) {
+    const auto solid = plate();
+    const BlowOutcome out = decideBlow(*solid, weak, checking(*solid), 1);
+    EXPECT_EQ(out.level, Level::gate);
+    EXPECT_EQ(out.outcome, Outcome::held);
+    EXPECT_EQ(out.largest_stress_pa, 0);
+    ASSERT_TRUE(out.full_solve_outcome);
+    EXPECT_EQ(*out.full_solve_outcome, Outcome::held);
+    EXPECT_GT(out.full_solve_largest_stress_pa, 0);
+    EXPECT_EQ(out.full_solve_largest_stress_pa, strike(*solid, weak, 1).largest_stress_pa);
+    EXPECT_GT(out.ms.check, 0);
+    EXPECT_EQ(sumOf(out.ms), out.ms.gate + out.ms.check) << "the stages of the check are its own";
+}
+
+TEST(DecideBlow, ACheckShowsADecisionThatWasWrong) {
+    const auto solid = plate();
+    BlowFigures decided;
+    decided.level = Level::reduced;
+    checkWithFullSolve(*solid, hard, solid->settings().fracture, 1, decided);
+    EXPECT_EQ(decided.full_solve_outcome, Outcome::broke);
+    EXPECT_EQ(decided.outcome, Outcome::held);
+    EXPECT_EQ(decided.level, Level::reduced);
+    EXPECT_TRUE(decided.message.empty());
+}
+
+}  // namespace
