@@ -252,6 +252,12 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
           s.collision_shape);
     visit(Field{"rest_after_break_s", "how long new fragments cannot break", Range::atLeast(0, "s")},
           s.rest_after_break_s);
+    visit(Field{"use_reduced_model", "whether the reduced model of a prepared asset decides blows"},
+          s.use_reduced_model);
+    visit(
+        Field{"check_with_full_solve",
+              "whether blows that less than a full solve decides are solved fully as well, for their events"},
+        s.check_with_full_solve);
 }
 
 template <class Self, class Visitor>

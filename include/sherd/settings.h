@@ -200,6 +200,13 @@ struct FractureSettings {
     /// Fragments cannot break for this time after they were made: they still fly apart from the same blow. A
     /// very large value lets them never break.
     double rest_after_break_s = 0.05;
+    /// Whether blows on a prepared asset are decided by its reduced model (BreakableAsset::prepare), which
+    /// takes milliseconds, or fully.
+    bool use_reduced_model = true;
+    /// For finding out how far cheap decisions can be trusted: every blow that the gate or the reduced model
+    /// decides is solved fully as well, and its event says what came of that
+    /// (`BlowFigures::full_solve_outcome`). Changes nothing in the world, and costs a full solve a blow.
+    bool check_with_full_solve = false;
 
     Status validate() const;
 };

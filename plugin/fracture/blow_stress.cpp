@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "core/loads/support_answer.h"
+#include "core/numerics/stopwatch.h"
 #include "core/stress/elasticity.h"
 #include "core/stress/surface_traction.h"
 
@@ -37,43 +38,61 @@ double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const Contac
 
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms) {
+    const Stopwatch watch;
     Result<StressField> stress = solver.solve(unit_loads);
     if (!stress) return stress;
     freeSurface(struck.sampling, unit_loads, Elasticity(struck.solid.material()), stress.value().surface);
     ms.solve += stress.value().solve_ms;
-    ms.stress += stress.value().recovery_ms;
+    ms.stress += watch.milliseconds() - stress.value().solve_ms;
     return stress;
 }
 
-Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
+Result<BlowForces> blowForces(const StrikeContext& struck, const Blow& blow, const StressOfLoads& solve,
                               StageTimes& ms) {
     const ContactSettings& contact = struck.fracture.contact;
     const ContactBody body = struckBody(struck.solid);
-    const std::vector<Strike> strikes = strikesOf(body, blow, contact);
-    BlowStress stress;
-    stress.strike = stress.loads = unitLoads(body, strikes, contact);
-    if (stress.strike.empty()) return stress;
+    const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
+    BlowForces forces;
+    forces.strike = forces.loads = timed(ms.loads, [&] { return unitLoads(body, strikes, contact); });
+    if (forces.strike.empty()) return forces;
     SupportAnswer answer;
     std::vector<Foundation> foundations;
     if (struck.solid.isAnchored())  // its supports are part of the stress problem
         answer.held = 1;
     else
-        foundations = foundationsOf(body, blow, strikes, contact);
+        foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strikes, contact); });
 
-    for (int solve = 1; solve <= most_solves; ++solve) {
-        Result<StressField> unit = unitStress(struck, solver, stress.loads, ms);
+    double unit_energy_j = 0;
+    for (int solved = 1; solved <= most_solves; ++solved) {
+        const Result<double> energy = solve(forces.loads);
+        if (!energy) return Error{energy.error()};
+        unit_energy_j = energy.value();
+        forces.pulse =
+            contactPulse(impactOf(strikes, answer.held), unit_energy_j, contact.shortest_contact_s);
+        if (foundations.empty()) break;
+        SupportAnswer next = timed(ms.loads, [&] {
+            return supportAnswer(body, foundations, forces.strike, forces.pulse.duration_s);
+        });
+        if (std::abs(next.sum_n - answer.sum_n) < same_answer || solved == most_solves) break;
+        answer = std::move(next);
+        forces.loads = together(forces.strike, answer.forces);
+    }
+    forces.strain_energy_j = unit_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n;
+    return forces;
+}
+
+Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
+                              StageTimes& ms) {
+    BlowStress stress;
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
+        Result<StressField> unit = unitStress(struck, solver, loads, ms);
         if (!unit) return Error{unit.error()};
         stress.unit = std::move(unit).value();
-        stress.pulse = contactPulse(impactOf(strikes, answer.held), stress.unit.strain_energy_j,
-                                    contact.shortest_contact_s);
-        if (foundations.empty()) break;
-        SupportAnswer next = supportAnswer(body, foundations, stress.strike, stress.pulse.duration_s);
-        if (std::abs(next.sum_n - answer.sum_n) < same_answer || solve == most_solves) break;
-        answer = std::move(next);
-        stress.loads = together(stress.strike, answer.forces);
-    }
-    stress.strain_energy_j =
-        stress.unit.strain_energy_j * stress.pulse.peak_force_n * stress.pulse.peak_force_n;
+        return stress.unit.strain_energy_j;
+    };
+    Result<BlowForces> forces = blowForces(struck, blow, solve, ms);
+    if (!forces) return Error{forces.error()};
+    static_cast<BlowForces&>(stress) = std::move(forces).value();
     return stress;
 }
 

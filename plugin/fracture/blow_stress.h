@@ -4,6 +4,7 @@
 #include <sherd/result.h>
 #include <sherd/stress_field.h>
 
+#include <functional>
 #include <vector>
 
 #include "core/loads/blow.h"
@@ -13,14 +14,21 @@
 
 namespace sherd {
 
-/// The stress of a blow when it presses hardest: `unit` times `pulse.peak_force_n`.
-struct BlowStress {
+/// The forces of a blow when it presses hardest: `loads` times `pulse.peak_force_n`.
+struct BlowForces {
     std::vector<PointForce> strike;  ///< what strikes, 1 N in total; empty: nothing does
     std::vector<PointForce> loads;   ///< that, and what the supports of the body answer to it
-    StressField unit;                ///< under `loads`
     ContactPulse pulse;
     double strain_energy_j = 0;  ///< at the peak; never more than the blow brings
 };
+
+/// The stress of a blow when it presses hardest: `unit` times `pulse.peak_force_n`.
+struct BlowStress : BlowForces {
+    StressField unit;  ///< under `loads`
+};
+
+/// Solves a body's stress under unit loads in any way, keeps it, and returns its strain energy, J.
+using StressOfLoads = std::function<Result<double>(const std::vector<PointForce>& unit_loads)>;
 
 /// What the loads need to know of a solid. Refers to it.
 ContactBody struckBody(const BreakableSolid& solid);
@@ -35,11 +43,15 @@ double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const Contac
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms);
 
-/// The stress of a blow, and the pulse that body and contact make of it together. Without supports that takes
+/// The forces of a blow, and the pulse that body and contact make of it together. Without supports that takes
 /// one solve: what the body stores under a unit force decides how the energy is shared, and so the peak force
 /// and the duration. Supports answer the more the longer the pulse is, and lengthen it themselves, so the
 /// solve is repeated until their answer stays. Weight is left out: the body bears it before and after the
-/// blow as well.
+/// blow as well. The last loads that `solve` is given are those that are returned.
+Result<BlowForces> blowForces(const StrikeContext& struck, const Blow& blow, const StressOfLoads& solve,
+                              StageTimes& ms);
+
+/// The same with the stress of a full solve.
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
                               StageTimes& ms);
 

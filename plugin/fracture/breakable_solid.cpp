@@ -77,16 +77,29 @@ const SurfaceTree& BreakableSolid::surfaceTree() const {
     return tree_.get([&] { return SurfaceTree(surface_); });
 }
 
+BreakableSolid::Sampled BreakableSolid::sampled() const {
+    const Stopwatch watch;
+    Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
+    const double ms = watch.milliseconds();
+    if (!sampled) return {Error{sampled.error()}, ms};
+    return {std::make_shared<const Discretisation>(std::move(sampled).value()), ms};
+}
+
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() const {
-    return sampled_
-        .get([&]() -> Sampled {
-            const Stopwatch watch;
-            Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
-            const double ms = watch.milliseconds();
-            if (!sampled) return {Error{sampled.error()}, ms};
-            return {std::make_shared<const Discretisation>(std::move(sampled).value()), ms};
-        })
-        .discretisation;
+    return sampled_.get([&] { return sampled(); }).discretisation;
+}
+
+Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisation() const {
+    const auto kept = discretisation();
+    if (!kept || !is_baked_) return kept;
+    const auto& complete = complete_.get([&] { return sampled(); }).discretisation;
+    if (!complete) return complete;
+    if (complete.value()->particles.size() != kept.value()->particles.size() ||
+        complete.value()->surface_points.size() != kept.value()->surface_points.size())
+        return Error{
+            "The asset was baked by a program that samples solids in another way than this one; bake it "
+            "again."};
+    return complete;
 }
 
 Result<const StressSolver*> BreakableSolid::stressSolver() const {
@@ -95,8 +108,41 @@ Result<const StressSolver*> BreakableSolid::stressSolver() const {
     return &solver.value();
 }
 
+Status BreakableSolid::prepare(const Progress& progress) const {
+    const auto tell = [&](double done) {
+        if (progress) progress(done);
+    };
+    tell(0);
+    const FractureSettings& fracture = settings_.fracture;
+    const bool reduced = fracture.use_reduced_model && makeReduced(progress);
+    if (!reduced || fracture.check_with_full_solve)
+        if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
+    tell(1);
+    return success();
+}
+
+Status BreakableSolid::makeReduced(const Progress& progress) const {
+    const StressSettings& stress = settings_.stress;
+    if (stress.trial_function != TrialFunction::spline || stress.resample_contacts)
+        return Error{"A reduced model needs spline trial functions, and contacts that are not resampled."};
+    const auto& reduced = reduced_.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
+        if (const Result<StressSolver>* made = solver_.ifMade(); made && *made)
+            return made->value().reduced(progress);
+        const Result<StressSolver> solver = stressSolverWithout({});  // its factor is not kept
+        if (!solver) return Error{solver.error()};
+        return solver.value().reduced(progress);
+    });
+    if (!reduced) return Error{reduced.error()};
+    return success();
+}
+
+const ReducedStress* BreakableSolid::reducedStress() const {
+    const auto* reduced = reduced_.ifMade();
+    return reduced && *reduced ? reduced->value().get() : nullptr;
+}
+
 Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged) const {
-    const auto sampled = discretisation();
+    const auto sampled = completeDiscretisation();
     if (!sampled) return Error{sampled.error()};
     const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
@@ -123,9 +169,19 @@ double BreakableSolid::sampleMilliseconds() const {
     return sampled ? sampled->ms : 0;
 }
 
-bool BreakableSolid::prepared() const {
+int BreakableSolid::unknownCount() const {
+    if (const ReducedStress* reduced = reducedStress())
+        return 3 * reduced->model.problem().space->function_count;
+    return isFactored() ? solver_.ifMade()->value().report().unknowns : 0;
+}
+
+bool BreakableSolid::isFactored() const {
     const Result<StressSolver>* solver = solver_.ifMade();
     return solver && solver->ok();
+}
+
+bool BreakableSolid::prepared() const {
+    return isFactored() || reducedStress();
 }
 
 }  // namespace sherd

@@ -11,8 +11,10 @@
 
 #include "core/damage/failure_criterion.h"
 #include "core/loads/surface_tree.h"
+#include "core/mlpg/reduced/reduced_stress.h"
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
+#include "fracture/baked_solid.h"
 #include "fracture/made_once.h"
 
 namespace sherd {
@@ -27,6 +29,11 @@ class BreakableSolid {
     static Result<std::shared_ptr<const BreakableSolid>> make(TriangleMesh surface, const Material& material,
                                                               const Settings& settings,
                                                               std::vector<SurfaceRegion> supports = {});
+
+    /// The solid that `baked` gave, prepared.
+    static std::shared_ptr<const BreakableSolid> fromBaked(BakedSolid baked);
+    /// What a file keeps of this solid; prepares it. The error says why it cannot be had.
+    Result<BakedSolid> baked() const;
 
     const TriangleMesh& surface() const { return surface_; }
     /// For what is near a contact; made at the first call.
@@ -50,6 +57,12 @@ class BreakableSolid {
     Result<std::shared_ptr<const Discretisation>> discretisation() const;
     /// The factored stress problem; assembled and factored at the first call.
     Result<const StressSolver*> stressSolver() const;
+    /// Makes what answers blows without a factor, or the factor where that cannot be.
+    Status prepare(const Progress& progress) const;
+    /// Makes what answers blows without a factor; the error says why that cannot be.
+    Status makeReduced(const Progress& progress) const;
+    /// What these made to answer blows without a factor; nullptr if it did not. Never waits.
+    const ReducedStress* reducedStress() const;
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
     /// Tensile strength of every particle of `discretisation()`, Pa, from the material, the seed and the
@@ -58,7 +71,11 @@ class BreakableSolid {
     const std::vector<double>& strengths(const Discretisation& sampling) const;
     /// What the sampling took; 0 until it is done. Never waits.
     double sampleMilliseconds() const;
+    /// Of the stress problem, 0 until it is made. Never waits.
+    int unknownCount() const;
     /// Whether the factored stress problem is there already. Never waits.
+    bool isFactored() const;
+    /// Whether `prepare` is done, or the factored stress problem is there already. Never waits.
     bool prepared() const;
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
@@ -68,6 +85,7 @@ class BreakableSolid {
 
   private:
     BreakableSolid(TriangleMesh surface, const Material& material, const Settings& settings);
+    explicit BreakableSolid(BakedSolid baked);
 
     TriangleMesh surface_;
     Material material_;
@@ -80,11 +98,20 @@ class BreakableSolid {
         Result<std::shared_ptr<const Discretisation>> discretisation;
         double ms = 0;
     };
+    Sampled sampled() const;
+    /// The sampling that stress problems are made of.
+    Result<std::shared_ptr<const Discretisation>> completeDiscretisation() const;
+
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
     mutable MadeOnce<SurfaceTree> tree_;
     mutable MadeOnce<Sampled> sampled_;
     mutable MadeOnce<Result<StressSolver>> solver_;
+    mutable MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced_;
     mutable MadeOnce<std::vector<double>> strengths_;
+
+    // Of a solid from a file `sampled_` lacks what only the making of a stress problem needs.
+    bool is_baked_ = false;
+    mutable MadeOnce<Sampled> complete_;
 };
 
 }  // namespace sherd

@@ -4,6 +4,7 @@
 
 #include "core/numerics/stopwatch.h"
 #include "fracture/blow_stress.h"
+#include "fracture/stage.h"
 
 namespace sherd {
 
@@ -21,10 +22,10 @@ void keepLargest(const Damage& before, Damage& damage) {
 Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<PointForce>& unit_loads,
                             double peak_force_n, const Strength& strength, Damage damage, StageTimes& ms) {
     for (int wave = 1; wave < struck.fracture.damage_waves; ++wave) {
+        const Stopwatch making;
         const auto solver = struck.solid.stressSolverWithout(damage.damaged);
         if (!solver) return Error{solver.error()};
-        ms.assemble += solver.value().report().assemble_ms;
-        ms.factor += solver.value().report().factor_ms;
+        addMaking(solver.value(), making.milliseconds(), ms);
         const auto stress = unitStress(struck, solver.value(), unit_loads, ms);
         if (!stress) return Error{stress.error()};
 

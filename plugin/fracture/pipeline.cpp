@@ -4,7 +4,7 @@
 
 #include "core/damage/damage.h"
 #include "core/loads/contact_loads.h"
-#include "fracture/blow_stress.h"
+#include "fracture/blow_damage.h"
 #include "fracture/conservation.h"
 #include "fracture/crack_energy.h"
 #include "fracture/cut_within_limit.h"
@@ -18,17 +18,9 @@ namespace sherd {
 
 namespace {
 
-/// The factored stress problem of the solid. The first blow makes it, unless `prepare` did, and reports what
-/// it took; so it does for the sampling, which may have been made before it.
-const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
-    const bool known = solid.prepared();
-    const StressSolver& solver = *valueOrFail(solid.stressSolver());
-    if (!known) {
-        ms.sample = solid.sampleMilliseconds();
-        ms.assemble = solver.report().assemble_ms;
-        ms.factor = solver.report().factor_ms;
-    }
-    return solver;
+const Discretisation& samplingOf(const BreakableSolid& solid, StageTimes& ms) {
+    if (solid.sampleMilliseconds() > 0) return *valueOrFail(solid.discretisation());
+    return *valueOrFail(timed(ms.sample, [&] { return solid.discretisation(); }));  // the solid keeps it
 }
 
 void addSentence(std::string& message, const std::string& sentence) {
@@ -41,7 +33,8 @@ void noteDamage(const Damage& damage, BlowOutcome& out) {
 }
 
 /// A blow that `canBreak` lets through
-///   -> loads of 1 N in total -> what the supports answer, stress per newton, peak force, strain energy
+///   -> loads of 1 N in total -> what the supports answer, stress per newton, peak force, strain energy,
+///      by the reduced model or a full solve
 ///   -> damaged particles                    held: there are none, or the energy pays for no crack
 ///   -> more damage, solved without those    (settings.damage_waves; none by default)
 ///   -> a label for each particle            held: all have the same
@@ -50,30 +43,32 @@ void noteDamage(const Damage& damage, BlowOutcome& out) {
 /// What a stage throws ends in `failed`. The solid keeps no damage, so each blow finds it whole.
 void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
                std::uint64_t seed, BlowOutcome& out) {
+    out.level = Level::full;  // also of what fails below
     out.impulse_n_s = normalImpulse(blow);
-    const StressSolver& solver = solverOf(solid, out.ms);
-    const Discretisation& sampling = *valueOrFail(solid.discretisation());  // the solid keeps it
+    const Discretisation& sampling = samplingOf(solid, out.ms);
     const StrikeContext struck{solid, sampling, fracture, seed};
+    if (!solid.prepared()) solverOf(solid, out.ms);
+    const Strength strength = timed(out.ms.damage, [&] {
+        return Strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
+    });
 
-    const BlowStress stress = valueOrFail(blowStress(struck, solver, blow, out.ms));
-    if (stress.strike.empty()) return;
-    const double peak_force_n = stress.pulse.peak_force_n;
-    out.peak_force_n = peak_force_n;
-    out.contact_time_s = stress.pulse.duration_s;
-    out.residual_rel = stress.unit.residual_rel;
-    out.warnings = stress.unit.warnings;
-
-    const Strength strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
-    Damage damage =
-        timed(out.ms.damage, [&] { return damagedParticles(stress.unit, peak_force_n, sampling, strength); });
+    BlowDamage found = blowDamage(struck, blow, strength, out.ms);
+    out.level = found.level;
+    const BlowForces& forces = found.forces;
+    if (forces.strike.empty()) return;
+    out.peak_force_n = forces.pulse.peak_force_n;
+    out.contact_time_s = forces.pulse.duration_s;
+    out.residual_rel = found.residual_rel;
+    out.warnings = found.warnings;
+    Damage damage = std::move(found.damage);
     noteDamage(damage, out);
-    if (damage.count == 0 || stress.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
-    damage =
-        valueOrFail(furtherWaves(struck, stress.loads, peak_force_n, strength, std::move(damage), out.ms));
+    if (damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
+    damage = valueOrFail(
+        furtherWaves(struck, forces.loads, out.peak_force_n, strength, std::move(damage), out.ms));
     noteDamage(damage, out);
 
     FragmentLabels labels = timed(out.ms.cluster, [&] {
-        return labelParticles(struck, damage, stress.strain_energy_j, axisOf(stress.strike));
+        return labelParticles(struck, damage, forces.strain_energy_j, axisOf(forces.strike));
     });
     if (labels.count < 2) return;
 
@@ -82,6 +77,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 
+    const AddedTime making(out.ms.fragments);
     out.fragments = makeFragments(struck, labels, surfaces);
     if (fracture.debris == Debris::dropped) markDropped(smallestFragment(solid, fracture), out.fragments);
     const ConservationErrors errors = conservationErrors(solid, out.fragments);

@@ -66,7 +66,7 @@ Steps run(bool with_worker) {
     FractureWorld fracture(&world);
     for (int i = 0; i < 8; ++i)
         (void)fracture.add(asset,
-                           btTransform(btQuaternion::getIdentity(), btVector3(2, 0, 0.04f + 0.07f * i)));
+                           btTransform(btQuaternion::getIdentity(), btVector3(2, 0, 0.0305f + 0.0605f * i)));
 
     std::atomic<bool> over{false};
     int prepared = 0;
@@ -74,7 +74,7 @@ Steps run(bool with_worker) {
     if (with_worker)
         worker = std::thread([&] {
             for (BreakableAsset next = asset; !over; next = plate(), ++prepared)
-                if (!next.prepare()) std::abort();
+                if (!next.prepareOnThread().get()) std::abort();
         });
 
     Steps steps;
@@ -90,7 +90,7 @@ Steps run(bool with_worker) {
     over = true;
     if (worker.joinable()) worker.join();
     steps.prepared = prepared;
-    if (fracture.counts().solved > 0) std::printf("(%lld blows were solved)\n", fracture.counts().solved);
+    if (fracture.counts().solved() > 0) std::printf("(%lld blows were solved)\n", fracture.counts().solved());
     steps.longest_ms = *std::max_element(ms.begin(), ms.end());
     std::nth_element(ms.begin(), ms.begin() + ms.size() / 2, ms.end());
     steps.median_ms = ms[ms.size() / 2];

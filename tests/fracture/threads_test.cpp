@@ -55,7 +55,9 @@ TEST(Threads, AnAssetIsPreparedOnOneWhileOthersAskForItAndStrikeOthers) {
     const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
     EXPECT_EQ(here.outcome, Outcome::broke) << here.message;
     EXPECT_EQ(here.ms.factor, 0) << "made on the worker";
-    EXPECT_EQ(volumesOf(here), volumesOf(strike(*plate(coarse()).solid(), blowOf(1, 10), 1)));
+    const BreakableAsset prepared_here = plate(coarse());
+    ASSERT_TRUE(prepared_here.prepare().ok());
+    EXPECT_EQ(volumesOf(here), volumesOf(strike(*prepared_here.solid(), blowOf(1, 10), 1)));
 }
 
 TEST(Threads, ABlowWaitsForTheFactorThatAnotherThreadMakes) {

@@ -24,14 +24,20 @@ InertiaRelief::InertiaRelief(Forces forces, std::vector<Mat6> masses)
 InertiaRelief::InertiaRelief(Forces forces, const RigidMotions& motions)
     : forces_(std::move(forces)), masses_(resultantsOf(forces_, motions)) {}
 
-Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::balance(
-    Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
-    const RigidMotions& motions) const {
+Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::accelerationOf(
+    const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants) const {
     Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration(6, resultants.cols());
     for (long component = 0; component < resultants.cols(); ++component)
         acceleration.col(component) =
             masses_[static_cast<size_t>(component)].completeOrthogonalDecomposition().solve(
                 -resultants.col(component));
+    return acceleration;
+}
+
+Eigen::Matrix<double, 6, Eigen::Dynamic> InertiaRelief::balance(
+    Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
+    const RigidMotions& motions) const {
+    const auto acceleration = accelerationOf(resultants);
     for (long unknown = 0; unknown < forces.size(); ++unknown)
         forces[unknown] += forces_.row(unknown).dot(acceleration.col(motions.componentOfUnknown(unknown)));
     return acceleration;

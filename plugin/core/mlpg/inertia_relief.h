@@ -20,9 +20,15 @@ class InertiaRelief {
 
     /// Resultants of the six forces of a component, 6 x 6: its mass matrix at unit density.
     const Mat6& mass(int component) const { return masses_[static_cast<size_t>(component)]; }
+    const Forces& forces() const { return forces_; }
+    /// The six forces on an unknown.
+    Forces::ConstRowXpr forceOn(long unknown) const { return forces_.row(unknown); }
 
+    /// Factors of the six motions whose inertia balances `resultants`, 6 x #components.
+    Eigen::Matrix<double, 6, Eigen::Dynamic> accelerationOf(
+        const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants) const;
     /// Adds to `forces`, whose resultants are `resultants` (6 x #components, as RigidMotions), what balances
-    /// them. Returns the factors of the six motions, 6 x #components.
+    /// them. Returns accelerationOf(resultants).
     Eigen::Matrix<double, 6, Eigen::Dynamic> balance(
         Eigen::VectorXd& forces, const Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants,
         const RigidMotions& motions) const;

@@ -76,6 +76,10 @@ StressField StressSolver::stressOf(const std::function<Vec3(const Vec3& x)>& dis
     return impl_->stressOf(displacement, gradient);
 }
 
+Result<std::shared_ptr<const ReducedStress>> StressSolver::reduced(const Progress& progress) const {
+    return guarded<std::shared_ptr<const ReducedStress>>([&] { return impl_->reduced(progress); });
+}
+
 const StressSolverReport& StressSolver::report() const {
     return impl_->report;
 }

@@ -13,6 +13,11 @@
 
 namespace sherd {
 
+struct ReducedStress;
+
+/// Is told the share that is done, 0 to 1.
+using Progress = std::function<void(double done)>;
+
 /// What building the solver took and gave.
 struct StressSolverReport {
     double assemble_ms = 0;
@@ -60,6 +65,10 @@ class StressSolver {
     /// Stress that the displacement field u(x) makes when sampled at the particles, without a solve.
     StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
                          const std::function<Mat3(const Vec3& x)>& gradient) const;
+
+    /// What answers blows without this solver, see ReducedStress. Spline trial functions without damaged
+    /// particles only.
+    Result<std::shared_ptr<const ReducedStress>> reduced(const Progress& progress = {}) const;
 
     const StressSolverReport& report() const;
 

@@ -16,6 +16,9 @@ struct StressSolver::Impl {
         const std::vector<Vec3>& points) const = 0;
     virtual StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
                                  const std::function<Mat3(const Vec3& x)>& gradient) const = 0;
+    virtual Result<std::shared_ptr<const ReducedStress>> reduced(const Progress&) const {
+        return Error{"A reduced model is there for spline trial functions only."};
+    }
 
     static Result<std::unique_ptr<Impl>> overParticles(std::shared_ptr<const Discretisation> solid,
                                                        const Material& material,

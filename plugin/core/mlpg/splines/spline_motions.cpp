@@ -45,7 +45,11 @@ std::vector<Moments> componentMoments(const CellParts& solid, const SplineSpace&
 }  // namespace
 
 RigidMotions splineMotions(const CellParts& solid, const SplineSpace& space) {
-    RigidMotions motions(space.component, componentMoments(solid, space), 3);
+    return splineMotions(space, componentMoments(solid, space));
+}
+
+RigidMotions splineMotions(const SplineSpace& space, std::vector<Moments> component_moments) {
+    RigidMotions motions(space.component, std::move(component_moments), 3);
     for (int f = 0; f < space.function_count; ++f)
         motions.coefficients.middleRows<3>(3L * f) = motions.at(space.greville_points[f], space.component[f]);
     return motions;

@@ -33,15 +33,20 @@ SplineSpace::SplineSpace(const CellParts& solid, RawFunctions raw)
     : degree(raw.degree), raw_count(raw.count()), ties_(solid, raw) {
     component_count = findComponents(solid, component_of_part);
     function_count = static_cast<int>(ties_.raw_of_function.size());
-    const Vec3 to_greville_point = Vec3::Constant((1 - degree) / 2.0);
     for (const int function : ties_.raw_of_function) {
-        const Eigen::Vector3i& highest = raw.highest_cells[function];
-        greville_points.push_back(solid.origin +
-                                  (highest.cast<double>() + to_greville_point).cwiseProduct(solid.edges));
-        highest_cells.push_back(highest);
+        highest_cells.push_back(raw.highest_cells[function]);
         component.push_back(component_of_part[raw.supports[function][0]]);
     }
+    findGrevillePoints(solid);
     raw_of = std::move(raw.of_part);
+}
+
+void SplineSpace::findGrevillePoints(const CellParts& solid) {
+    const Vec3 to_greville_point = Vec3::Constant((1 - degree) / 2.0);
+    greville_points.clear();
+    for (const Eigen::Vector3i& highest : highest_cells)
+        greville_points.push_back(solid.origin +
+                                  (highest.cast<double>() + to_greville_point).cwiseProduct(solid.edges));
 }
 
 Eigen::Matrix3Xd SplineSpace::expand(const Eigen::VectorXd& unknowns) const {

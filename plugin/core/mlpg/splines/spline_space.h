@@ -10,7 +10,7 @@ namespace sherd {
 /// degree p whose supports are bricks of (p + 1)^3 cells. They contain all polynomials of degree p.
 /// Completeness near the surface takes particles up to p / 2 cells outside it.
 struct SplineSpace {
-    int degree;
+    int degree = 0;
     int component_count = 0;
     std::vector<int> component_of_part;  ///< #parts: connected component of the solid
 
@@ -23,7 +23,11 @@ struct SplineSpace {
     std::vector<Eigen::Vector3i> highest_cells;  ///< per function: of its support
     std::vector<int> component;                  ///< per function: connected component of the solid
 
+    SplineSpace() = default;
     SplineSpace(const CellParts& solid, int degree);
+    /// Writes the space of a solid, or reads it (see archive.h beside this file).
+    template <class Archive>
+    void archiveFields(Archive& archive, const CellParts& solid);
 
     int perPart() const { return (degree + 1) * (degree + 1) * (degree + 1); }
 
@@ -45,6 +49,7 @@ struct SplineSpace {
 
   private:
     SplineSpace(const CellParts& solid, RawFunctions raw);
+    void findGrevillePoints(const CellParts& solid);
 
     SplineTies ties_;
 };

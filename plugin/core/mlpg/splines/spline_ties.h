@@ -17,6 +17,7 @@ struct SplineTies {
     std::vector<int> starts;           ///< per raw function and one more, into `terms`
     std::vector<Term> terms;
 
+    SplineTies() = default;
     SplineTies(const CellParts& solid, const RawFunctions& raw);
 };
 

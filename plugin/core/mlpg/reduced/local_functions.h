@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mlpg/splines/spline_problem.h"
+
+namespace sherd {
+
+/// Which functions reach which parts of a solid, and through them, what is near a load.
+class LocalFunctions {
+  public:
+    explicit LocalFunctions(const SplineProblem& problem);
+
+    /// The functions that reach the parts under the loads, through the solid, and the parts around these,
+    /// ascending: about `most` of them, those nearest to the largest loads first.
+    std::vector<int> around(const std::vector<PointForce>& loads, int most) const;
+
+  private:
+    /// What acts on a part.
+    struct Push {
+        Vec3 place = Vec3::Zero();  ///< times `size`
+        Vec3 force = Vec3::Zero();
+        double size = 0;
+    };
+    void addThrough(const Push& push, std::vector<int>& parts) const;
+    void addDiagonal(int part, std::vector<int>& parts) const;
+
+    const CellParts& parts_;
+    int function_count_;
+    std::vector<std::vector<int>> of_part_;
+};
+
+}  // namespace sherd

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <Eigen/Dense>
+#include <cstdint>
+#include <vector>
+
+#include "core/linear_algebra/sparse_matrix.h"
+
+namespace sherd {
+
+/// A stiffness matrix in 16 bits a number: K_ij / sqrt(K_ii K_jj) lies between -1 and 1. What is lost is
+/// 1.5e-5 of the diagonal; the part of a matrix around a patch is far better conditioned than that.
+struct PackedStiffness {
+    std::vector<int> starts;            ///< per block column and one more, into the two below
+    std::vector<int> rows;              ///< block rows, from the diagonal downwards
+    std::vector<std::int16_t> entries;  ///< 9 a block, column by column
+    std::vector<float> roots;           ///< per unknown: sqrt(K_ii / 32767)
+
+    PackedStiffness() = default;
+    /// `lower`: in CSC, in blocks of 3, from the diagonal blocks (complete) downwards.
+    explicit PackedStiffness(const SparseMatrix& lower);
+
+    int blockCount() const { return static_cast<int>(starts.size()) - 1; }
+
+    /// The lower triangle of the rows and columns of `blocks` (ascending), 3 #blocks squared. `place_of`, per
+    /// block of the whole matrix: its number among them, or -1.
+    Eigen::MatrixXf lowerPart(const std::vector<int>& blocks, const std::vector<int>& place_of) const;
+};
+
+}  // namespace sherd

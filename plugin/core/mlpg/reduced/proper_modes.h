@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/linear_algebra/sparse_solver.h"
+#include "core/mlpg/reduced/unit_patches.h"
+#include "core/mlpg/splines/spline_problem.h"
+#include "core/mlpg/stress_solver.h"
+
+namespace sherd {
+
+/// What a solid can do under loads on its surface: proper orthogonal modes V of the responses to unit loads
+/// on patches all over it. V^T K V = I, and V has no rigid motion. K V is not stored: a mode is the response
+/// to a combination of the unit loads, so that K V is the same combination of these, which act on a few
+/// unknowns each, and of the inertia forces that balance them.
+struct ProperModes {
+    static constexpr int lanes = 16;  ///< sums are made in so many parts, whatever the processor
+
+    int count = 0;                      ///< a multiple of `lanes`
+    std::vector<std::int16_t> entries;  ///< #unknowns x count, row by row
+    std::vector<float> scales;          ///< per mode: m per unit of `entries`
+
+    struct UnitLoad {
+        int patch;
+        float value;  ///< of the function, summed over the patch's points
+    };
+    std::vector<int> unit_starts;      ///< per function and one more, into `unit_loads`
+    std::vector<UnitLoad> unit_loads;  ///< that act on the function
+    std::vector<float> combinations;   ///< 3 #patches x count, row by row: of the unit loads in x, y and z
+    std::vector<float> accelerations;  ///< 6 #components x count, row by row: those that balance them
+
+    /// An error if there are no modes or the factor cannot be used. `pinned`: unknowns that the factor holds.
+    static Result<ProperModes> make(const SplineProblem& problem, const SparseSolver& factor,
+                                    const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
+                                    int largest_count, const Progress& progress = {});
+
+    /// u = V c, #unknowns.
+    Eigen::VectorXf displacement(const Eigen::VectorXf& coefficients) const;
+    /// sum += V^T f of a force on one unknown.
+    void addWork(int unknown, float force, Eigen::VectorXf& sum) const;
+    /// The rows of K V for the three unknowns of a function, 3 x count.
+    void addForces(const SplineProblem& problem, int function, Eigen::Ref<Eigen::MatrixXf> rows) const;
+};
+
+}  // namespace sherd

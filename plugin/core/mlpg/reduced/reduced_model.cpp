@@ -1,0 +1,178 @@
+#include "core/mlpg/reduced/reduced_model.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/linear_algebra/block_product.h"
+#include "core/linear_algebra/dense_kernels.h"
+#include "core/mlpg/splines/b_spline.h"
+
+namespace sherd {
+
+namespace {
+
+/// Below this share of all functions the functions about a load are a small part of the solid.
+constexpr double largest_local_share = 0.6;
+constexpr double wanted_local_share = 0.4;  // at most, in small solids
+
+constexpr double largest_rounding = 1e-3;  // of the energy of a mode
+
+struct FunctionForce {
+    int function;
+    Vec3 force;
+};
+
+/// What point forces are at the functions, and the rigid acceleration that balances them.
+struct Loaded {
+    std::vector<FunctionForce> forces;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration;
+};
+
+Result<Loaded> loadedFunctions(const SplineProblem& problem, const std::vector<PointForce>& loads) {
+    const SplineSpace& space = *problem.space;
+    Loaded loaded;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;
+    resultants.setZero(6, problem.motions.componentCount());
+    std::vector<double> values;
+    for (const PointForce& load : loads) {
+        const GridPoint place = locate(problem.parts(), load.position);
+        if (place.part < 0 || !load.force.allFinite())
+            return Error{
+                "A load is not finite, or more than a particle spacing outside the body; give it in the "
+                "asset's frame."};
+        splineValues(space.degree, place.xi, values);
+        const std::vector<int>& raw = space.raw_of[place.part];
+        for (std::size_t a = 0; a < raw.size(); ++a)
+            for (const SplineTies::Term& term : space.termsOf(raw[a])) {
+                const Vec3 force = values[a] * term.factor * load.force;
+                loaded.forces.push_back({term.function, force});
+                resultants.col(space.component[term.function]) +=
+                    problem.motions.coefficients.middleRows<3>(3L * term.function).transpose() * force;
+            }
+    }
+    clearHeld(problem, resultants);
+    loaded.acceleration = problem.inertia.accelerationOf(resultants);
+    return loaded;
+}
+
+}  // namespace
+
+ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness,
+                           ProperModes modes, const ReducedModelLimits& limits)
+    : problem_(std::move(problem)),
+      stiffness_(std::move(stiffness)),
+      modes_(std::move(modes)),
+      local_(*problem_),
+      limits_(limits),
+      functions_of_component_(static_cast<std::size_t>(problem_->space->component_count), 0) {
+    for (const int component : problem_->space->component) ++functions_of_component_[component];
+    const int smallest = *std::min_element(functions_of_component_.begin(), functions_of_component_.end());
+    most_local_ = std::min(limits_.local_functions, static_cast<int>(wanted_local_share * smallest));
+}
+
+Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> problem,
+                                        const SparseMatrix& stiffness, const std::vector<int>& pinned,
+                                        const SparseSolver& factor, const Progress& progress,
+                                        const ReducedModelLimits& limits) {
+    auto modes = ProperModes::make(*problem, factor, pinned, unitPatches(*problem->solid, limits.patches),
+                                   limits.modes, progress);
+    if (!modes) return Error{modes.error()};
+    ReducedModel model(std::move(problem), PackedStiffness(stiffness), std::move(modes).value(), limits);
+    constexpr int least_local_parts = 4;
+    if (model.most_local_ < least_local_parts * model.problem_->space->perPart())
+        return Error{
+            "The solid is too small for a reduced model; use a smaller spacing or a higher quality."};
+    if (model.roundingOfModes(stiffness) > largest_rounding)
+        return Error{"The solid is too slender for a reduced model in 16 bits; blows are solved fully."};
+    return model;
+}
+
+/// The largest energy of what 16 bits take from the softest modes, of which each has 1/2: slender solids move
+/// far and strain little.
+double ReducedModel::roundingOfModes(const SparseMatrix& stiffness) const {
+    constexpr int softest = 4;
+    double largest = 0;
+    for (int m = 0; m < std::min(softest, modes_.count); ++m) {
+        const Eigen::VectorXd mode =
+            modes_.displacement(Eigen::VectorXf::Unit(modes_.count, m)).cast<double>();
+        largest = std::max(largest, std::abs(mode.dot(symmetricBlockProduct(stiffness, mode)) - 1));
+    }
+    return largest;
+}
+
+/// Whether functions are so many of a component's that nothing else holds them, or nearly so.
+bool ReducedModel::coversAComponent(const std::vector<int>& functions) const {
+    std::vector<int> among(static_cast<std::size_t>(problem_->space->component_count), 0);
+    for (const int function : functions) ++among[problem_->space->component[function]];
+    for (std::size_t c = 0; c < among.size(); ++c)
+        if (among[c] > largest_local_share * functions_of_component_[c]) return true;
+    return false;
+}
+
+/// Assembles and factors the equations of the functions about loads, unless `kept` has just these.
+Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept) const {
+    if (!functions.empty() && kept.functions == functions) return success();
+    const int function_count = problem_->space->function_count;
+    if (coversAComponent(functions))
+        return Error{"The loads act on so large a part of the body that nothing is left to reduce."};
+    LocalSystem system;
+    system.functions = std::move(functions);
+    system.place_of.assign(static_cast<std::size_t>(function_count), -1);
+    for (std::size_t i = 0; i < system.functions.size(); ++i)
+        system.place_of[system.functions[i]] = static_cast<int>(i);
+
+    const int size = system.size();
+    system.coupling = Eigen::MatrixXf::Zero(size, modes_.count);
+    for (int i = 0; i < size; i += 3)
+        modes_.addForces(*problem_, system.functions[i / 3], system.coupling.middleRows(i, 3));
+    system.factor = stiffness_.lowerPart(system.functions, system.place_of);
+    subtractSquare(system.coupling.data(), size, modes_.count, size, system.factor.data(), size);
+    if (!choleskyInPlace(system.factor.data(), size, size))
+        return Error{"The reduced equations are not definite where the loads act."};
+    kept = std::move(system);
+    return success();
+}
+
+Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForce>& loads,
+                                                     LocalSystem& kept) const {
+    const auto loaded = loadedFunctions(*problem_, loads);
+    if (!loaded) return Error{loaded.error()};
+    if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
+        return Error{ready.error()};
+    const int size = kept.size();
+
+    Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
+    Eigen::VectorXf forces = Eigen::VectorXf::Zero(size);        // E^T f
+    for (const FunctionForce& on : loaded.value().forces) {
+        const int place = kept.place_of[on.function];
+        if (place >= 0) forces.segment<3>(3L * place) += on.force.cast<float>();
+        for (int k = 0; place < 0 && k < 3; ++k)
+            modes_.addWork(3 * on.function + k, static_cast<float>(on.force[k]), work);
+    }
+    for (int i = 0; i < size; ++i) {
+        const int unknown = 3 * kept.functions[i / 3] + i % 3;
+        if (forces[i] != 0) modes_.addWork(unknown, forces[i], work);
+        const auto acceleration =
+            loaded.value().acceleration.col(problem_->space->component[kept.functions[i / 3]]);
+        forces[i] += static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
+    }
+
+    Eigen::VectorXf local = forces - kept.coupling * work;
+    solveLower(kept.factor.data(), size, size, false, local.data());
+    solveLower(kept.factor.data(), size, size, true, local.data());
+    const Eigen::VectorXf coefficients = work - kept.coupling.transpose() * local;
+    if (!coefficients.allFinite() || !local.allFinite())
+        return Error{"The reduced equations have no finite solution where the loads act."};
+    Response response{modes_.displacement(coefficients),
+                      0.5 * double(work.dot(coefficients) + forces.dot(local))};
+    for (int i = 0; i < size; i += 3)
+        response.unknowns.segment<3>(3L * kept.functions[i / 3]) += local.segment<3>(i);
+    return response;
+}
+
+Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForce>& loads) const {
+    LocalSystem none;
+    return respond(loads, none);
+}
+
+}  // namespace sherd

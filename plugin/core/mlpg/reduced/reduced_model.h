@@ -1,0 +1,81 @@
+#pragma once
+
+#include <sherd/result.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/mlpg/reduced/local_functions.h"
+#include "core/mlpg/reduced/packed_stiffness.h"
+#include "core/mlpg/reduced/proper_modes.h"
+#include "core/mlpg/splines/spline_problem.h"
+#include "core/mlpg/stress_solver.h"
+
+namespace sherd {
+
+/// How large a reduced model may be.
+struct ReducedModelLimits {
+    int patches = 300;  ///< with three unit loads each
+    int modes = 128;
+    int local_functions = 300;  ///< about the loads
+};
+
+/// What answers a blow without a factor. The displacement is a combination of proper modes plus any
+/// displacement of the functions about the loads, where modes are too coarse. One Galerkin solve finds both,
+///     [ I      V^T K E ] [c]   [V^T f]
+///     [ E^T K V   E^T K E ] [d] = [E^T f],      u = V c + E d,
+/// E being the unit vectors of the functions about the loads: a dense system of some hundreds of unknowns.
+/// Compare Barbic, Zhao, Subspace self-collision culling (2010), and the static correction of component mode
+/// synthesis (Craig, Bampton 1968).
+class ReducedModel {
+  public:
+    /// `stiffness` and `factor` are those of the problem with the unknowns `pinned`.
+    static Result<ReducedModel> make(std::shared_ptr<const SplineProblem> problem,
+                                     const SparseMatrix& stiffness, const std::vector<int>& pinned,
+                                     const SparseSolver& factor, const Progress& progress = {},
+                                     const ReducedModelLimits& limits = {});
+
+    /// Of parts that were made before.
+    ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness, ProperModes modes,
+                 const ReducedModelLimits& limits);
+
+    struct Response {
+        Eigen::VectorXf unknowns;  ///< displacement, m
+        double strain_energy_j = 0;
+    };
+    /// The equations of the functions about loads. Loads at the same places need no other.
+    struct LocalSystem {
+        std::vector<int> functions;  ///< ascending
+        std::vector<int> place_of;   ///< per function of the solid: its number among them, or -1
+        Eigen::MatrixXf coupling;    ///< E^T K V
+        Eigen::MatrixXf factor;      ///< lower, of E^T K E - E^T K V V^T K E
+
+        int size() const { return 3 * static_cast<int>(functions.size()); }
+    };
+
+    /// The displacement under point forces and the rigid acceleration that balances them. An error says that
+    /// the full solve is needed.
+    Result<Response> respond(const std::vector<PointForce>& loads) const;
+    /// The same, with what is kept of the loads before.
+    Result<Response> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+
+    const SplineProblem& problem() const { return *problem_; }
+    const PackedStiffness& stiffness() const { return stiffness_; }
+    const ProperModes& modes() const { return modes_; }
+    const ReducedModelLimits& limits() const { return limits_; }
+
+  private:
+    bool coversAComponent(const std::vector<int>& functions) const;
+    double roundingOfModes(const SparseMatrix& stiffness) const;
+    Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
+
+    std::shared_ptr<const SplineProblem> problem_;
+    PackedStiffness stiffness_;
+    ProperModes modes_;
+    LocalFunctions local_;
+    ReducedModelLimits limits_;
+    std::vector<int> functions_of_component_;
+    int most_local_ = 0;
+};
+
+}  // namespace sherd

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/mlpg/reduced/damage_reading.h"
+#include "core/mlpg/reduced/reduced_model.h"
+
+namespace sherd {
+
+/// What an asset keeps to answer blows without a factor.
+struct ReducedStress {
+    ReducedModel model;
+    DamageReading reading;
+    std::vector<std::string> warnings;  ///< what limits trust in the stress, with the remedy
+};
+
+}  // namespace sherd

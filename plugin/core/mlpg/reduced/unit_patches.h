@@ -1,0 +1,25 @@
+#pragma once
+
+#include <sherd/types.h>
+
+#include <vector>
+
+#include "core/sampling/discretisation.h"
+
+namespace sherd {
+
+/// A part of a solid's surface under 1 N, spread over the sampling's own surface points.
+struct UnitPatch {
+    struct Point {
+        Vec3 position = Vec3::Zero();  ///< m
+        double weight = 0;             ///< all of a patch have 1 in sum
+    };
+    std::vector<Point> points;
+    Vec3 middle = Vec3::Zero();  ///< the point that the patch was made about, m
+};
+
+/// Up to `count` patches that cover the surface evenly: each next one is made about the point that is
+/// farthest from all before. Together they have about the area of the surface.
+std::vector<UnitPatch> unitPatches(const Discretisation& solid, int count);
+
+}  // namespace sherd

@@ -1,0 +1,191 @@
+#include "core/linear_algebra/block_product.h"
+#include "core/mlpg/pinned_system.h"
+#include "core/mlpg/reduced/reduced_stress.h"
+#include "core/mlpg/splines/resampling.h"
+#include "core/mlpg/splines/stress_reading.h"
+#include "core/mlpg/stress_solver_impl.h"
+#include "core/numerics/stopwatch.h"
+
+namespace sherd {
+namespace {
+
+/// Galerkin on splines.
+class SplineSolver : public StressSolver::Impl {
+  public:
+    SplineSolver(std::shared_ptr<const SplineProblem> problem, SparseMatrix stiffness, PinnedSystem system,
+                 Resampling resampling)
+        : shared_problem_(std::move(problem)),
+          problem_(*shared_problem_),
+          stiffness_(std::move(stiffness)),
+          system_(std::move(system)),
+          resampling_(resampling),
+          samples_(locateSamples(*problem_.solid)) {}
+
+    Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
+                              const Vec3& spin_rad_s) const override;
+    Result<StressField> solveTraction(
+        const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+        const std::vector<Vec3>& points) const override;
+    StressField stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
+                         const std::function<Mat3(const Vec3& x)>& gradient) const override;
+    Result<std::shared_ptr<const ReducedStress>> reduced(const Progress& progress) const override;
+
+  private:
+    Result<PinnedSystem::Solution> solveForces(const Eigen::VectorXd& forces) const;
+    double imbalance(const Eigen::VectorXd& forces, double magnitude) const;
+
+    std::shared_ptr<const SplineProblem> shared_problem_;
+    const SplineProblem& problem_;
+    SparseMatrix stiffness_;
+    PinnedSystem system_;
+    Resampling resampling_;
+    std::vector<GridPoint> samples_;
+};
+
+/// Point forces at the unknowns.
+Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads) {
+    for (const PointForce& load : loads)
+        if (!load.force.allFinite() || !load.position.allFinite())
+            return Error{"A load on the body is not finite; check the contact that it came from."};
+    Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, problem.space->raw_count);
+    if (!addPointForces(problem.parts(), *problem.space, loads, raw))
+        return Error{
+            "A load acts more than a particle spacing outside the body; give it in the asset's frame."};
+    return problem.space->gather(raw);
+}
+
+Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces) const {
+    constexpr double good_residual = 1e-10;
+    const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {
+        return forces - symmetricBlockProduct(stiffness_, unknowns);
+    };
+    return system_.solve(forces, residual_of, good_residual);
+}
+
+/// Net force and moment of what should be balanced, over the sum of all forces.
+double SplineSolver::imbalance(const Eigen::VectorXd& forces, double magnitude) const {
+    if (!(magnitude > 0)) return 0;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> left = problem_.motions.resultants(forces);
+    clearHeld(problem_, left);
+    return left.cwiseAbs().maxCoeff() / magnitude;
+}
+
+Result<StressField> SplineSolver::solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
+                                        const Vec3& spin_rad_s) const {
+    const Stopwatch watch;
+    Result<Eigen::VectorXd> loaded = forcesAt(problem_, loads);
+    if (!loaded) return Error{loaded.error()};
+    Eigen::VectorXd& forces = loaded.value();
+    double magnitude = 0;
+    for (const PointForce& load : loads) magnitude += load.force.norm();
+    const Mat3 spin_force = spinForce(spin_rad_s, problem_.density_kg_m3);
+    if (spin_rad_s.norm() > 0) magnitude += addSpin(spin_force, problem_.inertia_moments, forces);
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_.motions.resultants(forces);
+    clearHeld(problem_, resultants);
+    const auto acceleration = problem_.inertia.balance(forces, resultants, problem_.motions);
+
+    const Result<PinnedSystem::Solution> solved = solveForces(forces);
+    if (!solved) return Error{solved.error()};
+    const Eigen::VectorXd& unknowns = solved.value().unknowns;
+    const SplineField whole = problem_.fieldOf(unknowns);
+    const BodyLoads acting{loads, inertiaForces(*problem_.space, problem_.motions, acceleration, spin_force)};
+    const Result<std::vector<Zoom>> zooms = resample(*problem_.solid->surface, whole, acting,
+                                                     problem_.elasticity, problem_.supports, resampling_);
+    if (!zooms) return Error{zooms.error()};
+
+    StressField field;
+    for (const Zoom& zoom : zooms.value()) field.resampling_entries += zoom.stiffness_entries;
+    field.solve_ms = watch.milliseconds();
+    const Stopwatch recovery_watch;
+    readStress(problem_, samples_, whole, zooms.value(), points, field);
+    field.recovery_ms = recovery_watch.milliseconds();
+    field.strain_energy_j = 0.5 * unknowns.dot(forces);
+    field.residual_rel = solved.value().residual_rel;
+    field.imbalance_rel = imbalance(forces, magnitude);
+    field.warnings = report.warnings;
+    constexpr double largest_good_residual = 1e-6;
+    if (!(field.residual_rel < largest_good_residual))
+        field.warnings.push_back("The linear solve left a residual of " + std::to_string(field.residual_rel) +
+                                 " of the load; do the supports hold the body well?");
+    return finiteOrError(std::move(field));
+}
+
+Result<StressField> SplineSolver::solveTraction(
+    const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
+    const std::vector<Vec3>& points) const {
+    std::vector<PointForce> loads;
+    for (const SurfacePoint& point : problem_.solid->surface_points) {
+        const double area = point.area.norm();
+        if (area > 0) loads.push_back({point.position, area * traction(point.position, point.area / area)});
+    }
+    return solve(loads, points, Vec3::Zero());
+}
+
+StressField SplineSolver::stressOf(const std::function<Vec3(const Vec3& x)>& displacement,
+                                   const std::function<Mat3(const Vec3& x)>&) const {
+    const SplineSpace& space = *problem_.space;
+    Eigen::VectorXd unknowns(3L * space.function_count);
+    for (int f = 0; f < space.function_count; ++f)
+        unknowns.segment<3>(3L * f) = displacement(space.greville_points[f]);
+    StressField field;
+    readStress(problem_, samples_, problem_.fieldOf(unknowns), {}, {}, field);
+    return field;
+}
+
+Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progress& progress) const {
+    if (!problem_.shares.empty()) return Error{"A damaged solid has no reduced model."};
+    if (system_.solver().relativeShift() > 0)
+        return Error{"The stiffness matrix is singular, so it has no reduced model; try another spacing."};
+    auto model =
+        ReducedModel::make(shared_problem_, stiffness_, system_.pinned(), system_.solver(), progress);
+    if (!model) return Error{model.error()};
+    return std::shared_ptr<const ReducedStress>(new ReducedStress{
+        std::move(model).value(), DamageReading(shared_problem_, samples_), report.warnings});
+}
+
+std::vector<std::string> trustWarnings(const Material& material, const SparseSolver& factor) {
+    constexpr double first_doubtful_poisson_ratio = 0.47;
+    std::vector<std::string> warnings;
+    if (material.poisson_ratio > first_doubtful_poisson_ratio)
+        warnings.push_back(
+            "Poisson's ratio is near 0.5, where displacements barely tell the pressure: stress may be off by "
+            "a tenth and more; use a higher quality, or 0.47.");
+    if (factor.relativeShift() > 0)
+        warnings.push_back(
+            "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added to "
+            "every unknown; try another spacing.");
+    return warnings;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
+    std::shared_ptr<const Discretisation> solid, const Material& material, const StressSettings& settings,
+    const std::vector<SupportPoint>& supports, const std::vector<char>& damaged) {
+    Result<SplineProblem> problem =
+        makeSplineProblem(std::move(solid), material, settings.basis, supports, damaged);
+    if (!problem) return Error{problem.error()};
+    const Stopwatch assembly_watch;
+    SparseMatrix stiffness = stiffnessOf(problem.value());
+    StressSolverReport report;
+    report.assemble_ms = assembly_watch.milliseconds();
+    const Stopwatch factor_watch;
+    Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value()), 3,
+                                                       problem.value().space->highest_cells);
+    if (!system) return Error{system.error()};
+    report.factor_ms = factor_watch.milliseconds();
+    const SparseSolver& factor = system.value().solver();
+    report.unknowns = stiffness.size;
+    report.factor_entries = factor.factorEntries();
+    report.reciprocal_condition = factor.reciprocalCondition();
+    report.warnings = trustWarnings(material, factor);
+    // Zooms know whole material only.
+    const Resampling resampling{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
+    auto solver =
+        std::make_unique<SplineSolver>(std::make_shared<const SplineProblem>(std::move(problem).value()),
+                                       std::move(stiffness), std::move(system).value(), resampling);
+    solver->report = std::move(report);
+    return std::unique_ptr<Impl>(std::move(solver));
+}
+
+}  // namespace sherd

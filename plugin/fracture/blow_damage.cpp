@@ -1,0 +1,65 @@
+#include "fracture/blow_damage.h"
+
+#include "fracture/stage.h"
+
+namespace sherd {
+
+const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
+    if (solid.isFactored()) return *valueOrFail(solid.stressSolver());
+    const Stopwatch making;
+    const StressSolver& solver = *valueOrFail(solid.stressSolver());
+    addMaking(solver, making.milliseconds(), ms);
+    return solver;
+}
+
+namespace {
+
+/// False if the reduced model cannot answer.
+bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
+                     const Strength& strength, StageTimes& ms, BlowDamage& found) {
+    ReducedModel::Response response;
+    ReducedModel::LocalSystem kept;
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
+        const AddedTime time(ms.solve);
+        Result<ReducedModel::Response> answer = reduced.model.respond(loads, kept);
+        if (!answer) return Error{answer.error()};
+        response = std::move(answer).value();
+        return response.strain_energy_j;
+    };
+    Result<BlowForces> forces = blowForces(struck, blow, solve, ms);
+    if (!forces) return false;
+    found.level = Level::reduced;
+    found.forces = std::move(forces).value();
+    found.warnings = reduced.warnings;
+    if (found.forces.strike.empty()) return true;
+    const AddedTime time(ms.damage);
+    found.damage = reduced.reading.damage(response.unknowns, found.forces.loads,
+                                          found.forces.pulse.peak_force_n, strength);
+    return true;
+}
+
+void solveFully(const StrikeContext& struck, const Blow& blow, const Strength& strength, StageTimes& ms,
+                BlowDamage& found) {
+    BlowStress stress = valueOrFail(blowStress(struck, solverOf(struck.solid, ms), blow, ms));
+    found.level = Level::full;
+    found.residual_rel = stress.unit.residual_rel;
+    found.warnings = stress.unit.warnings;
+    if (!stress.strike.empty()) {
+        const AddedTime time(ms.damage);
+        found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n, struck.sampling, strength);
+    }
+    found.forces = std::move(stress);
+}
+
+}  // namespace
+
+BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const Strength& strength,
+                      StageTimes& ms) {
+    BlowDamage found;
+    const ReducedStress* reduced = struck.fracture.use_reduced_model ? struck.solid.reducedStress() : nullptr;
+    if (!reduced || !askReducedModel(struck, *reduced, blow, strength, ms, found))
+        solveFully(struck, blow, strength, ms, found);
+    return found;
+}
+
+}  // namespace sherd

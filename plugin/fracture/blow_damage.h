@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/damage/damage.h"
+#include "fracture/blow_stress.h"
+
+namespace sherd {
+
+/// What a blow damages, and which level of the stress says so.
+struct BlowDamage {
+    Level level = Level::full;
+    BlowForces forces;
+    Damage damage;  ///< empty if nothing strikes
+    double residual_rel = 0;
+    std::vector<std::string> warnings;
+};
+
+/// The factored stress problem of a solid. The first blow that needs it makes it, or waits for the thread
+/// that does. Throws StageFailed if it cannot be made.
+const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms);
+
+/// Asks the reduced model, if the solid has one and `fracture.use_reduced_model` allows it, else a full
+/// solve; so, too, where the reduced model cannot answer, as under loads on most of the body. Throws
+/// StageFailed with the sentence of a stage that fails.
+BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const Strength& strength,
+                      StageTimes& ms);
+
+}  // namespace sherd

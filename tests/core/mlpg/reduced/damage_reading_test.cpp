@@ -1,0 +1,78 @@
+#include "core/mlpg/reduced/damage_reading.h"
+
+#include <gtest/gtest.h>
+
+#include "core/mlpg/reduced/reduced_support.h"
+#include "core/stress/principal_stresses.h"
+
+namespace sherd {
+namespace {
+
+const BothSolutions& wall() {
+    static const BothSolutions both = bothSolutions(obliqueWall(), 0.02);
+    return both;
+}
+
+std::vector<double> scattered(std::size_t count, double mean) {
+    std::mt19937 random(7);
+    std::vector<double> strengths;
+    for (std::size_t i = 0; i < count; ++i)
+        strengths.push_back(mean * (0.7 + 0.6 * (random() % 1000) * 1e-3));
+    return strengths;
+}
+
+TEST(DamageReading, FindsTheDamageThatReadingEverythingFinds) {
+    std::mt19937 random(1);
+    Material brittle;
+    brittle.compressive_strength_pa = 8 * brittle.tensile_strength_pa;
+    for (const char* name : {"largest_principal_stress", "mohr_coulomb"})
+        for (const double of_peak : {0.2, 0.6, 0.9, 1.2, 3.0}) {
+            const auto loads = randomPush(*wall().solid, 0.02, random);
+            const auto response = valueOf(wall().reduced.model.respond(loads));
+            const StressField field = stressUnder(wall(), response.unknowns.cast<double>(), loads);
+            const auto strengths =
+                scattered(wall().solid->particles.size(), of_peak * largestTension(field) * 1000);
+            const Strength strength{*failureCriterion(name), brittle, strengths};
+            const Damage all = damagedParticles(field, 1000, *wall().solid, strength);
+            const Damage found = wall().reduced.reading.damage(response.unknowns, loads, 1000, strength);
+            EXPECT_EQ(found.count, all.count) << name << ' ' << of_peak;
+            EXPECT_EQ(found.damaged, all.damaged);
+            EXPECT_NEAR(found.largest_stress_pa, all.largest_stress_pa, 1e-5 * all.largest_stress_pa);
+            for (std::size_t i = 0; all.count > 0 && i < all.damaged.size(); ++i)
+                if (all.overstress[i] > 0.51) {
+                    EXPECT_NEAR(found.overstress[i], all.overstress[i], 1e-4);
+                }
+        }
+}
+
+TEST(StressBounds, HoldOfAnyDisplacement) {
+    std::mt19937 random(2);
+    const SplineProblem& problem = *wall().problem;
+    const auto samples = locateSamples(*wall().solid);
+    const StressBounds bounds(problem.parts(), problem.space->degree, problem.elasticity, samples);
+    Eigen::Matrix4Xf raw = Eigen::Matrix4Xf::Zero(4, problem.space->raw_count);
+    for (Eigen::Index i = 0; i < raw.cols(); ++i)
+        for (int k = 0; k < 3; ++k) raw(k, i) = static_cast<float>((random() % 2000) * 1e-3 - 1);
+    const SplineField field{std::shared_ptr<const CellParts>(wall().solid, &problem.parts()), problem.space,
+                            raw.topRows<3>().cast<double>()};
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        if (samples[s].part < 0) continue;
+        const SymmetricTensor own =
+            toSymmetricTensor(problem.elasticity.stress(gradientOn(field, samples[s].part, samples[s].xi)));
+        const PrincipalRange range =
+            bounds.range(raw, problem.space->raw_of[samples[s].part], samples[s].part);
+        const PrincipalStresses principal = principalStresses(own);
+        ASSERT_LE(principal.largest, range.largest);
+        ASSERT_GE(principal.smallest, range.smallest);
+        if (s < wall().solid->particles.size()) continue;
+        const SurfacePoint& point = wall().solid->surface_points[s - wall().solid->particles.size()];
+        if (point.normal.isZero()) continue;
+        const PrincipalStresses free =
+            principalStresses(withTraction(own, point.normal, Vec3::Zero(), problem.elasticity));
+        ASSERT_LE(free.largest, range.largest);
+        ASSERT_GE(free.smallest, range.smallest);
+    }
+}
+
+}  // namespace
+}  // namespace sherd
