@@ -5,8 +5,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${SHERD_BUILD:-$root/build}
 
 # shellcheck disable=SC2034  # used by the scripts that source this file
-build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcgal-dev libsuitesparse-dev libmetis-dev
-  libopenblas-dev libeigen3-dev libcli11-dev nlohmann-json3-dev)
+build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcgal-dev libsuitesparse-dev
+  libopenblas-dev libeigen3-dev libcli11-dev libxxhash-dev nlohmann-json3-dev)
 # shellcheck disable=SC2034
 picture_packages=(povray)
 # shellcheck disable=SC2034

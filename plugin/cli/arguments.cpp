@@ -8,6 +8,8 @@
 #include <optional>
 #include <vector>
 
+#include "cli/mesh_options.h"
+
 namespace sherd::cli {
 
 namespace {
@@ -84,43 +86,42 @@ struct Overrides {
     }
 };
 
-/// The options that say how the mesh is taken in.
-struct MeshOptions {
-    std::string repair = "off", up_axis = "z";
-    double scale = 1, shell_thickness_m = 0, wrap_detail = Repair().wrap_detail;
-
-    void addTo(CLI::App& app) {
-        app.add_option("--repair", repair, "What may be changed in a mesh that is no closed surface")
-            ->check(CLI::IsMember(namesInFiles<Repair::Mode>()))
-            ->capture_default_str();
-        app.add_option("--scale", scale, "Multiplies the mesh's coordinates; the case is in m after that")
-            ->check(CLI::PositiveNumber)
-            ->type_name("S");
-        app.add_option("--up-axis", up_axis, "The mesh's axis that points up; it is turned to z")
-            ->check(CLI::IsMember(namesInFiles<UpAxis>()))
-            ->capture_default_str();
-        app.add_option("--shell-thickness", shell_thickness_m, "Makes the body hollow, with such walls")
-            ->check(CLI::PositiveNumber)
-            ->type_name("M");
-        app.add_option("--wrap-detail", wrap_detail, "What a wrap closes, over the size of the mesh")
-            ->check(CLI::Range(0.001, 0.1))
-            ->capture_default_str();
-    }
-
-    Repair chosen() const {
-        Repair taken;
-        taken.mode = *valueNamed<Repair::Mode>(repair);
-        taken.up_axis = *valueNamed<UpAxis>(up_axis);
-        taken.scale = scale;
-        taken.shell_thickness_m = shell_thickness_m;
-        taken.wrap_detail = wrap_detail;
-        return taken;
-    }
-};
-
 std::string checkVtkName(const std::string& path) {
     const std::string end = path.size() < 4 ? "" : path.substr(path.size() - 4);
     return end == ".vtk" || end == ".vtu" ? "" : path + " has to end in .vtk or .vtu";
+}
+
+void addStress(CLI::App& stress, Arguments& arguments) {
+    stress.add_option("CASE", arguments.case_file, "Body, material, loads and supports (JSON)")->required();
+    stress.add_option("--points", arguments.points, "Points to evaluate (CSV with columns x,y,z)")
+        ->type_name("P.csv");
+    stress.add_option("--out", arguments.out, "Where the stresses go (CSV)")->required()->type_name("S.csv");
+    stress.add_option("--report", arguments.report, "Counts, times, memory, residual and warnings (JSON)")
+        ->type_name("R.json");
+    stress.add_option("--vtk", arguments.vtk, "Particles and surface with their stress, for ParaView")
+        ->check(checkVtkName)
+        ->type_name("FILE.vtk|.vtu");
+    stress.add_option("--quality", arguments.quality, "Preset that the options below change")
+        ->check(CLI::IsMember(namesInFiles<Quality>()))
+        ->capture_default_str();
+}
+
+void addBake(CLI::App& app, BakeArguments& bake) {
+    app.add_option("MESH", bake.mesh, "Surface of the body (OBJ)")->required()->type_name("FILE.obj");
+    app.add_option("--material", bake.material,
+                   "What it is made of: a name (ceramic, glass, ...) or a JSON file")
+        ->required()
+        ->type_name("NAME|FILE.json");
+    app.add_option("-o,--out", bake.out, "Where the baked asset goes")->required()->type_name("FILE.sherd");
+    auto* quality = app.add_option("--quality", bake.quality, "Preset that --set changes")
+                        ->check(CLI::IsMember(namesInFiles<Quality>()))
+                        ->capture_default_str();
+    app.add_option("--settings", bake.settings, "Settings, with their preset (JSON)")
+        ->type_name("FILE.json")
+        ->excludes(quality);
+    app.add_option("--set", bake.changes, "Change settings by their paths, see below")
+        ->type_name("PATH=VALUE ...");
+    app.footer("\nPaths for --set:\n" + listFields(Settings()));
 }
 
 }  // namespace
@@ -128,38 +129,35 @@ std::string checkVtkName(const std::string& path) {
 Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
     Overrides overrides;
-    MeshOptions mesh;
+    MeshOptions stress_mesh, bake_mesh;
 
     CLI::App app("Brittle fracture without a mesh: work on single bodies from the command line.");
     app.name("sherd");
     app.require_subcommand(1);
     CLI::App* stress = app.add_subcommand("stress", "Stress in a body under loads on its surface");
-    stress->add_option("CASE", arguments.case_file, "Body, material, loads and supports (JSON)")->required();
-    stress->add_option("--points", arguments.points, "Points to evaluate (CSV with columns x,y,z)")
-        ->type_name("P.csv");
-    stress->add_option("--out", arguments.out, "Where the stresses go (CSV)")->required()->type_name("S.csv");
-    stress->add_option("--report", arguments.report, "Counts, times, memory, residual and warnings (JSON)")
-        ->type_name("R.json");
-    stress->add_option("--vtk", arguments.vtk, "Particles and surface with their stress, for ParaView")
-        ->check(checkVtkName)
-        ->type_name("FILE.vtk|.vtu");
-    stress->add_option("--quality", arguments.quality, "Preset that the options below change")
-        ->check(CLI::IsMember(namesInFiles<Quality>()))
-        ->capture_default_str();
-    mesh.addTo(*stress);
+    addStress(*stress, arguments);
+    stress_mesh.addTo(*stress, "the case");
     overrides.addTo(*stress);
+    CLI::App* bake = app.add_subcommand("bake", "What answers blows on a body, as a file that loads at once");
+    addBake(*bake, arguments.bake);
+    bake_mesh.addTo(*bake, "the body");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        arguments.help = stress->parsed() ? stress->help() : app.help();
+        arguments.help = stress->parsed() ? stress->help() : bake->parsed() ? bake->help() : app.help();
         return arguments;
     } catch (const CLI::ParseError& error) {
         return Error{std::string(error.what()) + " (see --help)"};
     }
+    if (bake->parsed()) {
+        arguments.command = Arguments::Command::bake;
+        arguments.bake.repair = bake_mesh.chosen();
+        return arguments;
+    }
     arguments.settings = Settings::forQuality(*valueNamed<Quality>(arguments.quality));
     if (const Status applied = overrides.applyTo(arguments.settings); !applied)
         return Error{applied.error() + " (see --help)"};
-    arguments.repair = mesh.chosen();
+    arguments.repair = stress_mesh.chosen();
     return arguments;
 }
 

@@ -6,10 +6,16 @@
 
 #include <string>
 
+#include "cli/bake_command.h"
+
 namespace sherd::cli {
 
 /// What the command line asks for.
 struct Arguments {
+    enum class Command { stress, bake };
+    Command command = Command::stress;
+    BakeArguments bake;  ///< of `sherd bake`; all below is of `sherd stress`, but for `help`
+
     std::string case_file;
     std::string points;  ///< CSV of the points to evaluate; empty: particles and surface points
     std::string out;     ///< CSV of the stresses

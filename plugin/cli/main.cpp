@@ -15,7 +15,9 @@ int main(int argc, char** argv) {
             std::cout << arguments.value().help;
             return 0;
         }
-        const sherd::Status done = sherd::cli::runStress(arguments.value());
+        const bool bakes = arguments.value().command == sherd::cli::Arguments::Command::bake;
+        const sherd::Status done = bakes ? sherd::cli::runBake(arguments.value().bake, std::cout)
+                                         : sherd::cli::runStress(arguments.value());
         if (!done) std::cerr << done.error() << "\n";
         return done ? 0 : 1;
     } catch (const std::exception& failure) {

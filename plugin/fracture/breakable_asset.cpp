@@ -1,9 +1,32 @@
 #include <sherd/breakable_asset.h>
 
+#include <utility>
+
+#include "core/numerics/thread_priority.h"
+#include "fracture/baked_asset.h"
 #include "fracture/breakable_solid.h"
 #include "fracture/supports.h"
 
 namespace sherd {
+
+namespace {
+
+/// One for all: every fragment has it, and there may be very many.
+template <class T>
+const std::shared_ptr<const T>& emptyOne() {
+    static const auto empty = std::make_shared<const T>();
+    return empty;
+}
+
+}  // namespace
+
+BreakableAsset::BreakableAsset(std::shared_ptr<const BreakableSolid> solid)
+    : BreakableAsset(std::move(solid), emptyOne<RepairReport>(), emptyOne<std::vector<std::string>>()) {}
+
+BreakableAsset::BreakableAsset(std::shared_ptr<const BreakableSolid> solid,
+                               std::shared_ptr<const RepairReport> repairs,
+                               std::shared_ptr<const std::vector<std::string>> warnings)
+    : solid_(std::move(solid)), repairs_(std::move(repairs)), warnings_(std::move(warnings)) {}
 
 Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Material& material,
                                                const Settings& settings, const Repair& repair) {
@@ -23,7 +46,25 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
     std::vector<std::string> warnings;
     if (const std::string size = sizeWarning(solid.value()->surface()); !size.empty())
         warnings.push_back(size);
-    return BreakableAsset(std::move(solid).value(), sound.value().report, std::move(warnings));
+    return BreakableAsset(std::move(solid).value(),
+                          std::make_shared<const RepairReport>(std::move(sound).value().report),
+                          std::make_shared<const std::vector<std::string>>(std::move(warnings)));
+}
+
+Status BreakableAsset::save(const std::string& path) const {
+    Result<BakedSolid> solid = solid_->baked();
+    if (!solid) return Error{solid.error()};
+    BakedAsset baked{std::move(solid).value(), *repairs_, *warnings_};
+    return saveBaked(baked, path);
+}
+
+Result<BreakableAsset> BreakableAsset::load(const std::string& path) {
+    Result<BakedAsset> read = loadBaked(path);
+    if (!read) return Error{read.error()};
+    BakedAsset& baked = read.value();
+    return BreakableAsset(BreakableSolid::fromBaked(std::move(baked.solid)),
+                          std::make_shared<const RepairReport>(baked.repairs),
+                          std::make_shared<const std::vector<std::string>>(std::move(baked.warnings)));
 }
 
 Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>& supports) const {
@@ -36,13 +77,18 @@ Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>
             "the supports hold the body by no more than a line or a point, about which it can turn; give "
             "them "
             "more of its surface"};
-    return BreakableAsset(solid_->anchored(supports), *repairs_, *warnings_);
+    return BreakableAsset(solid_->anchored(supports), repairs_, warnings_);
 }
 
-Status BreakableAsset::prepare() const {
-    const auto solver = solid_->stressSolver();
-    if (!solver) return Error{solver.error()};
-    return success();
+Status BreakableAsset::prepare(const std::function<void(double done)>& progress) const {
+    return solid_->prepare(progress);
+}
+
+std::future<Status> BreakableAsset::prepareOnThread(std::function<void(double done)> progress) const {
+    return std::async(std::launch::async, [asset = *this, progress = std::move(progress)] {
+        yieldToOtherThreads();
+        return asset.prepare(progress);
+    });
 }
 
 bool BreakableAsset::prepared() const {
@@ -71,6 +117,10 @@ double BreakableAsset::volume() const {
 int BreakableAsset::particleCount() const {
     const auto sampling = solid_->discretisation();
     return sampling ? static_cast<int>(sampling.value()->particles.size()) : 0;
+}
+
+int BreakableAsset::unknownCount() const {
+    return solid_->unknownCount();
 }
 
 }  // namespace sherd

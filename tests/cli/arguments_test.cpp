@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <iterator>
+
 namespace sherd::cli {
 namespace {
 
@@ -39,6 +41,23 @@ TEST(Arguments, HelpListsThePaths) {
     EXPECT_NE(help.value().help.find("sampling.spacing_m"), std::string::npos);
     EXPECT_NE(help.value().help.find("linear, quadratic, cubic"), std::string::npos);
     EXPECT_EQ(help.value().help.find("moment_order"), std::string::npos) << "the library sets it";
+}
+
+TEST(Arguments, BakeTakesMaterialSettingsAndHowTheMeshIsTakenIn) {
+    const char* line[] = {"sherd",   "bake",  "cup.obj", "--material", "glass",    "--set", "fracture.seed=7",
+                          "--scale", "0.001", "-o",      "cup.sherd",  "--repair", "mend"};
+    const auto read = parseArguments(static_cast<int>(std::size(line)), line);
+    ASSERT_TRUE(read.ok()) << read.error();
+    EXPECT_EQ(read.value().command, Arguments::Command::bake);
+    const BakeArguments& bake = read.value().bake;
+    EXPECT_EQ(bake.mesh, "cup.obj");
+    EXPECT_EQ(bake.out, "cup.sherd");
+    EXPECT_EQ(bake.repair.scale, 0.001);
+    EXPECT_EQ(bake.repair.mode, Repair::Mode::mend);
+    EXPECT_EQ(materialOf(bake).value().name, Material::glass().name);
+    EXPECT_EQ(settingsOf(bake).value().fracture.seed, 7u);
+    EXPECT_EQ(settingsOf(bake).value().sampling.smallest_count, Settings().sampling.smallest_count);
+    EXPECT_EQ(parsed({}).value().command, Arguments::Command::stress);
 }
 
 }  // namespace

@@ -1,0 +1,124 @@
+#include "core/archive/checked_file.h"
+
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+
+#include "core/archive/checksum.h"
+
+namespace sherd {
+
+namespace {
+
+struct Header {
+    char magic[8];
+    std::uint32_t version;
+    std::uint32_t zero;
+    std::uint64_t size;
+    std::uint64_t checksum;
+};
+static_assert(sizeof(Header) == 32);
+
+std::uint64_t checksumOf(const Header& header, const std::byte* content, std::size_t size) {
+    return checksum(content, size, checksum(&header, offsetof(Header, checksum)));
+}
+
+/// Whether this processor has the order of bytes that files have.
+bool lowestByteIsFirst() {
+    const std::uint32_t one = 1;
+    unsigned char first = 0;
+    std::memcpy(&first, &one, 1);
+    return first == 1;
+}
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using File = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string otherOrder(const FileFormat& format) {
+    return std::string("A ") + format.name +
+           " holds numbers with their lowest byte first, and this processor has the highest first; use one "
+           "with the other order.";
+}
+
+/// What is wrong with a header, as the rest of a sentence about the file; empty: nothing.
+std::string faultOf(const FileFormat& format, const Header& header) {
+    if (std::memcmp(header.magic, format.magic, sizeof header.magic) != 0)
+        return std::string("is no ") + format.name + ": it does not begin like one";
+    if (header.version != format.version)
+        return "has version " + std::to_string(header.version) + " of the format of a " + format.name +
+               ", and this program reads version " + std::to_string(format.version);
+    return "";
+}
+
+/// A size in the file is believed only if the file is as large as that.
+std::string faultOfSize(const Header& header, std::uintmax_t file_size) {
+    const std::uintmax_t content = file_size - sizeof header;
+    if (content == header.size) return "";
+    if (content < header.size)
+        return "is cut short: it has " + std::to_string(content) + " bytes after its header, of " +
+               std::to_string(header.size);
+    return "goes on behind its end: it has " + std::to_string(content) +
+           " bytes after its header, where there should be " + std::to_string(header.size);
+}
+
+Status writeAll(const Header& header, const std::vector<std::byte>& content, const std::string& path) {
+    File file(std::fopen(path.c_str(), "wb"));
+    bool done = file && std::fwrite(&header, sizeof header, 1, file.get()) == 1 &&
+                std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
+    if (file) done = std::fclose(file.release()) == 0 && done;  // what is buffered may fail only here
+    if (!done) return Error{"Cannot write " + path + "; is there such a folder, and room on the disk?"};
+    return success();
+}
+
+}  // namespace
+
+Status writeChecked(const FileFormat& format, const std::vector<std::byte>& content,
+                    const std::string& path) {
+    if (!lowestByteIsFirst()) return Error{otherOrder(format)};
+    Header header{};
+    std::memcpy(header.magic, format.magic, sizeof header.magic);
+    header.version = format.version;
+    header.size = content.size();
+    header.checksum = checksumOf(header, content.data(), content.size());
+    const std::string unfinished = path + ".unfinished";
+    const Status written = writeAll(header, content, unfinished);
+    std::error_code trouble;
+    if (written) std::filesystem::rename(unfinished, path, trouble);
+    if (written && !trouble) return success();
+    std::error_code ignored;
+    std::filesystem::remove(unfinished, ignored);
+    if (!written) return Error{written.error()};
+    return Error{"Cannot write " + path + ": " + trouble.message() + "."};
+}
+
+Result<CheckedContent> readChecked(const FileFormat& format, const std::string& path) {
+    if (!lowestByteIsFirst()) return Error{otherOrder(format)};
+    const auto wrong = [&](const std::string& fault) {
+        return Error{path + " " + fault + "; " + format.remedy + "."};
+    };
+    std::error_code trouble;
+    if (std::filesystem::is_directory(path, trouble))
+        return wrong(std::string("is a folder, not a ") + format.name);
+    File file(std::fopen(path.c_str(), "rb"));
+    const std::uintmax_t size = file ? std::filesystem::file_size(path, trouble) : 0;
+    if (!file || trouble) return wrong("cannot be opened");
+    if (size == 0) return wrong("is empty");
+    Header header{};
+    const bool has_header = std::fread(&header, 1, sizeof header, file.get()) == sizeof header;
+    if (!has_header) return wrong("is cut short: it ends within its header");
+    if (const std::string fault = faultOf(format, header); !fault.empty()) return wrong(fault);
+    if (const std::string fault = faultOfSize(header, size); !fault.empty()) return wrong(fault);
+
+    CheckedContent content;
+    content.size = static_cast<std::size_t>(header.size);
+    content.bytes.reset(new std::byte[content.size]);  // not set to zero, unlike make_unique
+    if (std::fread(content.bytes.get(), 1, content.size, file.get()) != content.size)
+        return wrong("cannot be read to its end");
+    if (checksumOf(header, content.bytes.get(), content.size) != header.checksum)
+        return wrong("was changed since it was written: its checksum is another");
+    return content;
+}
+
+}  // namespace sherd

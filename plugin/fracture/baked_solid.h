@@ -1,0 +1,27 @@
+#pragma once
+
+#include <sherd/material.h>
+#include <sherd/settings.h>
+#include <sherd/surface_region.h>
+#include <sherd/triangle_mesh.h>
+
+#include <memory>
+#include <vector>
+
+#include "core/mlpg/reduced/reduced_stress.h"
+
+namespace sherd {
+
+/// A solid with all that answers a blow without a factor.
+struct BakedSolid {
+    TriangleMesh surface;
+    Material material;
+    Settings settings;
+    std::vector<SurfaceRegion> supports;
+    Moments moments;
+    double bounding_radius = 0, wall_thickness = 0, spacing = 0;  ///< m
+    std::shared_ptr<const Discretisation> sampling;               ///< as archiveFields keeps it
+    std::shared_ptr<const ReducedStress> reduced;
+};
+
+}  // namespace sherd
