@@ -41,7 +41,8 @@ struct Steps {
     int prepared = 0;  // assets that the worker got done meanwhile
 };
 
-/// Plates of the asset and boxes, dropped in a heap from so low that no blow passes the gate.
+/// Plates of the asset and boxes, dropped in a heap. The longest step is that of the first blow that is
+/// solved.
 Steps run(bool with_worker) {
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
