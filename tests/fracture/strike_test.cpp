@@ -7,28 +7,16 @@
 #include <stdexcept>
 
 #include "fracture/default_fracture.h"
+#include "fracture/struck_plate.h"
 #include "support/shapes.h"
 
 namespace {
 
 using namespace sherd;
+using namespace sherd::fracture_tests;
 
-/// A plate of 0.4 x 0.4 x 0.03 m that a ball hits in the middle of its upper face.
 std::shared_ptr<const BreakableSolid> plate(const Material& material, const Settings& settings = {}) {
-    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
-                                                material, settings);
-    EXPECT_TRUE(asset.ok()) << asset.error();
-    return asset.value().solid();
-}
-
-Blow blowInTheMiddle(double mass, double speed) {
-    ContactImpulse contact;
-    contact.point = Vec3(0.003, 0.002, 0.015);
-    contact.normal = -Vec3::UnitZ();
-    contact.impulse = -Vec3::UnitZ() * mass * speed;
-    contact.approach_m_s = speed;
-    contact.partner_radius_m = 0.03;
-    return {{contact}, {Mobility::ofPoint(mass)}};
+    return plateAsset(material, settings).solid();
 }
 
 TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {

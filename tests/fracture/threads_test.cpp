@@ -8,33 +8,21 @@
 #include <thread>
 
 #include "fracture/default_fracture.h"
-#include "support/shapes.h"
+#include "fracture/struck_plate.h"
 
 namespace {
 
 using namespace sherd;
+using namespace sherd::fracture_tests;
 
 BreakableAsset plate(const Settings& settings = {}) {
-    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, -0.015), Vec3(0.2, 0.2, 0.015)),
-                                                Material::plaster(), settings);
-    EXPECT_TRUE(asset.ok()) << asset.error();
-    return asset.value();
+    return plateAsset(Material::plaster(), settings);
 }
 
 Settings coarse() {
     Settings settings;
     settings.sampling.spacing_m = 0.02;
     return settings;
-}
-
-Blow blowOf(double mass, double speed) {
-    ContactImpulse contact;
-    contact.point = Vec3(0.003, 0.002, 0.015);
-    contact.normal = -Vec3::UnitZ();
-    contact.impulse = -Vec3::UnitZ() * mass * speed;
-    contact.approach_m_s = speed;
-    contact.partner_radius_m = 0.03;
-    return {{contact}, {Mobility::ofPoint(mass)}};
 }
 
 std::vector<double> volumesOf(const BlowOutcome& outcome) {
@@ -47,24 +35,24 @@ TEST(Threads, AnAssetIsPreparedOnOneWhileOthersAskForItAndStrikeOthers) {
     const BreakableAsset asset = plate(coarse()), other = plate(coarse());
     std::thread worker([copy = asset] { EXPECT_TRUE(copy.prepare().ok()); });
     while (!asset.prepared()) {
-        EXPECT_FALSE(canBreak(*asset.solid(), blowOf(0.1, 0.01)));
+        EXPECT_FALSE(canBreak(*asset.solid(), blowInTheMiddle(0.1, 0.01)));
         EXPECT_GT(asset.mass(), 0);
-        EXPECT_EQ(strike(*other.solid(), blowOf(0.1, 0.1), 1).outcome, Outcome::held);
+        EXPECT_EQ(strike(*other.solid(), blowInTheMiddle(0.1, 0.1), 1).outcome, Outcome::held);
     }
     worker.join();
-    const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
+    const BlowOutcome here = strike(*asset.solid(), blowInTheMiddle(1, 10), 1);
     EXPECT_EQ(here.outcome, Outcome::broke) << here.message;
     EXPECT_EQ(here.ms.factor, 0) << "made on the worker";
     const BreakableAsset prepared_here = plate(coarse());
     ASSERT_TRUE(prepared_here.prepare().ok());
-    EXPECT_EQ(volumesOf(here), volumesOf(strike(*prepared_here.solid(), blowOf(1, 10), 1)));
+    EXPECT_EQ(volumesOf(here), volumesOf(strike(*prepared_here.solid(), blowInTheMiddle(1, 10), 1)));
 }
 
 TEST(Threads, ABlowWaitsForTheFactorThatAnotherThreadMakes) {
     const BreakableAsset asset = plate(coarse());
     std::vector<double> on_worker;
-    std::thread worker([&] { on_worker = volumesOf(strike(*asset.solid(), blowOf(1, 10), 1)); });
-    const BlowOutcome here = strike(*asset.solid(), blowOf(1, 10), 1);
+    std::thread worker([&] { on_worker = volumesOf(strike(*asset.solid(), blowInTheMiddle(1, 10), 1)); });
+    const BlowOutcome here = strike(*asset.solid(), blowInTheMiddle(1, 10), 1);
     worker.join();
     EXPECT_EQ(here.outcome, Outcome::broke) << here.message;
     EXPECT_EQ(volumesOf(here), on_worker);
@@ -84,15 +72,16 @@ TEST(Threads, ABlowOnOneThreadHoldsUpNothingButItsOwnSolidsStrengths) {
         return 1.0;
     };
     const BreakableAsset asset = plate(settings), other = plate(coarse());
-    std::thread worker(
-        [copy = asset] { EXPECT_EQ(strike(*copy.solid(), blowOf(1, 10), 1).outcome, Outcome::broke); });
+    std::thread worker([copy = asset] {
+        EXPECT_EQ(strike(*copy.solid(), blowInTheMiddle(1, 10), 1).outcome, Outcome::broke);
+    });
     in_the_field.get_future().wait();
     EXPECT_TRUE(asset.prepared());
     EXPECT_TRUE(asset.prepare().ok());
     EXPECT_GT(asset.particleCount(), 0);
     EXPECT_GT(asset.solid()->sampleMilliseconds(), 0);
-    EXPECT_TRUE(canBreak(*asset.solid(), blowOf(1, 10)));
-    EXPECT_EQ(strike(*other.solid(), blowOf(1, 10), 1).outcome, Outcome::broke);
+    EXPECT_TRUE(canBreak(*asset.solid(), blowInTheMiddle(1, 10)));
+    EXPECT_EQ(strike(*other.solid(), blowInTheMiddle(1, 10), 1).outcome, Outcome::broke);
     asked.set_value();
     worker.join();
     EXPECT_FALSE(waited_in_vain);
