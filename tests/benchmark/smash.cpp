@@ -1,0 +1,197 @@
+// A room of crockery: 30 stoneware cups of one prepared asset stand on a floor, and a steel ball of 2 kg flies
+// through them at 12 m/s. Prints what the steps took, what was solved, and what is left.
+//
+//   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--steps FILE]
+//
+// `--set` is that of the command line (fracture.collision_shape=hull); `--steps` writes one line a step.
+
+#include <btBulletDynamicsCommon.h>
+#include <sherd/enum_names.h>
+#include <sherd/sherd.h>
+#include <sys/resource.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace sherd;
+
+constexpr int row = 6, cups = 30;
+constexpr btScalar row_spacing_m = 0.13f;
+
+struct Options {
+    double rate_hz = 60, seconds = 2;
+    std::string quality = "game", steps_file;
+    std::vector<std::string> assignments;
+};
+
+double now() {
+    using namespace std::chrono;
+    return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
+}
+
+double residentMegabytes() {
+    std::ifstream file("/proc/self/statm");
+    double pages = 0;
+    file >> pages >> pages;
+    return pages * 4096 / 1e6;
+}
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty()) return 0;
+    std::sort(values.begin(), values.end());
+    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+}
+
+struct Blows {
+    long reduced = 0, full = 0, broke = 0, held = 0, failed = 0;
+    std::vector<double> ms;
+
+    void add(const BlowEvent& event) {
+        ++(event.level == Level::full ? full : reduced);
+        ++(event.outcome == Outcome::broke ? broke : event.outcome == Outcome::held ? held : failed);
+        double sum = 0;
+        for (const auto& field : time_fields<StageTimes>) sum += event.ms.*field.value;
+        ms.push_back(sum);
+    }
+    void print(const char* what) const {
+        std::printf("%-14s %5ld reduced %5ld full: %5ld broke %5ld held %3ld failed; ms median %.2f, 90 %% %.2f, "
+                    "longest %.1f\n",
+                    what, reduced, full, broke, held, failed, quantile(ms, 0.5), quantile(ms, 0.9),
+                    quantile(ms, 1));
+    }
+};
+
+template <class Times>
+void printTimes(const Times& times) {
+    for (const auto& field : time_fields<Times>)
+        if (times.*field.value >= 0.5) std::printf("  %s %.0f", field.name, times.*field.value);
+    std::puts("");
+}
+
+int run(const Options& options) {
+    Settings settings = Settings::forQuality(*valueNamed<Quality>(options.quality));
+    if (const Status set = settings.set(options.assignments); !set) {
+        std::puts(set.error().c_str());
+        return 1;
+    }
+    const auto cup =
+        BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings);
+    if (!cup) {
+        std::puts(cup.error().c_str());
+        return 1;
+    }
+    if (const Status prepared = cup.value().prepare(); !prepared) {
+        std::puts(prepared.error().c_str());
+        return 1;
+    }
+
+    btDefaultCollisionConfiguration configuration;
+    btCollisionDispatcher dispatcher(&configuration);
+    btDbvtBroadphase broadphase;
+    btSequentialImpulseConstraintSolver solver;
+    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
+    world.setGravity(btVector3(0, 0, -9.81f));
+    btBoxShape slab(btVector3(5, 5, 0.5f));
+    btRigidBody floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &slab));
+    floor.translate(btVector3(0, 0, -0.5f));
+    world.addRigidBody(&floor);
+    btSphereShape sphere(0.05f);
+    btRigidBody ball(2, nullptr, &sphere, btVector3(0.002f, 0.002f, 0.002f));
+    ball.translate(btVector3(-0.3f, 0.02f, 0.06f));
+    ball.setLinearVelocity(btVector3(12, 0, 0));
+    world.addRigidBody(&ball);
+
+    const double memory_before = residentMegabytes();
+    {
+        FractureWorld fracture(&world);
+        for (int i = 0; i < cups; ++i) {
+            BodyOptions place(btTransform(btQuaternion::getIdentity(),
+                                          btVector3(row_spacing_m * btScalar(i % row),
+                                                    row_spacing_m * btScalar(i / row - 2), 0.001f)));
+            place.user_index = 1;
+            if (const auto added = fracture.add(cup.value(), place); !added) {
+                std::puts(added.error().c_str());
+                return 1;
+            }
+        }
+        const int steps = static_cast<int>(options.seconds * options.rate_hz + 0.5);
+        std::vector<double> step_ms, own_ms;
+        Blows on_cups, on_fragments;
+        double ball_after = 0, dropped = 0;
+        std::FILE* file = options.steps_file.empty() ? nullptr : std::fopen(options.steps_file.c_str(), "w");
+        const double begin = now();
+        for (int step = 0; step < steps; ++step) {
+            const double whole_before = fracture.times().whole, from = now();
+            world.stepSimulation(btScalar(1 / options.rate_hz), 0);
+            step_ms.push_back(now() - from);
+            own_ms.push_back(step_ms.back() - (fracture.times().whole - whole_before));
+            for (const BlowEvent& event : fracture.takeEvents()) {
+                (event.asset.solid() == cup.value().solid() ? on_cups : on_fragments).add(event);
+                dropped += event.dropped_mass_kg;
+            }
+            if (ball_after == 0 && ball.getWorldTransform().getOrigin().x() > row_spacing_m * row)
+                ball_after = ball.getLinearVelocity().length();
+            if (file)
+                std::fprintf(file, "%d %.3f %.3f %d %d\n", step, step_ms.back(), own_ms.back(),
+                             world.getNumCollisionObjects(), dispatcher.getNumManifolds());
+        }
+        const double wall = now() - begin;
+        if (file) std::fclose(file);
+
+        std::vector<double> masses;
+        double mass = dropped;
+        int asleep = 0;
+        for (const btRigidBody* body : fracture.bodies()) {
+            const double own = body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
+            mass += own;
+            masses.push_back(own);
+            asleep += !body->isActive();
+        }
+        double own = 0;
+        for (const double ms : own_ms) own += ms;
+        const WorldTimes times = fracture.times();
+        const BlowCounts counts = fracture.counts();
+        std::printf("%g Hz, %g s, %s: wall %.2f s, Sherd %.2f s, Bullet's own %.2f s; steps: median %.2f, "
+                    "longest %.1f ms (Bullet's own %.2f, %.1f)\n",
+                    options.rate_hz, options.seconds, options.quality.c_str(), wall / 1000,
+                    times.whole / 1000, own / 1000, quantile(step_ms, 0.5), quantile(step_ms, 1),
+                    quantile(own_ms, 0.5), quantile(own_ms, 1));
+        std::printf("memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
+                    "%.3f m/s behind the cups\n",
+                    residentMegabytes() - memory_before, masses.size(), asleep, mass,
+                    cups * cup.value().mass(), 1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5),
+                    1e3 * quantile(masses, 0.75), ball_after);
+        std::printf("blows %lld: gate %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
+                    counts.reduced, counts.full);
+        on_cups.print("  on cups");
+        on_fragments.print("  on fragments");
+        std::printf("blows, ms:");
+        printTimes(times.blows);
+        std::printf("steps, ms:");
+        printTimes(times.steps);
+    }
+    world.removeRigidBody(&ball);
+    world.removeRigidBody(&floor);
+    return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+    Options options;
+    CLI::App app{"30 cups and a ball: what a room of crockery costs."};
+    app.add_option("--rate", options.rate_hz, "steps a second")->check(CLI::PositiveNumber);
+    app.add_option("--seconds", options.seconds, "simulated time, s")->check(CLI::PositiveNumber);
+    app.add_option("--quality", options.quality)->check(CLI::IsMember({"preview", "game", "film"}));
+    app.add_option("--set", options.assignments, "a setting by its path, FIELD=VALUE");
+    app.add_option("--steps", options.steps_file, "file with a line a step");
+    CLI11_PARSE(app, count, arguments);
+    return run(options);
+}
