@@ -3,10 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <map>
-#include <utility>
 
+#include "core/linear_algebra/dense_kernels.h"
 #include "core/numerics/pi.h"
 
 namespace sherd {
@@ -27,50 +26,96 @@ double movingShare(const ContactBody& body, double duration_s) {
     return std::min(1.0, damping * duration_s / pi * body.mobility.inverse_mass);
 }
 
-/// The struck body and what stands under it, in coordinates in which all masses are 1: six a body.
-struct Bodies {
-    const Mobility& struck;
-    Eigen::Matrix<double, 6, 6> struck_root;
-    std::map<int, std::pair<Mobility, Eigen::Matrix<double, 6, 6>>> partners;  // those that give way
-    long count() const { return 6 * (1 + static_cast<long>(partners.size())); }
+/// A partner that gives way, by its number.
+struct Partner {
+    Mobility mobility;
+    Eigen::Matrix<double, 6, 6> root;
+    /// Orthonormal columns: the motions that stretch its springs; in the others it stays as it is.
+    Eigen::Matrix<double, 6, Eigen::Dynamic> motions = {};
+    long place = 0;  ///< of the first of them in the system
 };
 
-Bodies bodiesOf(const ContactBody& body, const std::vector<Foundation>& foundations, double duration_s) {
-    Bodies bodies{body.mobility, body.mobility.root() / std::sqrt(movingShare(body, duration_s)), {}};
-    for (const Foundation& foundation : foundations)
-        if (!foundation.partner.fixed())
-            bodies.partners[foundation.partner_number] = {foundation.partner, foundation.partner.root()};
-    return bodies;
-}
-
+/// A spring between the struck body and a partner, in coordinates in which all masses are 1.
 struct Spring {
     Vec3 position, push;
-    double stiffness_n_m;
-    Eigen::VectorXd stretch;  ///< by the displacements: how far body and partner part there
+    double stiffness_n_m = 0;
+    Wrench own = Wrench::Zero();  ///< stretch by the struck body's motions
+    Wrench partners = Wrench::Zero();
+    const Partner* partner = nullptr;  ///< none: it does not give way
+    Eigen::VectorXd of_motions;        ///< stretch by the partner's `motions`
 };
 
-std::vector<Spring> springsOf(const ContactBody& body, const Bodies& bodies,
-                              const std::vector<Foundation>& foundations, double duration_s) {
-    const double speed = std::sqrt(body.material.youngs_modulus_pa / body.material.density_kg_m3);
+/// Rigid bodies with springs between them: six displacements of the struck body, then those of the partners.
+struct SpringSystem {
+    Eigen::Matrix<double, 6, 6> struck_root;
+    std::map<int, Partner> partners;
     std::vector<Spring> springs;
-    for (const Foundation& foundation : foundations) {
-        const double reached = waveShare(foundation.distance_m / speed, duration_s);
-        if (!(reached > 0)) continue;
-        for (const FoundationPoint& point : foundation.points) {
-            Spring spring{point.position, foundation.push, point.share * reached * foundation.stiffness_n_m,
-                          Eigen::VectorXd::Zero(bodies.count())};
-            const auto stretch = [&](const Mobility& m) { return m.wrench(point.position, foundation.push); };
-            spring.stretch.head<6>() = bodies.struck_root * stretch(bodies.struck);
-            const auto partner = bodies.partners.find(foundation.partner_number);
-            if (partner != bodies.partners.end()) {
-                const auto& [mobility, root] = partner->second;
-                const long place = 6 * (1 + std::distance(bodies.partners.begin(), partner));
-                spring.stretch.segment<6>(place) = -root * stretch(mobility);
-            }
-            springs.push_back(std::move(spring));
-        }
+    long size = 6;
+
+    double stretch(const Spring& spring, const Eigen::VectorXd& displacement) const {
+        double stretch = spring.own.dot(displacement.head<6>());
+        if (const Partner* p = spring.partner)
+            stretch += spring.of_motions.dot(displacement.segment(p->place, p->motions.cols()));
+        return stretch;
     }
-    return springs;
+};
+
+void addSprings(const ContactBody& body, const Foundation& foundation, double duration_s,
+                SpringSystem& system) {
+    const double speed = std::sqrt(body.material.youngs_modulus_pa / body.material.density_kg_m3);
+    const double reached = waveShare(foundation.distance_m / speed, duration_s);
+    if (!(reached > 0)) return;
+    const Mobility& mobility = foundation.partner;
+    const Partner* partner = nullptr;
+    if (!mobility.fixed())
+        partner = &system.partners.try_emplace(foundation.partner_number, Partner{mobility, mobility.root()})
+                       .first->second;
+    for (const FoundationPoint& point : foundation.points) {
+        Spring spring;
+        spring.position = point.position;
+        spring.push = foundation.push;
+        spring.stiffness_n_m = point.share * reached * foundation.stiffness_n_m;
+        spring.own = system.struck_root * body.mobility.wrench(point.position, foundation.push);
+        spring.partner = partner;
+        if (partner)
+            spring.partners = -partner->root * partner->mobility.wrench(point.position, foundation.push);
+        system.springs.push_back(spring);
+    }
+}
+
+/// Leaves out what no spring stretches: one bed of springs takes three of a partner's six motions.
+void findMotions(SpringSystem& system) {
+    constexpr double unmoved = 1e-12;  // of the largest sum of squares
+    for (auto& numbered : system.partners) {
+        Partner& partner = numbered.second;
+        Eigen::Matrix<double, 6, 6> squares = Eigen::Matrix<double, 6, 6>::Zero();
+        for (const Spring& spring : system.springs)
+            if (spring.partner == &partner) squares += spring.partners * spring.partners.transpose();
+        const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> axes(squares);
+        const Wrench& values = axes.eigenvalues();  // ascending
+        const long count = (values.array() > unmoved * values[5]).count();
+        partner.motions = axes.eigenvectors().rightCols(count);
+        partner.place = system.size;
+        system.size += count;
+    }
+    for (Spring& spring : system.springs)
+        if (spring.partner) spring.of_motions = spring.partner->motions.transpose() * spring.partners;
+}
+
+Eigen::MatrixXd stiffnessOf(const SpringSystem& system, const std::vector<char>& pressed) {
+    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(system.size, system.size);
+    for (std::size_t i = 0; i < system.springs.size(); ++i) {
+        if (!pressed[i]) continue;
+        const Spring& spring = system.springs[i];
+        const Wrench force = spring.stiffness_n_m * spring.own;
+        stiffness.topLeftCorner<6, 6>() += force * spring.own.transpose();
+        if (!spring.partner) continue;
+        const long place = spring.partner->place, count = spring.of_motions.size();
+        stiffness.block(place, 0, count, 6) += spring.of_motions * force.transpose();
+        stiffness.block(place, place, count, count) +=
+            spring.stiffness_n_m * spring.of_motions * spring.of_motions.transpose();
+    }
+    return stiffness;  // its lower triangle
 }
 
 /// The rigid bodies' displacement by a unit strike, on those springs that are pressed.
@@ -79,21 +124,18 @@ struct Rest {
     double held = 0;
 };
 
-Rest restOn(const std::vector<Spring>& springs, const std::vector<char>& pressed,
-            const Eigen::VectorXd& strike, double duration_s) {
-    Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(strike.size(), strike.size());
-    for (std::size_t i = 0; i < springs.size(); ++i)
-        if (pressed[i])
-            stiffness += springs[i].stiffness_n_m * springs[i].stretch * springs[i].stretch.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness);
-    Rest rest{Eigen::VectorXd::Zero(strike.size()), 0};
+Rest restOn(const SpringSystem& system, const std::vector<char>& pressed, const Wrench& strike,
+            double duration_s) {
+    Eigen::MatrixXd modes = stiffnessOf(system, pressed);
+    Eigen::VectorXd squared(system.size);
+    Rest rest{Eigen::VectorXd::Zero(system.size), 0};
+    if (!symmetricEigenvectors(modes.data(), static_cast<int>(system.size), squared.data())) return rest;
     double free = 0, left = 0;
-    for (long k = 0; k < strike.size(); ++k) {
-        const auto mode = modes.eigenvectors().col(k);
-        const double omega = std::sqrt(std::max(0.0, modes.eigenvalues()[k])), part = mode.dot(strike);
+    for (long k = 0; k < system.size; ++k) {
+        const double omega = std::sqrt(std::max(0.0, squared[k])), part = modes.col(k).head<6>().dot(strike);
         const double answered = springShare(omega, duration_s);
         const double moved = answered > 0 ? answered / (omega * omega) : travel(duration_s);
-        rest.displacement += moved * part * mode;
+        rest.displacement += moved * part * modes.col(k);
         free += part * part;
         left += part * part * (1 - answered);
     }
@@ -121,13 +163,15 @@ double waveShare(double delay_s, double duration_s) {
 SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundation>& foundations,
                             const std::vector<PointForce>& unit_strike, double duration_s) {
     SupportAnswer answer;
-    const Bodies bodies = bodiesOf(body, foundations, duration_s);
-    const std::vector<Spring> springs = springsOf(body, bodies, foundations, duration_s);
+    SpringSystem system;
+    system.struck_root = body.mobility.root() / std::sqrt(movingShare(body, duration_s));
+    for (const Foundation& foundation : foundations) addSprings(body, foundation, duration_s, system);
+    const std::vector<Spring>& springs = system.springs;
     if (springs.empty()) return answer;
+    findMotions(system);
     Wrench wrench = Wrench::Zero();
     for (const PointForce& force : unit_strike) wrench += body.mobility.wrench(force.position, force.force);
-    Eigen::VectorXd strike = Eigen::VectorXd::Zero(bodies.count());
-    strike.head<6>() = bodies.struck_root * wrench;
+    const Wrench strike = system.struck_root * wrench;
 
     // Springs that would pull let go, and those that are pressed after all come back, until it stays so. The
     // bound is for the few arrangements that go round in circles.
@@ -135,15 +179,15 @@ SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundatio
     std::vector<char> pressed(springs.size(), 1), next(springs.size());
     Rest rest;
     for (int round = 0; round < most_rounds; ++round) {
-        rest = restOn(springs, pressed, strike, duration_s);
+        rest = restOn(system, pressed, strike, duration_s);
         for (std::size_t i = 0; i < springs.size(); ++i)
-            next[i] = -springs[i].stretch.dot(rest.displacement) > 0;
+            next[i] = -system.stretch(springs[i], rest.displacement) > 0;
         if (next == pressed) break;
         pressed = next;
     }
     answer.held = rest.held;
     for (std::size_t i = 0; i < springs.size(); ++i) {
-        const double force = -springs[i].stiffness_n_m * springs[i].stretch.dot(rest.displacement);
+        const double force = -springs[i].stiffness_n_m * system.stretch(springs[i], rest.displacement);
         if (!pressed[i] || !(force > 0)) continue;
         answer.forces.push_back({springs[i].position, force * springs[i].push});
         answer.sum_n += force;
