@@ -34,11 +34,13 @@ std::string stageTable(const SceneRun& run, const ordered_json& ms) {
 
 std::string blowLines(const ordered_json& report) {
     const long long seen = report["blows_seen"], gate = report["blows_by_gate"],
-                    reduced = report["blows_by_reduced"], full = report["blows_by_full"];
+                    coarse = report["blows_by_coarse"], reduced = report["blows_by_reduced"],
+                    full = report["blows_by_full"];
     std::string text = line(
-        "%-14s %6lld seen; decided by the gate %lld (%.1f %%), the reduced model %lld, a full solve %lld",
+        "%-14s %6lld seen; decided by the gate %lld (%.1f %%), a coarse solve %lld, the reduced model "
+        "%lld, a full solve %lld",
         "blows", seen, gate, seen > 0 ? 100.0 * static_cast<double>(gate) / static_cast<double>(seen) : 0.0,
-        reduced, full);
+        coarse, reduced, full);
     const double first = report["ms"]["first_blow_ms"], further = report["ms"]["further_blow_ms"];
     if (further > 0) {
         text += line("%-14s first blow %.2f ms, further blow on the same body %.2f ms (%.0f times less)",

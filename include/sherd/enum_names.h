@@ -99,6 +99,7 @@ inline constexpr NamedValue<Outcome> enum_names<Outcome>[] = {
 template <>
 inline constexpr NamedValue<Level> enum_names<Level>[] = {
     {"gate", Level::gate},
+    {"coarse", Level::coarse},
     {"reduced", Level::reduced},
     {"full", Level::full},
 };

@@ -254,6 +254,8 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
           s.rest_after_break_s);
     visit(Field{"use_reduced_model", "whether the reduced model of a prepared asset decides blows"},
           s.use_reduced_model);
+    visit(Field{"use_coarse_model", "whether a coarse solve looks at blows on fragments first"},
+          s.use_coarse_model);
     visit(
         Field{"check_with_full_solve",
               "whether blows that less than a full solve decides are solved fully as well, for their events"},

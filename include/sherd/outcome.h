@@ -19,6 +19,7 @@ enum class Outcome {
 /// What decided a blow: the first of these that could. Each one costs more than the one before.
 enum class Level {
     gate,     ///< the blow is too weak to break the body: nothing was solved
+    coarse,   ///< a solve on a coarse grid: what the body stores of the blow pays for no crack by far
     reduced,  ///< the reduced model of the stress that the asset keeps
     full,     ///< a full solve of the stress
 };
@@ -30,7 +31,8 @@ struct BlowFigures {
     double impulse_n_s = 0;     ///< sum of the normal impulses of all contacts
     double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
     double contact_time_s = 0;  ///< duration of that pulse
-    /// Largest principal stress at any particle or surface point; 0 if nothing is under tension.
+    /// Largest principal stress at any particle or surface point; 0 if nothing is under tension, and where
+    /// the gate or a coarse solve decided.
     double largest_stress_pa = 0;
     double mass_error_rel = 0;    ///< of all fragments together, relative to the body
     double volume_error_rel = 0;  ///< the same of the volume
@@ -49,18 +51,24 @@ struct BlowFigures {
 /// Counts since the FractureWorld was made.
 struct BlowCounts {
     long long seen = 0;  ///< blows: a breakable body in contact in one step
-    // Of these, by what decided them: gate + reduced + full = seen.
-    long long gate = 0, reduced = 0, full = 0;
+    // Of these, by what decided them: gate + coarse + reduced + full = seen.
+    long long gate = 0, coarse = 0, reduced = 0, full = 0;
     long long events_dropped = 0;  ///< since nobody took them, see FractureWorld::takeEvents
 
     long long solved() const { return reduced + full; }  ///< blows whose stress was solved
 
     /// Blows that a level decided.
-    long long& at(Level level) {
-        return level == Level::gate ? gate : level == Level::reduced ? reduced : full;
-    }
     long long at(Level level) const {
-        return level == Level::gate ? gate : level == Level::reduced ? reduced : full;
+        return level == Level::gate      ? gate
+               : level == Level::coarse  ? coarse
+               : level == Level::reduced ? reduced
+                                         : full;
+    }
+    long long& at(Level level) {
+        return level == Level::gate      ? gate
+               : level == Level::coarse  ? coarse
+               : level == Level::reduced ? reduced
+                                         : full;
     }
 };
 

@@ -10,6 +10,7 @@ namespace sherd {
 /// What the stages of one blow took; 0 where a stage was not needed.
 struct StageTimes {
     double gate = 0;       ///< whether the energy of the blow can break the body at all
+    double coarse = 0;     ///< a first look at a fragment's blow on a coarse grid, all of it
     double sample = 0;     ///< particles and cells of a body that is not sampled yet
     double assemble = 0;   ///< the stress problem of a body that is not prepared yet, and of each damage wave
     double factor = 0;     ///< its factor
@@ -69,13 +70,14 @@ inline constexpr std::nullptr_t time_fields = nullptr;
 /// In the order of the pipeline.
 template <>
 inline constexpr TimeField<StageTimes> time_fields<StageTimes>[] = {
-    {"gate", &StageTimes::gate},           {"sample", &StageTimes::sample},
-    {"assemble", &StageTimes::assemble},   {"factor", &StageTimes::factor},
-    {"loads", &StageTimes::loads},         {"solve", &StageTimes::solve},
-    {"stress", &StageTimes::stress},       {"damage", &StageTimes::damage},
-    {"cluster", &StageTimes::cluster},     {"surface", &StageTimes::surface},
-    {"fragments", &StageTimes::fragments}, {"bodies", &StageTimes::bodies},
-    {"swap", &StageTimes::swap},           {"check", &StageTimes::check},
+    {"gate", &StageTimes::gate},       {"coarse", &StageTimes::coarse},
+    {"sample", &StageTimes::sample},   {"assemble", &StageTimes::assemble},
+    {"factor", &StageTimes::factor},   {"loads", &StageTimes::loads},
+    {"solve", &StageTimes::solve},     {"stress", &StageTimes::stress},
+    {"damage", &StageTimes::damage},   {"cluster", &StageTimes::cluster},
+    {"surface", &StageTimes::surface}, {"fragments", &StageTimes::fragments},
+    {"bodies", &StageTimes::bodies},   {"swap", &StageTimes::swap},
+    {"check", &StageTimes::check},
 };
 
 template <>

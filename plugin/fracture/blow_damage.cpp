@@ -26,7 +26,7 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
         response = std::move(answer).value();
         return response.strain_energy_j;
     };
-    Result<BlowForces> forces = blowForces(struck, blow, solve, ms);
+    Result<BlowForces> forces = blowForces(struck.solid, struck.fracture.contact, blow, solve, ms);
     if (!forces) return false;
     found.level = Level::reduced;
     found.forces = std::move(forces).value();

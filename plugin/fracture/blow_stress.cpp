@@ -47,17 +47,16 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
     return stress;
 }
 
-Result<BlowForces> blowForces(const StrikeContext& struck, const Blow& blow, const StressOfLoads& solve,
-                              StageTimes& ms) {
-    const ContactSettings& contact = struck.fracture.contact;
-    const ContactBody body = struckBody(struck.solid);
+Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
+                              const StressOfLoads& solve, StageTimes& ms) {
+    const ContactBody body = struckBody(solid);
     const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
     BlowForces forces;
     forces.strike = forces.loads = timed(ms.loads, [&] { return unitLoads(body, strikes, contact); });
     if (forces.strike.empty()) return forces;
     SupportAnswer answer;
     std::vector<Foundation> foundations;
-    if (struck.solid.isAnchored())  // its supports are part of the stress problem
+    if (solid.isAnchored())  // its supports are part of the stress problem
         answer.held = 1;
     else
         foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strikes, contact); });
@@ -90,7 +89,7 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& s
         stress.unit = std::move(unit).value();
         return stress.unit.strain_energy_j;
     };
-    Result<BlowForces> forces = blowForces(struck, blow, solve, ms);
+    Result<BlowForces> forces = blowForces(struck.solid, struck.fracture.contact, blow, solve, ms);
     if (!forces) return Error{forces.error()};
     static_cast<BlowForces&>(stress) = std::move(forces).value();
     return stress;

@@ -48,8 +48,8 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 /// and the duration. Supports answer the more the longer the pulse is, and lengthen it themselves, so the
 /// solve is repeated until their answer stays. Weight is left out: the body bears it before and after the
 /// blow as well. The last loads that `solve` is given are those that are returned.
-Result<BlowForces> blowForces(const StrikeContext& struck, const Blow& blow, const StressOfLoads& solve,
-                              StageTimes& ms);
+Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
+                              const StressOfLoads& solve, StageTimes& ms);
 
 /// The same with the stress of a full solve.
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,

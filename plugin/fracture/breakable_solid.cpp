@@ -57,6 +57,7 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_ = fragmentSpacing(spacing_, volume);
+    piece->is_fragment_ = true;
     piece->supports_ = supportsThatHold(piece->surface_, supports_, piece->spacing_);
     return piece;
 }
@@ -65,6 +66,7 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::anchored(std::vector<Surfa
     std::shared_ptr<BreakableSolid> solid(new BreakableSolid(surface_, material_, settings_));
     solid->wall_thickness_ = wall_thickness_;
     solid->spacing_ = spacing_;
+    solid->is_fragment_ = is_fragment_;
     solid->supports_ = std::move(supports);
     return solid;
 }
@@ -149,6 +151,15 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
     StressSettings stress = settings_.stress;
     if (!stress.resample_contacts) stress.resampling_rounds = 0;
     return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
+}
+
+const Result<CoarseModel>& BreakableSolid::coarseModel() const {
+    constexpr double coarser = 2.5;  // than its own sampling
+    return coarse_.get([&]() -> Result<CoarseModel> {
+        const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
+        if (!supports) return Error{supports.error()};
+        return CoarseModel::make(surface_, coarser * spacing_, material_, supports.value());
+    });
 }
 
 const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {

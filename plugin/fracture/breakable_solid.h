@@ -12,6 +12,7 @@
 #include "core/damage/failure_criterion.h"
 #include "core/loads/surface_tree.h"
 #include "core/mlpg/reduced/reduced_stress.h"
+#include "core/mlpg/solvers/coarse_model.h"
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
 #include "fracture/baked_solid.h"
@@ -63,6 +64,10 @@ class BreakableSolid {
     Status makeReduced(const Progress& progress) const;
     /// What these made to answer blows without a factor; nullptr if it did not. Never waits.
     const ReducedStress* reducedStress() const;
+    /// For a first look at a blow on a fragment; made at the first call.
+    const Result<CoarseModel>& coarseModel() const;
+    /// Whether `makeFragment` made it.
+    bool isFragment() const { return is_fragment_; }
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
     /// Tensile strength of every particle of `discretisation()`, Pa, from the material, the seed and the
@@ -93,6 +98,7 @@ class BreakableSolid {
     std::vector<SurfaceRegion> supports_;
     Moments moments_;
     double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0;
+    bool is_fragment_ = false;
 
     struct Sampled {
         Result<std::shared_ptr<const Discretisation>> discretisation;
@@ -106,6 +112,7 @@ class BreakableSolid {
     mutable MadeOnce<SurfaceTree> tree_;
     mutable MadeOnce<Sampled> sampled_;
     mutable MadeOnce<Result<StressSolver>> solver_;
+    mutable MadeOnce<Result<CoarseModel>> coarse_;
     mutable MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced_;
     mutable MadeOnce<std::vector<double>> strengths_;
 

@@ -2,6 +2,7 @@
 
 #include "core/numerics/stopwatch.h"
 #include "fracture/can_break.h"
+#include "fracture/coarse_look.h"
 #include "fracture/pipeline.h"
 
 namespace sherd {
@@ -10,10 +11,13 @@ BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const Frac
                        std::uint64_t seed) {
     BlowOutcome out;  // held, by the gate
     out.impulse_n_s = normalImpulse(blow);
-    double gate_ms = 0;
-    if (timed(gate_ms, [&] { return canBreak(solid, blow, fracture); }))
-        out = strike(solid, blow, fracture, seed);
-    out.ms.gate = gate_ms;
+    StageTimes before;
+    if (timed(before.gate, [&] { return canBreak(solid, blow, fracture); })) {
+        std::optional<BlowOutcome> held = coarseLook(solid, blow, fracture, before);
+        out = held ? std::move(*held) : strike(solid, blow, fracture, seed);
+        out.impulse_n_s = normalImpulse(blow);
+    }
+    out.ms += before;
     if (fracture.check_with_full_solve && out.level != Level::full)
         checkWithFullSolve(solid, blow, fracture, seed, out);
     return out;

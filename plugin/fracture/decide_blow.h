@@ -9,7 +9,7 @@
 namespace sherd {
 
 /// What a blow does, decided by the first level that can (`BlowFigures::level`): `canBreak` asks whether it
-/// is worth a solve, `strike` solves it.
+/// is worth a solve, `coarseLook` whether a fragment withstands it by far, `strike` solves it.
 BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
                        std::uint64_t seed);
 

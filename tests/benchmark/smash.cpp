@@ -1,5 +1,5 @@
-// A room of crockery: 30 stoneware cups of one prepared asset stand on a floor, and a steel ball of 2 kg flies
-// through them at 12 m/s. Prints what the steps took, what was solved, and what is left.
+// A room of crockery: 30 stoneware cups of one prepared asset stand on a floor, and a steel ball of 2 kg
+// flies through them at 12 m/s. Prints what the steps took, what was solved, and what is left.
 //
 //   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--steps FILE]
 //
@@ -50,21 +50,24 @@ double quantile(std::vector<double> values, double share) {
 }
 
 struct Blows {
-    long reduced = 0, full = 0, broke = 0, held = 0, failed = 0;
+    BlowCounts by;
+    long broke = 0, held = 0, failed = 0;
     std::vector<double> ms;
 
     void add(const BlowEvent& event) {
-        ++(event.level == Level::full ? full : reduced);
+        ++by.at(event.level);
         ++(event.outcome == Outcome::broke ? broke : event.outcome == Outcome::held ? held : failed);
         double sum = 0;
         for (const auto& field : time_fields<StageTimes>) sum += event.ms.*field.value;
         ms.push_back(sum);
     }
     void print(const char* what) const {
-        std::printf("%-14s %5ld reduced %5ld full: %5ld broke %5ld held %3ld failed; ms median %.2f, 90 %% %.2f, "
-                    "longest %.1f\n",
-                    what, reduced, full, broke, held, failed, quantile(ms, 0.5), quantile(ms, 0.9),
-                    quantile(ms, 1));
+        std::printf(
+            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed; ms median %.2f, "
+            "90 %% %.2f, "
+            "longest %.1f\n",
+            what, by.coarse, by.reduced, by.full, broke, held, failed, quantile(ms, 0.5), quantile(ms, 0.9),
+            quantile(ms, 1));
     }
 };
 
@@ -81,8 +84,7 @@ int run(const Options& options) {
         std::puts(set.error().c_str());
         return 1;
     }
-    const auto cup =
-        BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings);
+    const auto cup = BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings);
     if (!cup) {
         std::puts(cup.error().c_str());
         return 1;
@@ -112,9 +114,9 @@ int run(const Options& options) {
     {
         FractureWorld fracture(&world);
         for (int i = 0; i < cups; ++i) {
-            BodyOptions place(btTransform(btQuaternion::getIdentity(),
-                                          btVector3(row_spacing_m * btScalar(i % row),
-                                                    row_spacing_m * btScalar(i / row - 2), 0.001f)));
+            BodyOptions place(btTransform(
+                btQuaternion::getIdentity(),
+                btVector3(row_spacing_m * btScalar(i % row), row_spacing_m * btScalar(i / row - 2), 0.001f)));
             place.user_index = 1;
             if (const auto added = fracture.add(cup.value(), place); !added) {
                 std::puts(added.error().c_str());
@@ -158,18 +160,20 @@ int run(const Options& options) {
         for (const double ms : own_ms) own += ms;
         const WorldTimes times = fracture.times();
         const BlowCounts counts = fracture.counts();
-        std::printf("%g Hz, %g s, %s: wall %.2f s, Sherd %.2f s, Bullet's own %.2f s; steps: median %.2f, "
-                    "longest %.1f ms (Bullet's own %.2f, %.1f)\n",
-                    options.rate_hz, options.seconds, options.quality.c_str(), wall / 1000,
-                    times.whole / 1000, own / 1000, quantile(step_ms, 0.5), quantile(step_ms, 1),
-                    quantile(own_ms, 0.5), quantile(own_ms, 1));
-        std::printf("memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
-                    "%.3f m/s behind the cups\n",
-                    residentMegabytes() - memory_before, masses.size(), asleep, mass,
-                    cups * cup.value().mass(), 1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5),
-                    1e3 * quantile(masses, 0.75), ball_after);
-        std::printf("blows %lld: gate %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
-                    counts.reduced, counts.full);
+        std::printf(
+            "%g Hz, %g s, %s: wall %.2f s, Sherd %.2f s, Bullet's own %.2f s; steps: median %.2f, "
+            "longest %.1f ms (Bullet's own %.2f, %.1f)\n",
+            options.rate_hz, options.seconds, options.quality.c_str(), wall / 1000, times.whole / 1000,
+            own / 1000, quantile(step_ms, 0.5), quantile(step_ms, 1), quantile(own_ms, 0.5),
+            quantile(own_ms, 1));
+        std::printf(
+            "memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
+            "%.3f m/s behind the cups\n",
+            residentMegabytes() - memory_before, masses.size(), asleep, mass, cups * cup.value().mass(),
+            1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
+            ball_after);
+        std::printf("blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
+                    counts.coarse, counts.reduced, counts.full);
         on_cups.print("  on cups");
         on_fragments.print("  on fragments");
         std::printf("blows, ms:");

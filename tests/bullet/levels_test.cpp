@@ -45,7 +45,7 @@ TEST(Levels, EveryBlowIsCountedOnceByTheLevelThatDecidedIt) {
     const Struck run(false);
     EXPECT_GT(run.counts.gate, 0);
     EXPECT_GT(run.counts.full, 0);
-    EXPECT_EQ(run.counts.seen, run.counts.gate + run.counts.reduced + run.counts.full);
+    EXPECT_EQ(run.counts.seen, run.counts.gate + run.counts.coarse + run.counts.reduced + run.counts.full);
     EXPECT_EQ(run.eventsBy(Level::gate), 0) << "nothing to say of them";
     EXPECT_EQ(run.eventsBy(Level::full), run.counts.full);
     for (const BlowEvent& event : run.events) EXPECT_FALSE(event.full_solve_outcome);

@@ -52,8 +52,8 @@ TEST_F(Report, CountsDroppedDebrisAsDroppedNotAsLost) {
 
 TEST_F(Report, SaysWhatDecidedTheBlows) {
     EXPECT_GT(report["blows_by_full"].get<int>(), 0);
-    EXPECT_EQ(report["blows_by_gate"].get<int>() + report["blows_by_reduced"].get<int>() +
-                  report["blows_by_full"].get<int>(),
+    EXPECT_EQ(report["blows_by_gate"].get<int>() + report["blows_by_coarse"].get<int>() +
+                  report["blows_by_reduced"].get<int>() + report["blows_by_full"].get<int>(),
               report["blows_seen"].get<int>());
     for (const auto& event : report["events"]) EXPECT_EQ(event["level"], "full");
     EXPECT_FALSE(report["events"][0].contains("full_solve_outcome"));

@@ -10,7 +10,25 @@
 
 namespace sherd {
 
+namespace {
+
+thread_local int alone = 0;  // how many OnThisThreadAlone there are
+
+}  // namespace
+
+OnThisThreadAlone::OnThisThreadAlone() {
+    ++alone;
+}
+
+OnThisThreadAlone::~OnThisThreadAlone() {
+    --alone;
+}
+
 void forEachChunk(int count, const std::function<void(int)>& work) {
+    if (alone > 0) {
+        for (int chunk = 0; chunk < count; ++chunk) work(chunk);
+        return;
+    }
     std::atomic<int> next{0};
     std::exception_ptr trouble;
     std::mutex trouble_mutex;

@@ -9,6 +9,16 @@ namespace sherd {
 /// exception that a chunk throws is thrown again here, after all threads have ended.
 void forEachChunk(int count, const std::function<void(int)>& work);
 
+/// While one of these lives, `forEachChunk` on its thread runs all chunks there: for work that is done before
+/// other threads are up.
+class OnThisThreadAlone {
+  public:
+    OnThisThreadAlone();
+    ~OnThisThreadAlone();
+    OnThisThreadAlone(const OnThisThreadAlone&) = delete;
+    OnThisThreadAlone& operator=(const OnThisThreadAlone&) = delete;
+};
+
 /// First item of a chunk when `total` items are split into `count` chunks of nearly equal size.
 inline int chunkBegin(int chunk, int count, int total) {
     return static_cast<int>(static_cast<long long>(total) * chunk / count);

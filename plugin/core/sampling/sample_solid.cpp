@@ -90,16 +90,34 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
     return result;
 }
 
-}  // namespace
-
-Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
-                                   const SamplingSettings& settings) {
+/// The error of a sampling that runs out of memory, in practice.
+template <class Sampled, class Sample>
+Result<Sampled> errorIfThrown(const Sample& sampling) {
     try {
-        return sample(surface, spacing_m, settings);
-    } catch (const std::exception& trouble) {  // memory, in practice
+        return sampling();
+    } catch (const std::exception& trouble) {
         return Error{std::string("The solid could not be sampled (") + trouble.what() +
                      "); use a larger particle spacing."};
     }
+}
+
+}  // namespace
+
+Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing,
+                              int order) {
+    return errorIfThrown<CellParts>([&]() -> Result<CellParts> {
+        const Result<SamplingGrid> grid = makeGrid(surface, spacing_m, cells_per_spacing);
+        if (!grid) return Error{grid.error()};
+        const CutSurface cut = cutSurface(surface, grid.value());
+        const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
+        if (!solid) return Error{solid.error()};
+        return measureCellParts(surface, grid.value(), cut, solid.value(), order);
+    });
+}
+
+Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
+                                   const SamplingSettings& settings) {
+    return errorIfThrown<Discretisation>([&] { return sample(surface, spacing_m, settings); });
 }
 
 }  // namespace sherd

@@ -18,4 +18,9 @@ namespace sherd {
 Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
                                    const SamplingSettings& settings);
 
+/// The parts of the grid's cells alone, with moments up to `order`: all that a solve on splines needs, if
+/// nobody asks for its stress.
+Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing,
+                              int order);
+
 }  // namespace sherd

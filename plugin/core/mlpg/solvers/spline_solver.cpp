@@ -42,18 +42,6 @@ class SplineSolver : public StressSolver::Impl {
     std::vector<GridPoint> samples_;
 };
 
-/// Point forces at the unknowns.
-Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads) {
-    for (const PointForce& load : loads)
-        if (!load.force.allFinite() || !load.position.allFinite())
-            return Error{"A load on the body is not finite; check the contact that it came from."};
-    Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, problem.space->raw_count);
-    if (!addPointForces(problem.parts(), *problem.space, loads, raw))
-        return Error{
-            "A load acts more than a particle spacing outside the body; give it in the asset's frame."};
-    return problem.space->gather(raw);
-}
-
 Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces) const {
     constexpr double good_residual = 1e-10;
     const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {

@@ -6,7 +6,7 @@
 
 #include "core/linear_algebra/cholesky_solver.h"
 #include "core/mlpg/splines/stiffness_pattern.h"
-#include "core/sampling/cell_moments.h"
+#include "core/sampling/sample_solid.h"
 
 namespace sherd {
 namespace {
@@ -20,13 +20,9 @@ constexpr double entries_power =
 
 Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree,
                                int cells_per_spacing) {
-    const Result<SamplingGrid> grid = makeGrid(surface, spacing, cells_per_spacing);
-    if (!grid) return Error{grid.error()};
-    const CutSurface cut = cutSurface(surface, grid.value());
-    const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
-    if (!solid) return Error{solid.error()};
-    const CellParts parts = measureCellParts(surface, grid.value(), cut, solid.value(), 0);
-    const SplineSpace space(parts, degree);
+    const Result<CellParts> parts = sampleParts(surface, spacing, cells_per_spacing, 0);
+    if (!parts) return Error{parts.error()};
+    const SplineSpace space(parts.value(), degree);
     const Result<double> entries =
         factorEntriesOf(blockMatrix(StiffnessPattern(space)), 3, space.highest_cells);
     if (!entries) return Error{entries.error()};

@@ -2,6 +2,7 @@
 
 #include "core/mlpg/pinned_unknowns.h"
 #include "core/mlpg/splines/damaged_parts.h"
+#include "core/mlpg/splines/spline_loads.h"
 #include "core/mlpg/splines/spline_motions.h"
 #include "core/mlpg/splines/spline_stiffness.h"
 
@@ -40,6 +41,17 @@ Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> so
                          std::move(held).value(),
                          std::move(moments),
                          std::move(inertia)};
+}
+
+Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads) {
+    for (const PointForce& load : loads)
+        if (!load.force.allFinite() || !load.position.allFinite())
+            return Error{"A load on the body is not finite; check the contact that it came from."};
+    Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, problem.space->raw_count);
+    if (!addPointForces(problem.parts(), *problem.space, loads, raw))
+        return Error{
+            "A load acts more than a particle spacing outside the body; give it in the asset's frame."};
+    return problem.space->gather(raw);
 }
 
 SparseMatrix stiffnessOf(const SplineProblem& problem) {

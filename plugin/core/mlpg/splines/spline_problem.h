@@ -31,6 +31,9 @@ Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> so
                                         Basis basis, const std::vector<SupportPoint>& supports,
                                         const std::vector<char>& damaged);
 
+/// Point forces at the unknowns. The error says which load is not finite or acts outside the body.
+Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads);
+
 /// The stiffness that supports and undamaged material give, see splineStiffness.
 SparseMatrix stiffnessOf(const SplineProblem& problem);
 

@@ -1,0 +1,56 @@
+#include "core/mlpg/solvers/coarse_model.h"
+
+#include <cmath>
+
+#include "core/numerics/parallel_chunks.h"
+#include "core/sampling/sample_solid.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr Basis basis = Basis::quadratic;
+constexpr int order = 2 * splineDegree(basis);
+
+}  // namespace
+
+CoarseModel::CoarseModel(std::shared_ptr<const SplineProblem> problem, PinnedSystem system)
+    : problem_(std::move(problem)), system_(std::move(system)) {}
+
+Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacing_m, const Material& material,
+                                      const std::vector<SupportPoint>& supports) {
+    const OnThisThreadAlone small_work;
+    Result<CellParts> parts = sampleParts(surface, spacing_m, 1, order);
+    if (!parts) return Error{parts.error()};
+    const auto solid = std::make_shared<Discretisation>();
+    solid->spacing = spacing_m;
+    solid->parts = std::move(parts).value();
+    Result<SplineProblem> problem = makeSplineProblem(solid, material, basis, supports, {});
+    if (!problem) return Error{problem.error()};
+    Result<PinnedSystem> system =
+        PinnedSystem::factor(stiffnessOf(problem.value()), pinnedUnknowns(problem.value()), 3,
+                             problem.value().space->highest_cells);
+    if (!system) return Error{system.error()};
+    if (system.value().solver().relativeShift() > 0)
+        return Error{"The stiffness of the coarse model is singular; a full solve has to tell."};
+    return CoarseModel(std::make_shared<const SplineProblem>(std::move(problem).value()),
+                       std::move(system).value());
+}
+
+Result<double> CoarseModel::strainEnergy(const std::vector<PointForce>& loads) const {
+    const OnThisThreadAlone small_work;
+    Result<Eigen::VectorXd> loaded = forcesAt(*problem_, loads);
+    if (!loaded) return Error{loaded.error()};
+    Eigen::VectorXd& forces = loaded.value();
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(forces);
+    clearHeld(*problem_, resultants);
+    (void)problem_->inertia.balance(forces, resultants, problem_->motions);
+    Eigen::VectorXd held = forces, unknowns;
+    for (const int unknown : system_.pinned()) held[unknown] = 0;
+    if (!system_.solver().solve(held, unknowns)) return Error{"The coarse solve failed."};
+    const double energy = 0.5 * unknowns.dot(forces);
+    if (!std::isfinite(energy)) return Error{"The coarse solve is not finite."};
+    return energy;
+}
+
+}  // namespace sherd

@@ -1,0 +1,31 @@
+#include "fracture/coarse_look.h"
+
+#include "core/numerics/stopwatch.h"
+#include "fracture/blow_stress.h"
+#include "fracture/crack_energy.h"
+
+namespace sherd {
+
+std::optional<BlowOutcome> coarseLook(const BreakableSolid& solid, const Blow& blow,
+                                      const FractureSettings& fracture, StageTimes& ms) {
+    if (!solid.isFragment() || solid.prepared() || !fracture.use_coarse_model) return std::nullopt;
+    const AddedTime time(ms.coarse);
+    const Result<CoarseModel>& model = solid.coarseModel();
+    if (!model) return std::nullopt;
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) {
+        return model.value().strainEnergy(loads);
+    };
+    StageTimes parts_of_it;
+    const Result<BlowForces> forces = blowForces(solid, fracture.contact, blow, solve, parts_of_it);
+    // What the coarse model stores was at least 1 / 1.64 of the full solve's near this price (CoarseModel).
+    constexpr double margin = 1.8;
+    if (!forces || margin * forces.value().strain_energy_j >= smallestCrackEnergy(solid, fracture))
+        return std::nullopt;
+    BlowOutcome held;
+    held.level = Level::coarse;
+    held.peak_force_n = forces.value().pulse.peak_force_n;
+    held.contact_time_s = forces.value().pulse.duration_s;
+    return held;
+}
+
+}  // namespace sherd
