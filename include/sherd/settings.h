@@ -204,7 +204,7 @@ struct FractureSettings {
     /// takes milliseconds, or fully.
     bool use_reduced_model = true;
     /// Whether blows on fragments are looked at on a coarse grid first, which takes a tenth of a full solve
-    /// and tells nine out of ten that the fragment withstands.
+    /// and tells eight out of ten that withstand.
     bool use_coarse_model = true;
     /// For finding out how far cheap decisions can be trusted: every blow that something else than a full
     /// solve decides is solved fully as well, and its event says what came of that

@@ -17,8 +17,7 @@ std::optional<BlowOutcome> coarseLook(const BreakableSolid& solid, const Blow& b
     };
     StageTimes parts_of_it;
     const Result<BlowForces> forces = blowForces(solid, fracture.contact, blow, solve, parts_of_it);
-    // What the coarse model stores was at least 1 / 1.64 of the full solve's near this price (CoarseModel).
-    constexpr double margin = 1.8;
+    constexpr double margin = 2.5;  // by which the full solve may store more, see CoarseModel
     if (!forces || margin * forces.value().strain_energy_j >= smallestCrackEnergy(solid, fracture))
         return std::nullopt;
     BlowOutcome held;

@@ -3,7 +3,8 @@
 //
 //   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--steps FILE]
 //
-// `--set` is that of the command line (fracture.collision_shape=hull); `--steps` writes one line a step.
+// `--set` is that of the command line (fracture.collision_shape=hull); `--steps` writes one line a step. With
+// `--set fracture.check_with_full_solve=true` it counts the breaks that the cheaper levels missed.
 
 #include <btBulletDynamicsCommon.h>
 #include <sherd/enum_names.h>
@@ -51,23 +52,25 @@ double quantile(std::vector<double> values, double share) {
 
 struct Blows {
     BlowCounts by;
-    long broke = 0, held = 0, failed = 0;
+    long missed = 0, broke = 0, held = 0, failed = 0;
     std::vector<double> ms;
 
     void add(const BlowEvent& event) {
         ++by.at(event.level);
         ++(event.outcome == Outcome::broke ? broke : event.outcome == Outcome::held ? held : failed);
+        missed += event.full_solve_outcome == Outcome::broke;
         double sum = 0;
         for (const auto& field : time_fields<StageTimes>) sum += event.ms.*field.value;
         ms.push_back(sum);
     }
     void print(const char* what) const {
         std::printf(
-            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed; ms median %.2f, "
+            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed, %ld missed; ms "
+            "median %.2f, "
             "90 %% %.2f, "
             "longest %.1f\n",
-            what, by.coarse, by.reduced, by.full, broke, held, failed, quantile(ms, 0.5), quantile(ms, 0.9),
-            quantile(ms, 1));
+            what, by.coarse, by.reduced, by.full, broke, held, failed, missed, quantile(ms, 0.5),
+            quantile(ms, 0.9), quantile(ms, 1));
     }
 };
 

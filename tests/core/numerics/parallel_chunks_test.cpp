@@ -22,5 +22,17 @@ TEST(ParallelChunks, EveryChunkOnceAndExceptionsCome) {
     EXPECT_EQ(chunkBegin(7, 7, 100), 100);
 }
 
+TEST(ParallelChunks, OnThisThreadAlone) {
+    std::vector<int> order;
+    {
+        const OnThisThreadAlone outer;
+        { const OnThisThreadAlone inner; }
+        forEachChunk(50, [&](int chunk) { order.push_back(chunk); });  // a race, were it not alone
+        EXPECT_THROW(forEachChunk(2, [](int) { throw std::runtime_error("chunk"); }), std::runtime_error);
+    }
+    ASSERT_EQ(order.size(), 50u);
+    for (int chunk = 0; chunk < 50; ++chunk) EXPECT_EQ(order[chunk], chunk);
+}
+
 }  // namespace
 }  // namespace sherd
