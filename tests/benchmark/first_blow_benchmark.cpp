@@ -19,6 +19,8 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/quantile.h"
+#include "benchmark/value_or_exit.h"
 #include "core/mlpg/pinned_system.h"
 #include "core/mlpg/splines/spline_problem.h"
 #include "core/mlpg/stress_solver.h"
@@ -32,13 +34,7 @@
 namespace {
 
 using namespace sherd;
-
-template <class T>
-T valueOrExit(Result<T> result) {
-    if (result) return std::move(result).value();
-    std::fprintf(stderr, "%s\n", result.error().c_str());
-    std::exit(1);
-}
+using namespace sherd::benchmarks;
 
 struct Body {
     std::string name;
@@ -126,11 +122,6 @@ std::vector<Body> publicBodies() {
             {"cup", valueOrExit(generators::generate("coffee_cup", 20000))},
             {"plate", valueOrExit(generators::generate("coffee_plate", 30000))},
             {"plane", valueOrExit(generators::generate("plane", 20000))}};
-}
-
-double median(std::vector<double> values) {
-    std::nth_element(values.begin(), values.begin() + values.size() / 2, values.end());
-    return values[values.size() / 2];
 }
 
 void printStage(const char* name, const std::vector<FirstBlow>& blows, std::size_t first, std::size_t last) {

@@ -17,6 +17,8 @@
 #include <string>
 #include <thread>
 
+#include "benchmark/quantile.h"
+#include "benchmark/value_or_exit.h"
 #include "cli/case_file.h"
 #include "core/loads/surface_region.h"
 #include "core/mlpg/particle_forms/weak_form.h"
@@ -27,15 +29,9 @@
 namespace {
 
 using namespace sherd;
+using namespace sherd::benchmarks;
 
 constexpr int repeats = 3, solves = 20;
-
-template <class T>
-T valueOrExit(Result<T> result) {
-    if (result) return std::move(result).value();
-    std::fprintf(stderr, "%s\n", result.error().c_str());
-    std::exit(1);
-}
 
 /// Points of a reference solution far from the load, and the largest principal stress there, Pa.
 struct Reference {
@@ -111,8 +107,7 @@ double medianSolve(const StressSolver& solver, const Wall& wall) {
     std::vector<double> times;
     for (int i = 0; i < solves; ++i)
         times.push_back(millisecondsOf([&] { valueOrExit(solver.solve(wall.blow)); }));
-    std::nth_element(times.begin(), times.begin() + solves / 2, times.end());
-    return times[solves / 2];
+    return median(std::move(times));
 }
 
 /// Supports, and what stress is recovered with, are made once, as the paper's neighbour table.

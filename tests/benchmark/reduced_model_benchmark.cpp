@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/quantile.h"
+#include "benchmark/value_or_exit.h"
 #include "core/numerics/stopwatch.h"
 #include "fracture/blow_damage.h"
 #include "fracture/random_blows.h"
@@ -24,19 +26,7 @@
 namespace {
 
 using namespace sherd;
-
-template <class T>
-T valueOrExit(Result<T> result) {
-    if (result) return std::move(result).value();
-    std::fprintf(stderr, "%s\n", result.error().c_str());
-    std::exit(1);
-}
-
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[std::min(values.size() - 1, static_cast<std::size_t>(share * values.size()))];
-}
+using namespace sherd::benchmarks;
 
 /// Answers blows on one solid at one level.
 class Solved {
