@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
+#include <random>
 
 #include "core/archive/checksum.h"
 
@@ -63,8 +64,14 @@ std::string faultOfSize(const Header& header, std::uintmax_t file_size) {
            " bytes after its header, where there should be " + std::to_string(header.size);
 }
 
+/// A name that no other program and no other thread takes that writes to the same path at the same time.
+std::string nameBeside(const std::string& path) {
+    std::random_device random;
+    return path + "." + std::to_string(random()) + "-" + std::to_string(random()) + ".unfinished";
+}
+
 Status writeAll(const Header& header, const std::vector<std::byte>& content, const std::string& path) {
-    File file(std::fopen(path.c_str(), "wb"));
+    File file(std::fopen(path.c_str(), "wbx"));  // x: nobody else's
     bool done = file && std::fwrite(&header, sizeof header, 1, file.get()) == 1 &&
                 std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
     if (file) done = std::fclose(file.release()) == 0 && done;  // what is buffered may fail only here
@@ -82,7 +89,7 @@ Status writeChecked(const FileFormat& format, const std::vector<std::byte>& cont
     header.version = format.version;
     header.size = content.size();
     header.checksum = checksumOf(header, content.data(), content.size());
-    const std::string unfinished = path + ".unfinished";
+    const std::string unfinished = nameBeside(path);
     const Status written = writeAll(header, content, unfinished);
     std::error_code trouble;
     if (written) std::filesystem::rename(unfinished, path, trouble);

@@ -21,7 +21,8 @@ struct FileFormat {
 // Such a file is a header of 32 bytes (magic, version, a zero, size and checksum of what follows; the
 // checksum is also of the header before it), then the content. Numbers have their lowest byte first.
 
-/// Writes to a name beside `path` first, so that no file there is ever half written.
+/// Writes to a name of its own beside `path` first, so that no file there is ever half written: if several
+/// programs write to one path at once, the file of the last of them stands there.
 Status writeChecked(const FileFormat& format, const std::vector<std::byte>& content, const std::string& path);
 
 /// The content of a file that is complete and as it was written.

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "support/temporary_path.h"
 
@@ -36,6 +38,16 @@ void expectSentence(const std::string& path, const std::string& words) {
     EXPECT_NE(sentence.find("; make it again."), std::string::npos) << sentence;
 }
 
+/// How many files there are whose names begin with that of `path`, itself left out.
+int filesBeside(const std::string& path) {
+    const std::filesystem::path whole(path);
+    int count = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(whole.parent_path()))
+        count += entry.path() != whole &&
+                 entry.path().filename().string().rfind(whole.filename().string() + ".", 0) == 0;
+    return count;
+}
+
 TEST(CheckedFile, WhatWasWrittenIsRead) {
     const std::string path = temporaryPath("file");
     ASSERT_TRUE(writeChecked(format, content(), path).ok());
@@ -44,7 +56,7 @@ TEST(CheckedFile, WhatWasWrittenIsRead) {
     const auto expected = content();
     ASSERT_EQ(read.value().size, expected.size());
     EXPECT_TRUE(std::equal(expected.begin(), expected.end(), read.value().bytes.get()));
-    EXPECT_FALSE(std::filesystem::exists(path + ".unfinished"));
+    EXPECT_EQ(filesBeside(path), 0);
 }
 
 TEST(CheckedFile, EveryKindOfWrongFileHasItsSentence) {
@@ -91,13 +103,28 @@ TEST(CheckedFile, OneByteChangedAnywhereIsSeen) {
     expectSentence(wrong, "was changed since it was written");
 }
 
+TEST(CheckedFile, ManyMayWriteToOnePathAtOnce) {
+    const std::string path = temporaryPath("file");
+    std::atomic<int> failed{0};
+    const auto writeAgainAndAgain = [&](std::byte filled, std::size_t size) {
+        const std::vector<std::byte> bytes(size, filled);
+        for (int i = 0; i < 100; ++i)
+            failed += !writeChecked(format, bytes, path) || !readChecked(format, path);
+    };
+    std::thread other([&] { writeAgainAndAgain(std::byte{1}, 30000); });
+    writeAgainAndAgain(std::byte{2}, 70000);
+    other.join();
+    EXPECT_EQ(failed, 0);
+    EXPECT_EQ(filesBeside(path), 0);
+}
+
 TEST(CheckedFile, AFileThatCannotBeWrittenLeavesNothing) {
     const Status status = writeChecked(format, content(), temporaryPath("no_such_folder") + "/file");
     EXPECT_NE(status.error().find("Cannot write"), std::string::npos) << status.error();
     const std::string folder = temporaryPath("folder");
     std::filesystem::create_directories(folder + "/inside");
     EXPECT_FALSE(writeChecked(format, content(), folder).ok());
-    EXPECT_FALSE(std::filesystem::exists(folder + ".unfinished"));
+    EXPECT_EQ(filesBeside(folder), 0);
     EXPECT_TRUE(std::filesystem::exists(folder + "/inside"));
     std::filesystem::remove_all(folder);
 }
