@@ -30,6 +30,8 @@ void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const Fra
     in_full.use_reduced_model = false;
     const BlowOutcome full = strike(solid, blow, in_full, seed);
     decided.full_solve_outcome = full.outcome;
+    if (!full.message.empty())
+        decided.message += (decided.message.empty() ? "" : " ") + ("The full solve says: " + full.message);
     decided.full_solve_largest_stress_pa = full.largest_stress_pa;
 }
 

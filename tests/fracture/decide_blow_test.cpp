@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 #include <sherd/breakable_asset.h>
 
+#include <stdexcept>
+
 #include "fracture/default_fracture.h"
 #include "fracture/struck_plate.h"
 
@@ -60,6 +62,18 @@ TEST(DecideBlow, ACheckSaysWhatAFullSolveFindsAndDecidesNothing) {
     EXPECT_EQ(out.full_solve_largest_stress_pa, strike(*solid, weak, 1).largest_stress_pa);
     EXPECT_GT(out.ms.check, 0);
     EXPECT_EQ(sumOf(out.ms), out.ms.gate + out.ms.check) << "the stages of the check are its own";
+}
+
+TEST(DecideBlow, ACheckThatFailsSaysWhy) {
+    Settings settings;
+    settings.strength.field = [](const Vec3&) -> double { throw std::runtime_error("no field today"); };
+    const auto solid = plateAsset(Material::plaster(), settings).solid();
+    const BlowOutcome out = decideBlow(*solid, weak, checking(*solid), 1);
+    EXPECT_EQ(out.level, Level::gate);
+    EXPECT_EQ(out.outcome, Outcome::held);
+    EXPECT_EQ(out.full_solve_outcome, Outcome::failed);
+    EXPECT_EQ(out.message.find("The full solve says: "), 0u) << out.message;
+    EXPECT_NE(out.message.find("no field today"), std::string::npos) << out.message;
 }
 
 TEST(DecideBlow, ACheckShowsADecisionThatWasWrong) {
