@@ -144,7 +144,9 @@ Result<Arguments> parseArguments(int argc, const char* const* argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
-        arguments.help = stress->parsed() ? stress->help() : bake->parsed() ? bake->help() : app.help();
+        arguments.help = stress->parsed() ? stress->help(app.get_name())
+                         : bake->parsed() ? bake->help(app.get_name())
+                                          : app.help();
         return arguments;
     } catch (const CLI::ParseError& error) {
         return Error{std::string(error.what()) + " (see --help)"};

@@ -41,6 +41,14 @@ TEST(Arguments, HelpListsThePaths) {
     EXPECT_NE(help.value().help.find("sampling.spacing_m"), std::string::npos);
     EXPECT_NE(help.value().help.find("linear, quadratic, cubic"), std::string::npos);
     EXPECT_EQ(help.value().help.find("moment_order"), std::string::npos) << "the library sets it";
+    EXPECT_NE(help.value().help.find("Usage: sherd stress"), std::string::npos) << help.value().help;
+}
+
+TEST(Arguments, HelpOfBakeSaysHowItIsCalled) {
+    const char* line[] = {"sherd", "bake", "--help"};
+    const auto help = parseArguments(static_cast<int>(std::size(line)), line);
+    ASSERT_TRUE(help.ok()) << help.error();
+    EXPECT_NE(help.value().help.find("Usage: sherd bake "), std::string::npos) << help.value().help;
 }
 
 TEST(Arguments, BakeTakesMaterialSettingsAndHowTheMeshIsTakenIn) {
