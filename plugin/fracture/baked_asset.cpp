@@ -77,10 +77,15 @@ void archiveAsset(Archive& archive, BakedAsset& asset) {
 Status saveBaked(BakedAsset& asset, const std::string& path) {
     ByteWriter writer;
     archiveAsset(writer, asset);
-    if (!writer.good())
+    if (writer.isTooLong())
         return Error{
             "The asset cannot be baked: it is larger than a file of this format may be; use a coarser "
             "quality."};
+    if (!writer.good())
+        return Error{
+            "The asset cannot be baked: it holds what could not be loaded again, a number that is not finite "
+            "or one that names what is not there; check its mesh and material, or use another particle "
+            "spacing."};
     return writeChecked(baked_format, writer.bytes(), path);
 }
 

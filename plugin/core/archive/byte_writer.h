@@ -18,7 +18,8 @@ class ByteWriter {
     }
     /// Writes how many items follow, and returns that.
     std::size_t count(std::size_t items, std::size_t) {
-        require(items <= std::numeric_limits<std::uint32_t>::max());
+        is_too_long_ = is_too_long_ || items > std::numeric_limits<std::uint32_t>::max();
+        require(!is_too_long_);
         const auto stored = static_cast<std::uint32_t>(items);
         raw(&stored, sizeof stored);
         return items;
@@ -27,11 +28,13 @@ class ByteWriter {
     void require(bool holds) { good_ = good_ && holds; }
 
     bool good() const { return good_; }
+    /// Whether a list has more items than can be counted.
+    bool isTooLong() const { return is_too_long_; }
     const std::vector<std::byte>& bytes() const { return bytes_; }
 
   private:
     std::vector<std::byte> bytes_;
-    bool good_ = true;
+    bool good_ = true, is_too_long_ = false;
 };
 
 }  // namespace sherd
