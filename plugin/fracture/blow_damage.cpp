@@ -46,7 +46,8 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const Strength& s
     found.warnings = stress.unit.warnings;
     if (!stress.strike.empty()) {
         const AddedTime time(ms.damage);
-        found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n, struck.sampling, strength);
+        found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n,
+                                        *valueOrFail(struck.solid.completeDiscretisation()), strength);
     }
     found.forces = std::move(stress);
 }

@@ -38,10 +38,12 @@ double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const Contac
 
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
                                const std::vector<PointForce>& unit_loads, StageTimes& ms) {
+    const auto sampling = struck.solid.completeDiscretisation();
+    if (!sampling) return Error{sampling.error()};
     const Stopwatch watch;
     Result<StressField> stress = solver.solve(unit_loads);
     if (!stress) return stress;
-    freeSurface(struck.sampling, unit_loads, Elasticity(struck.solid.material()), stress.value().surface);
+    freeSurface(*sampling.value(), unit_loads, Elasticity(struck.solid.material()), stress.value().surface);
     ms.solve += stress.value().solve_ms;
     ms.stress += watch.milliseconds() - stress.value().solve_ms;
     return stress;

@@ -97,7 +97,8 @@ Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisa
     const auto& complete = complete_.get([&] { return sampled(); }).discretisation;
     if (!complete) return complete;
     if (complete.value()->particles.size() != kept.value()->particles.size() ||
-        complete.value()->surface_points.size() != kept.value()->surface_points.size())
+        complete.value()->cells.size() != kept.value()->cells.size() ||
+        complete.value()->voxels.size() != kept.value()->voxels.size())
         return Error{
             "The asset was baked by a program that samples solids in another way than this one; bake it "
             "again."};

@@ -54,8 +54,11 @@ class BreakableSolid {
     /// Between the points that stand for loads and supports on a part of the surface.
     double quadratureSpacing() const;
 
-    /// Particles and cells; sampled at the first call.
+    /// Particles and cells; sampled at the first call. That of a solid from a file has no surface points.
     Result<std::shared_ptr<const Discretisation>> discretisation() const;
+    /// The sampling that stress problems are made of and their stress is read at: the same with all that a
+    /// file leaves out; a solid from a file is sampled anew at the first call.
+    Result<std::shared_ptr<const Discretisation>> completeDiscretisation() const;
     /// The factored stress problem; assembled and factored at the first call.
     Result<const StressSolver*> stressSolver() const;
     /// Makes what answers blows without a factor, or the factor where that cannot be.
@@ -105,8 +108,6 @@ class BreakableSolid {
         double ms = 0;
     };
     Sampled sampled() const;
-    /// The sampling that stress problems are made of.
-    Result<std::shared_ptr<const Discretisation>> completeDiscretisation() const;
 
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
     mutable MadeOnce<SurfaceTree> tree_;

@@ -31,7 +31,8 @@ Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<Point
 
         const Stopwatch watch;
         Damage further =
-            damagedParticles(stress.value(), peak_force_n, struck.sampling, strength, damage.damaged);
+            damagedParticles(stress.value(), peak_force_n,
+                             *valueOrFail(struck.solid.completeDiscretisation()), strength, damage.damaged);
         keepLargest(damage, further);
         const bool at_rest = further.count == damage.count;
         damage = std::move(further);

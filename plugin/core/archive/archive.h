@@ -95,8 +95,8 @@ void archiveList(Archive& archive, std::vector<Item>& list, std::size_t least_by
 
 namespace detail {
 
-template <class Archive, class Item>
-void archiveOne(Archive& to_or_from, std::vector<Item>& list) {
+template <class Archive, class Item, class Allocator>
+void archiveOne(Archive& to_or_from, std::vector<Item, Allocator>& list) {
     if constexpr (IsBlock<Item>::value) {
         const std::size_t count = to_or_from.count(list.size(), sizeof(Item));
         if constexpr (Archive::reads) list.resize(count);

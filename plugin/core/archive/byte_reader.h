@@ -24,6 +24,10 @@ class ByteReader {
             std::memset(to, 0, size);
         }
     }
+    /// The next bytes as they lie there, if so many are left; nullptr if not. Takes none of them.
+    const std::byte* next(std::size_t size) const { return good_ && size <= left() ? at_ : nullptr; }
+    /// Takes bytes that were looked at.
+    void skip(std::size_t size) { at_ += size; }
     /// How many items follow, each of `least_bytes` or more; 0 if so many cannot follow, so that no size in a
     /// broken file decides what is allocated.
     std::size_t count(std::size_t, std::size_t least_bytes) {

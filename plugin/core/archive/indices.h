@@ -22,29 +22,42 @@ void archiveNumber(Archive& archive, int& number, int least, std::uint32_t range
     }
 }
 
+template <class Stored, class Archive>
+void archiveNumbers(Archive& archive, int* numbers, std::size_t count, int least, std::uint32_t range) {
+    for (std::size_t i = 0; i < count; ++i) archiveNumber<Stored>(archive, numbers[i], least, range);
+}
+
 inline std::size_t bytesFor(std::uint32_t range) {
     return range <= 1u << 8 ? 1 : range <= 1u << 16 ? 2 : 4;
 }
 
 }  // namespace detail
 
-/// least <= index < end.
+/// least <= index < end, for each of some indices.
 template <class Archive>
-void archiveIndex(Archive& archive, int& index, int end, int least = 0) {
-    if constexpr (!Archive::reads) archive.require(least <= index && index < end);
+void archiveIndices(Archive& archive, int* indices, std::size_t count, int end, int least = 0) {
+    if constexpr (!Archive::reads)
+        for (std::size_t i = 0; i < count; ++i) archive.require(least <= indices[i] && indices[i] < end);
     const auto range = static_cast<std::uint32_t>(std::max(0, end - least));
     const std::size_t bytes = detail::bytesFor(range);
-    if (bytes == 1) detail::archiveNumber<std::uint8_t>(archive, index, least, range);
-    if (bytes == 2) detail::archiveNumber<std::uint16_t>(archive, index, least, range);
-    if (bytes == 4) detail::archiveNumber<std::uint32_t>(archive, index, least, range);
+    if (bytes == 1) detail::archiveNumbers<std::uint8_t>(archive, indices, count, least, range);
+    if (bytes == 2) detail::archiveNumbers<std::uint16_t>(archive, indices, count, least, range);
+    if (bytes == 4) detail::archiveNumbers<std::uint32_t>(archive, indices, count, least, range);
 }
 
-/// The same for a list of indices.
+/// The same for one index.
+template <class Archive>
+void archiveIndex(Archive& archive, int& index, int end, int least = 0) {
+    archiveIndices(archive, &index, 1, end, least);
+}
+
+/// And for a list of them.
 template <class Archive>
 void archiveIndices(Archive& archive, std::vector<int>& list, int end, int least = 0) {
     const auto range = static_cast<std::uint32_t>(std::max(0, end - least));
-    archiveList(archive, list, detail::bytesFor(range),
-                [&](int& index) { archiveIndex(archive, index, end, least); });
+    const std::size_t count = archive.count(list.size(), detail::bytesFor(range));
+    if constexpr (Archive::reads) list.resize(count);
+    archiveIndices(archive, list.data(), count, end, least);
 }
 
 /// And for a list of lists.

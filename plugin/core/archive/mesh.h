@@ -15,7 +15,7 @@ void archiveFields(Archive& to_or_from, TriangleMesh& mesh) {
     const auto vertex_count = static_cast<int>(vertices.size());
     archiveList(to_or_from, triangles, 3 * detail::bytesFor(static_cast<std::uint32_t>(vertex_count)),
                 [&](std::array<int, 3>& corners) {
-                    for (int& corner : corners) archiveIndex(to_or_from, corner, vertex_count);
+                    archiveIndices(to_or_from, corners.data(), corners.size(), vertex_count);
                 });
     archiveList(to_or_from, kinds, 1, [&](SurfaceKind& kind) { archiveEnum(to_or_from, kind, 2); });
     archiveIndices(to_or_from, material, static_cast<int>(materials.size()));

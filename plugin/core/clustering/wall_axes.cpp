@@ -13,11 +13,8 @@ constexpr int rounds = 3;     // in which particles without surface take that of
 
 std::vector<Vec3> wallAxes(const Discretisation& solid) {
     const std::size_t count = solid.particles.size();
-    std::vector<Mat3> facing(count, Mat3::Zero());
-    for (const SurfacePoint& point : solid.surface_points) {
-        const double area = point.area.norm();
-        if (area > 0) facing[solid.cells[point.cell].particle] += point.area * point.area.transpose() / area;
-    }
+    std::vector<Mat3> facing = solid.facing;
+    facing.resize(count, Mat3::Zero());  // a solid without surface has none
     for (int round = 0; round < rounds; ++round) {
         std::vector<Mat3> filled = facing;
         for (std::size_t i = 0; i < count; ++i)

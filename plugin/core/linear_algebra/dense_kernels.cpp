@@ -91,9 +91,9 @@ void solveLower(const float* l, int size, int stride, bool transposed, float* x)
     strsv_("L", transposed ? "T" : "N", "N", &size, l, &stride, x, &step);
 }
 
-void subtractSquare(const float* a, int size, int depth, int a_stride, float* c, int c_stride) {
+void subtractSquare(const float* a, int size, int depth, float* c, int c_stride) {
     constexpr float plus = 1, minus = -1;
-    ssyrk_("L", "N", &size, &depth, &minus, a, &a_stride, &plus, c, &c_stride);
+    ssyrk_("L", "T", &size, &depth, &minus, a, &depth, &plus, c, &c_stride);
 }
 
 }  // namespace sherd

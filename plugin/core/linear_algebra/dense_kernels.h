@@ -37,7 +37,7 @@ bool symmetricEigenvectors(double* a, int size, double* values);
 bool choleskyInPlace(float* a, int size, int stride);
 /// x = L^-1 x or L^-T x.
 void solveLower(const float* l, int size, int stride, bool transposed, float* x);
-/// C -= A A^T, with A of `size` x `depth`.
-void subtractSquare(const float* a, int size, int depth, int a_stride, float* c, int c_stride);
+/// C -= A^T A, with A of `depth` x `size` without gaps between columns.
+void subtractSquare(const float* a, int size, int depth, float* c, int c_stride);
 
 }  // namespace sherd

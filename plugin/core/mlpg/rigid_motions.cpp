@@ -24,7 +24,8 @@ Eigen::Matrix<double, 6, Eigen::Dynamic> RigidMotions::resultants(const Eigen::V
     Eigen::Matrix<double, 6, Eigen::Dynamic> sums;
     sums.setZero(6, componentCount());
     for (long unknown = 0; unknown < forces.size(); ++unknown)
-        sums.col(componentOfUnknown(unknown)) += forces[unknown] * coefficients.row(unknown).transpose();
+        if (forces[unknown] != 0)  // inertia forces of one motion are zero in most of them
+            sums.col(componentOfUnknown(unknown)) += forces[unknown] * coefficients.row(unknown).transpose();
     return sums;
 }
 

@@ -5,9 +5,9 @@
 
 namespace sherd {
 
-// A sampling as breaking a solid needs it: without the moments of cut cells and without the faces inside
-// sub-domains, which only the assembly of a stress problem reads. `order` of its parts is 0 then, and no
-// stress problem can be made of it.
+// A sampling as breaking a solid needs it: without the moments of cut cells, the surface points and the faces
+// inside sub-domains, which only stress problems and their full solves read. `order` of its parts is 0 then,
+// and no stress problem can be made of it.
 
 template <class Archive>
 void archiveFields(Archive& archive, Moments& moments) {
@@ -50,30 +50,6 @@ void archiveFace(Archive& archive, int cell_count, IntegrationFace& face) {
         sherd::archive(archive, area);
     else
         sherd::archive(archive, area[axis]);
-}
-
-template <class Archive>
-void archiveFields(Archive& archive, SurfacePoint& point) {
-    auto& [cell, position, area, normal] = point;
-    static_cast<void>(cell);  // see archivePoints
-    archiveAll(archive, position, area);
-    int kind = 2;
-    if constexpr (!Archive::reads) kind = normal.isZero(0) ? 0 : normal == area.normalized() ? 1 : 2;
-    archiveIndex(archive, kind, 3);
-    if (kind == 2) sherd::archive(archive, normal);
-    if (kind < 2) normal = kind == 0 ? Vec3(Vec3::Zero()) : area.normalized();
-}
-
-/// Points are sorted by their cells.
-template <class Archive>
-void archivePoints(Archive& archive, int cell_count, std::vector<SurfacePoint>& points) {
-    archiveList(archive, points, detail::leastBytes<SurfacePoint>(),
-                [&](SurfacePoint& point) { archiveFields(archive, point); });
-    std::vector<int> cells;
-    for (const SurfacePoint& point : points) cells.push_back(point.cell);
-    archiveIndices(archive, cells, cell_count);
-    archive.require(cells.size() == points.size());
-    for (std::size_t i = 0; i < points.size() && archive.good(); ++i) points[i].cell = cells[i];
 }
 
 template <class Archive>
@@ -123,20 +99,28 @@ void archiveVoxel(Archive& archive, const Eigen::Vector3i& count, int cell_count
     sherd::archive(archive, fill);
 }
 
-/// `surface` is left out.
+template <class Archive>
+void archiveSymmetric(Archive& archive, Mat3& m) {
+    archiveAll(archive, m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(0, 2), m(1, 2));
+    m(1, 0) = m(0, 1);
+    m(2, 0) = m(0, 2);
+    m(2, 1) = m(1, 2);
+}
+
+/// `surface` and its points are left out.
 template <class Archive>
 void archiveFields(Archive& archive, Discretisation& solid) {
-    auto& [spacing, cell_size, particles, cells, faces, surface_points, neighbours, particle_cells, surface,
-           parts, grid_origin, voxels] = solid;
-    static_cast<void>(surface);
+    auto& [spacing, cell_size, particles, cells, faces, surface_points, facing, neighbours, particle_cells,
+           surface, parts, grid_origin, voxels] = solid;
+    static_cast<void>(surface_points), static_cast<void>(surface);
     archiveAll(archive, spacing, cell_size, particles, parts, grid_origin);
     const auto particle_count = static_cast<int>(particles.size());
     archiveIndices(archive, neighbours, particle_count);
-    archive.require(neighbours.size() == particles.size());
+    archiveList(archive, facing, 6 * sizeof(double), [&](Mat3& m) { archiveSymmetric(archive, m); });
+    archive.require(neighbours.size() == particles.size() && facing.size() == particles.size());
     archiveList(archive, cells, sizeof(double) * 7,
                 [&](IntegrationCell& cell) { archiveCell(archive, particle_count, cell); });
     const auto cell_count = static_cast<int>(cells.size());
-    archivePoints(archive, cell_count, surface_points);
 
     std::vector<IntegrationFace> between;  // particles
     if constexpr (!Archive::reads)

@@ -56,6 +56,7 @@ struct Discretisation {
     std::vector<IntegrationCell> cells;
     std::vector<IntegrationFace> faces;  ///< between different cells only
     std::vector<SurfacePoint> surface_points;
+    std::vector<Mat3> facing;  ///< per particle: integral of n n^T over its surface, n the unit normal, m^2
     std::vector<std::vector<int>> neighbours;      ///< per particle: who shares a face with it, sorted
     std::vector<std::vector<int>> particle_cells;  ///< per particle: its integration cells, sorted
 

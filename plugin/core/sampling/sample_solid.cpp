@@ -53,6 +53,16 @@ void listCells(CutCells cells, const SubDomains& domains, Discretisation& result
     result.faces = std::move(cells.faces);
 }
 
+/// Integrals of n n^T over the surface of each particle.
+std::vector<Mat3> facingOf(const Discretisation& solid) {
+    std::vector<Mat3> facing(solid.particles.size(), Mat3::Zero());
+    for (const SurfacePoint& point : solid.surface_points) {
+        const double area = point.area.norm();
+        if (area > 0) facing[solid.cells[point.cell].particle] += point.area * point.area.transpose() / area;
+    }
+    return facing;
+}
+
 Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
                               const SamplingSettings& settings) {
     const Status checked = checkInput(surface, spacing_m, settings);
@@ -87,6 +97,7 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
     forEachChunk(2, [&](int task) { task == 0 ? measure() : placePoints(); });
     listVoxels(grid, solid, cells, result);
     listCells(std::move(cells), domains, result);
+    result.facing = facingOf(result);
     return result;
 }
 

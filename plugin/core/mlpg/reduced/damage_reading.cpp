@@ -1,6 +1,7 @@
 #include "core/mlpg/reduced/damage_reading.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/mlpg/splines/b_spline.h"
 #include "core/stress/loaded_places.h"
@@ -31,30 +32,24 @@ struct EquivalentBound {
 
 }  // namespace
 
-DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, std::vector<GridPoint> samples)
-    : DamageReading(problem, samples,
+DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem,
+                             const std::vector<GridPoint>& samples)
+    : DamageReading(problem, ReadingPoints(*problem->solid, samples),
                     StressBounds(problem->parts(), problem->space->degree, problem->elasticity, samples)) {}
 
-DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, std::vector<GridPoint> samples,
+DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, ReadingPoints points,
                              StressBounds bounds)
     : problem_(std::move(problem)),
-      samples_(std::move(samples)),
+      points_(std::move(points)),
       powers_(splinePowers(problem_->space->degree).cast<float>()),
       bounds_(std::move(bounds)) {
-    const Discretisation& solid = *problem_->solid;
-    const std::size_t particles = solid.particles.size(), part_count = problem_->parts().parts.size();
-    starts_.assign(part_count + 1, 0);
-    for (std::size_t s = 0; s < samples_.size(); ++s) {
-        particle_of_.push_back(s < particles
-                                   ? static_cast<int>(s)
-                                   : solid.cells[solid.surface_points[s - particles].cell].particle);
-        if (samples_[s].part >= 0) ++starts_[samples_[s].part + 1];
+    particle_starts_.push_back(0);
+    for (std::size_t part = 0; part + 1 < points_.starts.size(); ++part) {
+        int last = -1;
+        for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
+            if (points_.points[at].particle != last) particles_.push_back(last = points_.points[at].particle);
+        particle_starts_.push_back(static_cast<int>(particles_.size()));
     }
-    for (std::size_t p = 0; p < part_count; ++p) starts_[p + 1] += starts_[p];
-    of_part_.resize(static_cast<std::size_t>(starts_.back()));
-    std::vector<int> next(starts_.begin(), starts_.end() - 1);
-    for (std::size_t s = 0; s < samples_.size(); ++s)
-        if (samples_[s].part >= 0) of_part_[next[samples_[s].part]++] = static_cast<int>(s);
 }
 
 Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
@@ -77,63 +72,82 @@ class DamageReading::Reader {
           scale_(scale),
           strength_(strength),
           bound_(strength),
+          per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
           equivalent(of.problem_->solid->particles.size(), 0.0) {}
 
-    /// Reads the samples of a part that may be as near to failure as `overstress`, or under the largest
+    /// Reads the points of a part that may be as near to failure as `overstress`, or under the largest
     /// tension.
     void read(int part, double overstress) {
-        const Discretisation& solid = *of_.problem_->solid;
-        const Elasticity& elasticity = of_.problem_->elasticity;
-        const int particles = static_cast<int>(solid.particles.size());
-        for (int at = of_.starts_[part]; at < of_.starts_[part + 1]; ++at) {
-            const int sample = of_.of_part_[at], particle = of_.particle_of_[sample];
-            const Mat3 raw_stress = elasticity.stress(gradientAt(of_.samples_[sample]).cast<double>());
-            SymmetricTensor stress = toSymmetricTensor(raw_stress);
-            const float coupling = sample < particles ? 0 : 1;
-            const PrincipalRange range = principalRange(raw_stress.cast<float>(), 0, coupling);
-            if (range.largest <= tension &&
-                scale_ * bound_(range) < overstress * strength_.of_particle[particle])
-                continue;
-            if (sample >= particles) {
-                const SurfacePoint& point = solid.surface_points[sample - particles];
-                if (!point.normal.isZero() && !loaded_.isNear(point.position))
-                    stress = withTraction(stress, point.normal, Vec3::Zero(), elasticity);
-            }
-            const PrincipalStresses principal = principalStresses(stress);
-            equivalent[particle] = std::max(equivalent[particle], strength_.criterion.equivalent_stress_pa(
-                                                                      principal, strength_.material));
-            tension = std::max(tension, principal.largest);
+        switch (of_.problem_->space->degree) {
+            case 1:
+                return read<1>(part, overstress);
+            case 2:
+                return read<2>(part, overstress);
+            default:
+                static_assert(largest_spline_degree == 3);
+                return read<3>(part, overstress);
         }
     }
 
   private:
+    using Quad = Eigen::Array4f;  // a vector and a zero
+
+    template <int degree>
+    void read(int part, double overstress) {
+        constexpr int w = degree + 1;
+        Quad coefficients[w * w * w];
+        const std::vector<int>& functions = of_.problem_->space->raw_of[part];
+        for (int f = 0; f < w * w * w; ++f) coefficients[f] = raw_.col(functions[f]).array();
+        const Elasticity& elasticity = of_.problem_->elasticity;
+        for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at) {
+            const ReadingPoint& point = of_.points_.points[at];
+            const bool is_on_surface = !point.normal.isZero(0);
+            const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients, point.xi);
+            const PrincipalRange range = of_.bounds_.rangeAt(gradient, is_on_surface);
+            if (range.largest <= tension &&
+                scale_ * bound_(range) < overstress * strength_.of_particle[point.particle])
+                continue;
+            SymmetricTensor stress = toSymmetricTensor(elasticity.stress(gradient.cast<double>()));
+            if (is_on_surface && !loaded_.isNear(position(part, point)))
+                stress =
+                    withTraction(stress, point.normal.cast<double>().normalized(), Vec3::Zero(), elasticity);
+            const PrincipalStresses principal = principalStresses(stress);
+            double& largest = equivalent[point.particle];
+            largest =
+                std::max(largest, strength_.criterion.equivalent_stress_pa(principal, strength_.material));
+            tension = std::max(tension, principal.largest);
+        }
+    }
+
+    Vec3 position(int part, const ReadingPoint& point) const {
+        const CellParts& solid = of_.problem_->parts();
+        const Vec3 cells =
+            solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5) + point.xi.cast<double>();
+        return solid.origin + cells.cwiseProduct(solid.edges);
+    }
+
     /// Displacement gradient, summed one direction after the other.
-    Eigen::Matrix3f gradientAt(const GridPoint& at) const {
-        using Quad = Eigen::Array4f;
-        constexpr int most = largest_spline_degree + 1;
-        const int w = static_cast<int>(of_.powers_.cols());
-        float values[3][most], slopes[3][most];
-        for (int d = 0; d < 3; ++d) {
-            const float xi = static_cast<float>(at.xi[d]);
+    template <int degree>
+    Eigen::Matrix3f gradientAt(const Quad* coefficients, const Eigen::Vector3f& at) const {
+        constexpr int w = degree + 1;
+        float values[3][w], slopes[3][w];
+        for (int d = 0; d < 3; ++d)
             for (int a = 0; a < w; ++a) {
                 float value = 0, slope = 0;
                 for (int k = w - 1; k >= 0; --k) {
-                    slope = slope * xi + value;
-                    value = value * xi + of_.powers_(k, a);
+                    slope = slope * at[d] + value;
+                    value = value * at[d] + of_.powers_(k, a);
                 }
                 values[d][a] = value;
                 slopes[d][a] = slope;
             }
-        }
-        const std::vector<int>& functions = of_.problem_->space->raw_of[at.part];
         Quad by_x = Quad::Zero(), by_y = Quad::Zero(), by_z = Quad::Zero();
-        int f = 0;
         for (int c = 0; c < w; ++c) {
             Quad plane = Quad::Zero(), plane_x = Quad::Zero(), plane_y = Quad::Zero();
             for (int b = 0; b < w; ++b) {
                 Quad line = Quad::Zero(), line_x = Quad::Zero();
                 for (int a = 0; a < w; ++a) {
-                    const Quad own = raw_.col(functions[f++]).array();
+                    const Quad& own = coefficients[(c * w + b) * w + a];
                     line += values[0][a] * own;
                     line_x += slopes[0][a] * own;
                 }
@@ -145,11 +159,10 @@ class DamageReading::Reader {
             by_y += values[2][c] * plane_y;
             by_z += slopes[2][c] * plane;
         }
-        const Eigen::Array3f edges = of_.problem_->parts().edges.cast<float>().array();
         Eigen::Matrix3f gradient;
-        gradient.col(0) = by_x.head<3>() / edges[0];
-        gradient.col(1) = by_y.head<3>() / edges[1];
-        gradient.col(2) = by_z.head<3>() / edges[2];
+        gradient.col(0) = by_x.head<3>() * per_edge_[0];
+        gradient.col(1) = by_y.head<3>() * per_edge_[1];
+        gradient.col(2) = by_z.head<3>() * per_edge_[2];
         return gradient;
     }
 
@@ -159,34 +172,45 @@ class DamageReading::Reader {
     double scale_;
     const Strength& strength_;
     EquivalentBound bound_;
+    Eigen::Vector3f per_edge_;  ///< of a cell
 
   public:
     std::vector<double> equivalent;  ///< per particle, the largest that was read
     double tension = 0;              ///< the largest that was read
 };
 
+/// The least strength of the particles that the points of a part count for.
+double DamageReading::weakest(int part, const Strength& strength) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (int at = particle_starts_[part]; at < particle_starts_[part + 1]; ++at)
+        least = std::min(least, strength.of_particle[particles_[at]]);
+    return least;
+}
+
 Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads,
                              double scale, const Strength& strength) const {
     const Eigen::Matrix4Xf raw = expand(unknowns);
     Reader reader(*this, raw, loads, scale, strength);
     const EquivalentBound equivalent_bound(strength);
-    const double weakest = *std::min_element(strength.of_particle.begin(), strength.of_particle.end());
-    const int part_count = static_cast<int>(starts_.size()) - 1;
+    const std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of);
+    const int part_count = static_cast<int>(ranges.size());
 
-    std::vector<double> overstress_bound(static_cast<std::size_t>(part_count), 0.0);
+    std::vector<double> overstress_bound(ranges.size());
     std::vector<std::pair<float, int>> by_tension;
     for (int part = 0; part < part_count; ++part) {
-        if (starts_[part] == starts_[part + 1]) continue;
-        const PrincipalRange range = bounds_.range(raw, problem_->space->raw_of[part], part);
-        overstress_bound[part] = scale * equivalent_bound(range) / weakest;
-        by_tension.push_back({range.largest, part});
+        overstress_bound[part] = scale * equivalent_bound(ranges[part]) / weakest(part, strength);
+        if (points_.starts[part] < points_.starts[part + 1])
+            by_tension.push_back({ranges[part].largest, part});
     }
     // From the highest bound down, so that few parts are read before the largest stress is known.
-    std::sort(by_tension.begin(), by_tension.end(), [](const auto& a, const auto& b) {
-        return a.first > b.first || (a.first == b.first && a.second < b.second);
-    });
+    std::make_heap(by_tension.begin(), by_tension.end());
+    while (!by_tension.empty() && by_tension.front().first > reader.tension) {
+        std::pop_heap(by_tension.begin(), by_tension.end());
+        reader.read(by_tension.back().second, 1);
+        by_tension.pop_back();
+    }
     for (const auto& [tension, part] : by_tension)
-        if (tension > reader.tension || overstress_bound[part] >= 1) reader.read(part, 1);
+        if (overstress_bound[part] >= 1) reader.read(part, 1);
 
     Damage damage;
     damage.damaged.resize(strength.of_particle.size());

@@ -2,27 +2,22 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 namespace sherd {
-
-namespace {
-
-void sortOnce(std::vector<int>& numbers) {
-    std::sort(numbers.begin(), numbers.end());
-    numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
-}
-
-}  // namespace
 
 LocalFunctions::LocalFunctions(const SplineProblem& problem)
     : parts_(problem.parts()), function_count_(problem.space->function_count) {
     const SplineSpace& space = *problem.space;
-    for (const std::vector<int>& raw : space.raw_of) {
-        std::vector<int> functions;
-        for (const int r : raw)
-            for (const SplineTies::Term& term : space.termsOf(r)) functions.push_back(term.function);
-        sortOnce(functions);
-        of_part_.push_back(std::move(functions));
+    std::vector<int> last_part(static_cast<std::size_t>(function_count_), -1);
+    const int part_count = static_cast<int>(space.raw_of.size());
+    of_part_.reserve(space.raw_of.size() * static_cast<std::size_t>(space.perPart()));
+    starts_.push_back(0);
+    for (int part = 0; part < part_count; ++part) {
+        for (const int r : space.raw_of[part])
+            for (const SplineTies::Term& term : space.termsOf(r))
+                if (std::exchange(last_part[term.function], part) != part) of_part_.push_back(term.function);
+        starts_.push_back(static_cast<int>(of_part_.size()));
     }
 }
 
@@ -52,11 +47,8 @@ std::vector<int> LocalFunctions::around(const std::vector<PointForce>& loads, in
     std::vector<int> chosen;
     for (const int part : parts) {
         if (static_cast<int>(chosen.size()) >= most) break;
-        for (const int function : of_part_[part]) {
-            if (is_chosen[function]) continue;
-            is_chosen[function] = 1;
-            chosen.push_back(function);
-        }
+        for (int at = starts_[part]; at < starts_[part + 1]; ++at)
+            if (!std::exchange(is_chosen[of_part_[at]], 1)) chosen.push_back(of_part_[at]);
     }
     std::sort(chosen.begin(), chosen.end());
     return chosen;

@@ -27,7 +27,7 @@ class LocalFunctions {
 
     const CellParts& parts_;
     int function_count_;
-    std::vector<std::vector<int>> of_part_;
+    std::vector<int> starts_, of_part_;  ///< the functions of each part
 };
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/linear_algebra/sparse_matrix.h"
+#include "core/numerics/unset_vector.h"
 
 namespace sherd {
 
@@ -13,7 +14,7 @@ namespace sherd {
 struct PackedStiffness {
     std::vector<int> starts;            ///< per block column and one more, into the two below
     std::vector<int> rows;              ///< block rows, from the diagonal downwards
-    std::vector<std::int16_t> entries;  ///< 9 a block, column by column
+    UnsetVector<std::int16_t> entries;  ///< 9 a block, column by column
     std::vector<float> roots;           ///< per unknown: sqrt(K_ii / 32767)
 
     PackedStiffness() = default;

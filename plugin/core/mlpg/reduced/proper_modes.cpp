@@ -90,6 +90,32 @@ void removeRigidMotion(const SplineProblem& problem, Eigen::MatrixXd& displaceme
     }
 }
 
+/// The responses to unit loads, without rigid motion, and the accelerations that balance the loads. The loads
+/// of all patches at once would take as much memory as the responses, several times over.
+Status solveInBatches(const SplineProblem& problem, const SparseSolver& factor,
+                      const std::vector<int>& pinned, const SparseColumns& columns, const Progress& tell,
+                      Eigen::MatrixXd& responses, Eigen::MatrixXd& accelerations) {
+    constexpr std::size_t batch = 64;  // patches
+    const auto load_count = static_cast<Eigen::Index>(3 * columns.size());
+    responses.resize(problem.motions.coefficients.rows(), load_count);
+    accelerations.resize(6L * problem.motions.componentCount(), load_count);
+    for (std::size_t first = 0; first < columns.size(); first += batch) {
+        const std::size_t last = std::min(first + batch, columns.size());
+        const SparseColumns own(columns.begin() + static_cast<long>(first),
+                                columns.begin() + static_cast<long>(last));
+        Eigen::MatrixXd forces, balancing, displacements;
+        balancedLoads(problem, own, forces, balancing);
+        for (const int unknown : pinned) forces.row(unknown).setZero();
+        if (!factor.solve(forces, displacements))
+            return Error{"The stress solve failed in the linear solver."};
+        removeRigidMotion(problem, displacements);
+        responses.middleCols(static_cast<Eigen::Index>(3 * first), displacements.cols()) = displacements;
+        accelerations.middleCols(static_cast<Eigen::Index>(3 * first), balancing.cols()) = balancing;
+        tell(static_cast<double>(last) / static_cast<double>(columns.size()));
+    }
+    return success();
+}
+
 /// U^T F. Inertia forces do no work on displacements without rigid motion, so loads alone count.
 Eigen::MatrixXd workOf(const SparseColumns& columns, const Eigen::MatrixXd& displacements) {
     const auto count = static_cast<Eigen::Index>(3 * columns.size());
@@ -116,17 +142,17 @@ std::vector<float> rowByRow(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
-void pack(const Eigen::MatrixXd& modes, ProperModes& packed) {
-    std::vector<double> scales;
-    for (Eigen::Index m = 0; m < modes.cols(); ++m) {
-        packed.scales.push_back(static_cast<float>(modes.col(m).cwiseAbs().maxCoeff() / largest_entry));
-        scales.push_back(packed.scales.back() > 0 ? packed.scales.back() : 1);
-    }
-    packed.entries.reserve(static_cast<std::size_t>(modes.size()));
-    for (Eigen::Index u = 0; u < modes.rows(); ++u)
-        for (Eigen::Index m = 0; m < modes.cols(); ++m)
-            packed.entries.push_back(static_cast<std::int16_t>(
-                std::clamp(std::round(modes(u, m) / scales[m]), -largest_entry, largest_entry)));
+/// In 16 bits, row by row, each column by a scale of its own.
+void pack(const Eigen::MatrixXd& matrix, UnsetVector<std::int16_t>& entries, std::vector<float>& scales) {
+    for (Eigen::Index m = 0; m < matrix.cols(); ++m)
+        scales.push_back(static_cast<float>(matrix.col(m).cwiseAbs().maxCoeff() / largest_entry));
+    entries.reserve(static_cast<std::size_t>(matrix.size()));
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+        for (Eigen::Index m = 0; m < matrix.cols(); ++m) {
+            const double scale = scales[m] > 0 ? scales[m] : 1;
+            entries.push_back(static_cast<std::int16_t>(
+                std::clamp(std::round(matrix(i, m) / scale), -largest_entry, largest_entry)));
+        }
 }
 
 void sortByFunction(const SparseColumns& columns, int function_count, ProperModes& modes) {
@@ -150,10 +176,26 @@ void multiplyRows(const std::int16_t* entries, const float* c, int count, long f
         float sums[lanes] = {};
         for (int m = 0; m < count; m += lanes)
             for (int l = 0; l < lanes; ++l) sums[l] += static_cast<float>(entry[m + l]) * c[m + l];
-        for (int half = lanes / 2; half > 0; half /= 2)
-            for (int l = 0; l < half; ++l) sums[l] += sums[l + half];
-        u[row] = sums[0];
+        static_assert(lanes == 16);  // loops of fixed lengths stay in registers
+        for (int l = 0; l < 8; ++l) sums[l] += sums[l + 8];
+        for (int l = 0; l < 4; ++l) sums[l] += sums[l + 4];
+        u[row] = (sums[0] + sums[2]) + (sums[1] + sums[3]);
     }
+}
+
+/// columns = the unit loads on a function, times their combinations: count x 3.
+SHERD_WIDE_VECTORS
+void setToUnitLoads(const ProperModes::UnitLoad* loads, int load_count, const ProperModes& modes,
+                    float* columns) {
+    const int size = 3 * modes.count;
+    std::fill(columns, columns + size, 0.0f);
+    for (int i = 0; i < load_count; ++i) {
+        const std::int16_t* entry = modes.combinations.data() + static_cast<long>(loads[i].patch) * size;
+        const float value = loads[i].value;
+        for (int j = 0; j < size; ++j) columns[j] += value * static_cast<float>(entry[j]);
+    }
+    for (int k = 0; k < 3; ++k)
+        for (int m = 0; m < modes.count; ++m) columns[k * modes.count + m] *= modes.combination_scales[m];
 }
 
 }  // namespace
@@ -166,15 +208,13 @@ Result<ProperModes> ProperModes::make(const SplineProblem& problem, const Sparse
     };
     tell(0);
     const SparseColumns columns = valuesOf(problem, patches);
-    Eigen::MatrixXd forces, accelerations;
-    balancedLoads(problem, columns, forces, accelerations);
-    Eigen::MatrixXd held = forces, responses;
-    for (const int unknown : pinned) held.row(unknown).setZero();
-    constexpr double loads_done = 0.1, solves_done = 0.7;  // about: shares of the time
-    tell(loads_done);
-    if (!factor.solve(held, responses)) return Error{"The stress solve failed in the linear solver."};
-    tell(solves_done);
-    removeRigidMotion(problem, responses);
+    constexpr double solves_done = 0.7;  // about: share of the time
+    Eigen::MatrixXd responses, accelerations;
+    const auto tell_solved = [&](double done) { tell(solves_done * done); };
+    if (const Status solved =
+            solveInBatches(problem, factor, pinned, columns, tell_solved, responses, accelerations);
+        !solved)
+        return Error{solved.error()};
 
     Eigen::MatrixXd vectors = workOf(columns, responses);
     vectors = (0.5 * (vectors + vectors.transpose())).eval();
@@ -194,8 +234,8 @@ Result<ProperModes> ProperModes::make(const SplineProblem& problem, const Sparse
                                          values.tail(count).reverse().cwiseSqrt().cwiseInverse().asDiagonal();
     ProperModes modes;
     modes.count = count;
-    pack(product(responses, combinations), modes);
-    modes.combinations = rowByRow(combinations);
+    pack(product(responses, combinations), modes.entries, modes.scales);
+    pack(combinations, modes.combinations, modes.combination_scales);
     modes.accelerations = rowByRow(accelerations * combinations);
     sortByFunction(columns, problem.space->function_count, modes);
     tell(1);
@@ -216,21 +256,19 @@ void ProperModes::addWork(int unknown, float force, Eigen::VectorXf& sum) const 
     for (int m = 0; m < count; ++m) sum[m] += static_cast<float>(entry[m]) * scales[m] * force;
 }
 
-void ProperModes::addForces(const SplineProblem& problem, int function,
-                            Eigen::Ref<Eigen::MatrixXf> rows) const {
-    using Row = Eigen::Map<const Eigen::RowVectorXf>;
-    for (int at = unit_starts[function]; at < unit_starts[function + 1]; ++at)
-        for (int k = 0; k < 3; ++k)
-            rows.row(k) += unit_loads[at].value *
-                           Row(combinations.data() + (3L * unit_loads[at].patch + k) * count, count);
+void ProperModes::forcesOn(const SplineProblem& problem, int function, float* forces) const {
+    setToUnitLoads(unit_loads.data() + unit_starts[function],
+                   unit_starts[function + 1] - unit_starts[function], *this, forces);
+    Eigen::Map<Eigen::MatrixXf> columns(forces, count, 3);
     const int component = problem.space->component[function];
     if (problem.held[component]) return;
+    const Eigen::Map<const Eigen::MatrixXf> of_motions(accelerations.data() + 6L * component * count, count,
+                                                       6);
     for (int k = 0; k < 3; ++k) {
         const auto inertia = problem.inertia.forceOn(3L * function + k);
         for (int motion = 0; motion < 6; ++motion)
             if (inertia[motion] != 0)
-                rows.row(k) += static_cast<float>(inertia[motion]) *
-                               Row(accelerations.data() + (6L * component + motion) * count, count);
+                columns.col(k) += static_cast<float>(inertia[motion]) * of_motions.col(motion);
     }
 }
 

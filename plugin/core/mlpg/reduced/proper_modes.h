@@ -7,6 +7,7 @@
 #include "core/mlpg/reduced/unit_patches.h"
 #include "core/mlpg/splines/spline_problem.h"
 #include "core/mlpg/stress_solver.h"
+#include "core/numerics/unset_vector.h"
 
 namespace sherd {
 
@@ -18,7 +19,7 @@ struct ProperModes {
     static constexpr int lanes = 16;  ///< sums are made in so many parts, whatever the processor
 
     int count = 0;                      ///< a multiple of `lanes`
-    std::vector<std::int16_t> entries;  ///< #unknowns x count, row by row
+    UnsetVector<std::int16_t> entries;  ///< #unknowns x count, row by row
     std::vector<float> scales;          ///< per mode: m per unit of `entries`
 
     struct UnitLoad {
@@ -27,8 +28,10 @@ struct ProperModes {
     };
     std::vector<int> unit_starts;      ///< per function and one more, into `unit_loads`
     std::vector<UnitLoad> unit_loads;  ///< that act on the function
-    std::vector<float> combinations;   ///< 3 #patches x count, row by row: of the unit loads in x, y and z
-    std::vector<float> accelerations;  ///< 6 #components x count, row by row: those that balance them
+    /// 3 #patches x count, row by row: of the unit loads in x, y and z.
+    UnsetVector<std::int16_t> combinations;
+    std::vector<float> combination_scales;  ///< per mode: N per unit of `combinations`
+    std::vector<float> accelerations;       ///< 6 #components x count, row by row: those that balance them
 
     /// An error if there are no modes or the factor cannot be used. `pinned`: unknowns that the factor holds.
     static Result<ProperModes> make(const SplineProblem& problem, const SparseSolver& factor,
@@ -39,8 +42,8 @@ struct ProperModes {
     Eigen::VectorXf displacement(const Eigen::VectorXf& coefficients) const;
     /// sum += V^T f of a force on one unknown.
     void addWork(int unknown, float force, Eigen::VectorXf& sum) const;
-    /// The rows of K V for the three unknowns of a function, 3 x count.
-    void addForces(const SplineProblem& problem, int function, Eigen::Ref<Eigen::MatrixXf> rows) const;
+    /// The rows of K V for the three unknowns of a function, one after the other: 3 count numbers.
+    void forcesOn(const SplineProblem& problem, int function, float* forces) const;
 };
 
 }  // namespace sherd

@@ -122,11 +122,11 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
         system.place_of[system.functions[i]] = static_cast<int>(i);
 
     const int size = system.size();
-    system.coupling = Eigen::MatrixXf::Zero(size, modes_.count);
+    system.coupling.resize(modes_.count, size);
     for (int i = 0; i < size; i += 3)
-        modes_.addForces(*problem_, system.functions[i / 3], system.coupling.middleRows(i, 3));
+        modes_.forcesOn(*problem_, system.functions[i / 3], &system.coupling(0, i));
     system.factor = stiffness_.lowerPart(system.functions, system.place_of);
-    subtractSquare(system.coupling.data(), size, modes_.count, size, system.factor.data(), size);
+    subtractSquare(system.coupling.data(), size, modes_.count, system.factor.data(), size);
     if (!choleskyInPlace(system.factor.data(), size, size))
         return Error{"The reduced equations are not definite where the loads act."};
     kept = std::move(system);
@@ -157,10 +157,10 @@ Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForc
         forces[i] += static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
     }
 
-    Eigen::VectorXf local = forces - kept.coupling * work;
+    Eigen::VectorXf local = forces - kept.coupling.transpose() * work;
     solveLower(kept.factor.data(), size, size, false, local.data());
     solveLower(kept.factor.data(), size, size, true, local.data());
-    const Eigen::VectorXf coefficients = work - kept.coupling.transpose() * local;
+    const Eigen::VectorXf coefficients = work - kept.coupling * local;
     if (!coefficients.allFinite() || !local.allFinite())
         return Error{"The reduced equations have no finite solution where the loads act."};
     Response response{modes_.displacement(coefficients),

@@ -47,7 +47,7 @@ class ReducedModel {
     struct LocalSystem {
         std::vector<int> functions;  ///< ascending
         std::vector<int> place_of;   ///< per function of the solid: its number among them, or -1
-        Eigen::MatrixXf coupling;    ///< E^T K V
+        Eigen::MatrixXf coupling;    ///< V^T K E
         Eigen::MatrixXf factor;      ///< lower, of E^T K E - E^T K V V^T K E
 
         int size() const { return 3 * static_cast<int>(functions.size()); }

@@ -2,14 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/mlpg/splines/b_spline.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 
 namespace {
 
-using Quad = Eigen::Array4f;  // one register: a vector and a zero
+constexpr int lane_count = 16;  // parts whose bounds are made side by side
+using Lane = float[lane_count];
 
 double choose(int n, int k) {
     double value = 1;
@@ -29,16 +32,6 @@ double polarForm(int degree, int power, int high, double from, double to) {
 
 }  // namespace
 
-PrincipalRange principalRange(const Eigen::Matrix3f& stress, float spread, float coupling) {
-    constexpr float rounding = 1e-4f;
-    const float mean = stress.trace() / 3;
-    const float deviator = std::sqrt(2.0f / 3) * (stress - mean * Eigen::Matrix3f::Identity()).norm();
-    const float slack = spread + rounding * stress.norm();
-    const float largest = std::max(0.0f, mean + deviator + slack);
-    const float smallest = std::min(0.0f, mean - deviator - slack);
-    return {smallest - coupling * largest, largest - coupling * smallest};
-}
-
 StressBounds::StressBounds(const CellParts& solid, int degree, const Elasticity& elasticity,
                            const std::vector<GridPoint>& samples)
     : width_(degree + 1),
@@ -46,10 +39,12 @@ StressBounds::StressBounds(const CellParts& solid, int degree, const Elasticity&
       lambda_pa_(static_cast<float>(elasticity.lambda_pa)),
       mu_pa_(static_cast<float>(elasticity.mu_pa)),
       coupling_(lambda_pa_ / (lambda_pa_ + 2 * mu_pa_)) {
-    for (int i = 0; i <= degree; ++i)
-        middle_.push_back(static_cast<float>(choose(degree, i) / std::pow(2, degree)));
-    for (int i = 0; i < degree; ++i)
-        middle_slopes_.push_back(static_cast<float>(choose(degree - 1, i) / std::pow(2, degree - 1)));
+    const auto in_the_middle = [](int n, int i) { return choose(n, i) / std::pow(2, n); };
+    for (int k = 0; k <= degree; ++k)
+        for (int l = 0; l <= degree; ++l)
+            for (int i = 0; i < degree; ++i)
+                middle_slopes_.push_back(static_cast<float>(
+                    in_the_middle(degree, k) * in_the_middle(degree, l) * in_the_middle(degree - 1, i)));
 
     std::vector<Eigen::AlignedBox3d> held(solid.parts.size());
     for (const GridPoint& sample : samples)
@@ -78,58 +73,119 @@ StressBounds::Interval StressBounds::intervalOf(double from, double to, double e
     return interval;
 }
 
-PrincipalRange StressBounds::range(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions,
-                                   int part) const {
-    constexpr int cube = most * most * most;
-    const int w = width_, count = w * w * w;
-    Quad own[cube], other[cube];
-    for (int a = 0; a < count; ++a) own[a] = raw.col(functions[a]).array();
-    // To Bernstein coefficients, one direction after the other; each pass turns the directions on by one.
-    for (int d = 0; d < 3; ++d) {
-        const float* m = boxes_[part][d].coefficients.data();
-        for (int line = 0; line < w * w; ++line)
-            for (int i = 0; i < w; ++i) {
-                Quad sum = m[i * w] * own[line * w];
-                for (int a = 1; a < w; ++a) sum += m[i * w + a] * own[line * w + a];
-                other[i * w * w + line] = sum;
-            }
-        std::copy(other, other + count, own);
-    }
-    const int strides[3] = {1, w, w * w};
-    Quad columns[3], deviations[3];
-    for (int j = 0; j < 3; ++j) {
-        const int s = strides[j], t = strides[(j + 1) % 3], u = strides[(j + 2) % 3];
-        const float per_length = boxes_[part][j].per_length;
-        Quad slopes[cube];
-        Quad middle = Quad::Zero();
-        int n = 0;
-        for (int k = 0; k < w; ++k)
-            for (int l = 0; l < w; ++l)
-                for (int i = 0; i + 1 < w; ++i) {
-                    const Quad* at = own + i * s + k * t + l * u;
-                    slopes[n] = at[s] - at[0];
-                    middle += middle_slopes_[i] * middle_[k] * middle_[l] * slopes[n++];
-                }
-        Quad deviation = Quad::Zero();
-        for (int k = 0; k < n; ++k) deviation = deviation.max((slopes[k] - middle).abs());
-        columns[j] = per_length * middle;
-        deviations[j] = per_length * deviation;
-    }
+/// Parts side by side, each in a lane of its own: what is done to one lane is done to all.
+struct StressBounds::Lanes {
+    static constexpr int cube = most * most * most;
+    Lane coefficients[3][cube];         ///< per component of the displacement
+    Lane to_bernstein[3][most * most];  ///< per direction
+    Lane per_length[3];
+    Lane gradient[3][3], deviation[3][3];  ///< component, direction: in the middle, and from it
+};
 
-    Eigen::Matrix3f strain;
+namespace {
+
+/// To Bernstein coefficients, one direction after the other; each pass turns the directions on by one.
+SHERD_WIDE_VECTORS
+void toBernstein(int width, const Lane* along_x, const Lane* along_y, const Lane* along_z, Lane* values) {
+    constexpr int most = largest_spline_degree + 1;
+    const Lane* matrices[3] = {along_x, along_y, along_z};
+    Lane other[most * most * most];
+    const int square = width * width;
+    Lane *from = values, *to = other;
+    for (const Lane* m : matrices) {
+        for (int line = 0; line < square; ++line)
+            for (int i = 0; i < width; ++i) {
+                Lane sum = {};
+                for (int a = 0; a < width; ++a)
+                    for (int l = 0; l < lane_count; ++l)
+                        sum[l] += m[i * width + a][l] * from[line * width + a][l];
+                for (int l = 0; l < lane_count; ++l) to[i * square + line][l] = sum[l];
+            }
+        std::swap(from, to);
+    }
+    std::memcpy(values, other,
+                sizeof(Lane) * static_cast<std::size_t>(square * width));  // after three passes
+}
+
+/// The slope of Bernstein coefficients in the middle, along a direction in which neighbours are `step` apart,
+/// and how far it may be from that elsewhere.
+SHERD_WIDE_VECTORS
+void slopeOf(int width, const Lane* values, int step, int second, int third, const float* weights,
+             const Lane& per_length, Lane& slope, Lane& deviation) {
+    constexpr int most = largest_spline_degree + 1;
+    Lane differences[most * most * most];
+    Lane middle = {}, largest = {};
+    int n = 0;
+    for (int k = 0; k < width; ++k)
+        for (int j = 0; j < width; ++j)
+            for (int i = 0; i + 1 < width; ++i, ++n) {
+                const Lane* at = values + i * step + k * second + j * third;
+                for (int l = 0; l < lane_count; ++l) {
+                    differences[n][l] = at[step][l] - at[0][l];
+                    middle[l] += weights[n] * differences[n][l];
+                }
+            }
+    for (int m = 0; m < n; ++m)
+        for (int l = 0; l < lane_count; ++l) {
+            const float off = std::fabs(differences[m][l] - middle[l]);
+            largest[l] = largest[l] < off ? off : largest[l];
+        }
+    for (int l = 0; l < lane_count; ++l) {
+        slope[l] = per_length[l] * middle[l];
+        deviation[l] = per_length[l] * largest[l];
+    }
+}
+
+}  // namespace
+
+void StressBounds::load(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions, int part, int lane,
+                        Lanes& lanes) const {
+    for (std::size_t f = 0; f < functions.size(); ++f)
+        for (int c = 0; c < 3; ++c) lanes.coefficients[c][f][lane] = raw(c, functions[f]);
+    for (int d = 0; d < 3; ++d) {
+        const Interval& interval = boxes_[part][d];
+        for (int i = 0; i < width_ * width_; ++i) lanes.to_bernstein[d][i][lane] = interval.coefficients[i];
+        lanes.per_length[d][lane] = interval.per_length;
+    }
+}
+
+PrincipalRange StressBounds::range(const Lanes& lanes, int lane) const {
+    Eigen::Matrix3f gradient;
     float squared = 0, trace = 0;  // of the deviation of the strain
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j) {
-            strain(i, j) = 0.5f * (columns[j][i] + columns[i][j]);
-            const float deviation = 0.5f * (deviations[j][i] + deviations[i][j]);
+            gradient(i, j) = lanes.gradient[i][j][lane];
+            const float deviation = 0.5f * (lanes.deviation[i][j][lane] + lanes.deviation[j][i][lane]);
             squared += deviation * deviation;
             if (i == j) trace += deviation;
         }
     // No principal value of a deviation is more than its norm.
     const float spread = lambda_pa_ * trace + 2 * mu_pa_ * std::sqrt(squared);
-    const Eigen::Matrix3f stress =
-        lambda_pa_ * strain.trace() * Eigen::Matrix3f::Identity() + 2 * mu_pa_ * strain;
-    return principalRange(stress, spread, coupling_);
+    return principalRange(stressOf(gradient), spread, coupling_);
+}
+
+std::vector<PrincipalRange> StressBounds::ranges(const Eigen::Matrix4Xf& raw,
+                                                 const std::vector<std::vector<int>>& functions) const {
+    const int part_count = static_cast<int>(functions.size());
+    std::vector<PrincipalRange> ranges;
+    ranges.reserve(functions.size());
+    Lanes lanes{};
+    const int strides[3] = {1, width_, width_ * width_};
+    for (int first = 0; first < part_count; first += lane_count) {
+        const int count = std::min(lane_count, part_count - first);
+        for (int lane = 0; lane < count; ++lane)
+            load(raw, functions[first + lane], first + lane, lane, lanes);
+        for (int c = 0; c < 3; ++c) {
+            toBernstein(width_, lanes.to_bernstein[0], lanes.to_bernstein[1], lanes.to_bernstein[2],
+                        lanes.coefficients[c]);
+            for (int d = 0; d < 3; ++d)
+                slopeOf(width_, lanes.coefficients[c], strides[d], strides[(d + 1) % 3], strides[(d + 2) % 3],
+                        middle_slopes_.data(), lanes.per_length[d], lanes.gradient[c][d],
+                        lanes.deviation[c][d]);
+        }
+        for (int lane = 0; lane < count; ++lane) ranges.push_back(range(lanes, lane));
+    }
+    return ranges;
 }
 
 }  // namespace sherd

@@ -3,7 +3,9 @@
 #include <sherd/settings.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "core/mlpg/splines/spline_field.h"
@@ -17,7 +19,19 @@ struct PrincipalRange {
 };
 /// That of a stress, from its mean and the size of its deviator, widened by `spread` (the largest principal
 /// value of what may be added to it), and by what clearing a free surface of traction may add to it.
-PrincipalRange principalRange(const Eigen::Matrix3f& stress, float spread, float coupling);
+inline PrincipalRange principalRange(const Eigen::Matrix3f& stress, float spread, float coupling) {
+    constexpr float rounding = 1e-4f;
+    const float mean = (stress(0, 0) + stress(1, 1) + stress(2, 2)) / 3;
+    const float x = stress(0, 0) - mean, y = stress(1, 1) - mean, z = stress(2, 2) - mean;
+    const float xy = stress(0, 1), yz = stress(1, 2), zx = stress(2, 0);
+    const float size =
+        std::sqrt(x * x + y * y + z * z + 2 * (xy * xy + yz * yz + zx * zx));  // of the deviator
+    const float slack = spread + rounding * (size + 2 * std::abs(mean));       // more than that of the stress
+    const float of_deviator = std::sqrt(2.0f / 3) * size;
+    const float largest = std::max(0.0f, mean + of_deviator + slack);
+    const float smallest = std::min(0.0f, mean - of_deviator - slack);
+    return {smallest - coupling * largest, largest - coupling * smallest};
+}
 
 /// Bounds of the stress of splines on the boxes that hold the samples of each part, from coefficients alone.
 /// On a box the splines are Bernstein polynomials, and a derivative is one of a degree less whose
@@ -33,8 +47,14 @@ class StressBounds {
     template <class Archive>
     void archiveBoxes(Archive& archive);
 
-    /// Of the stress at all samples of a part. `raw`: coefficients of all functions, the fourth row zero.
-    PrincipalRange range(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions, int part) const;
+    /// Per part, of the stress at all its samples. `raw`: coefficients of all functions, the fourth row zero;
+    /// `functions`: those of each part.
+    std::vector<PrincipalRange> ranges(const Eigen::Matrix4Xf& raw,
+                                       const std::vector<std::vector<int>>& functions) const;
+    /// Of the stress where the displacement has this gradient. `may_be_freed`: by withTraction.
+    PrincipalRange rangeAt(const Eigen::Matrix3f& gradient, bool may_be_freed) const {
+        return principalRange(stressOf(gradient), 0, may_be_freed ? coupling_ : 0);
+    }
 
   private:
     static constexpr int most = largest_spline_degree + 1;
@@ -45,12 +65,22 @@ class StressBounds {
         float per_length = 0;
     };
     Interval intervalOf(double from, double to, double edge) const;
+    struct Lanes;
+    void load(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions, int part, int lane,
+              Lanes& lanes) const;
+    PrincipalRange range(const Lanes& lanes, int lane) const;
+    Eigen::Matrix3f stressOf(const Eigen::Matrix3f& gradient) const {
+        Eigen::Matrix3f stress = mu_pa_ * (gradient + gradient.transpose());
+        stress.diagonal().array() += lambda_pa_ * gradient.trace();
+        return stress;
+    }
 
     int width_;
     Eigen::MatrixXd pieces_;
     std::vector<std::array<Interval, 3>> boxes_;  ///< per part
-    std::vector<float> middle_;                   ///< Bernstein polynomials in the middle of an interval
-    std::vector<float> middle_slopes_;            ///< differences of neighbours there
+    /// Weights of the differences of neighbours along one direction, for the slope in the middle: those along
+    /// it fastest.
+    std::vector<float> middle_slopes_;
     float lambda_pa_, mu_pa_, coupling_;
 };
 

@@ -1,0 +1,42 @@
+#include "core/mlpg/reduced/reading_points.h"
+
+#include <algorithm>
+
+namespace sherd {
+
+namespace {
+
+/// To whole steps, within the limit. A step is two millionths of a cell.
+Eigen::Vector3f rounded(const Vec3& x) {
+    constexpr double step = ReadingPoint::step, limit = ReadingPoint::limit;
+    return ((x / step).array().round() * step).min(limit).max(-limit).cast<float>();
+}
+
+}  // namespace
+
+ReadingPoints::ReadingPoints(const Discretisation& solid, const std::vector<GridPoint>& samples) {
+    const std::size_t particles = solid.particles.size();
+    std::vector<std::vector<ReadingPoint>> of_part(solid.parts.parts.size());
+    for (std::size_t s = 0; s < samples.size(); ++s) {
+        if (samples[s].part < 0) continue;
+        ReadingPoint point;
+        point.xi = rounded(samples[s].xi);
+        point.particle = static_cast<int>(s);
+        if (s >= particles) {
+            const SurfacePoint& on_surface = solid.surface_points[s - particles];
+            point.normal = rounded(on_surface.normal);
+            point.particle = solid.cells[on_surface.cell].particle;
+        }
+        of_part[samples[s].part].push_back(point);
+    }
+    starts.push_back(0);
+    for (std::vector<ReadingPoint>& own : of_part) {
+        std::stable_sort(own.begin(), own.end(), [](const ReadingPoint& a, const ReadingPoint& b) {
+            return a.particle < b.particle;
+        });
+        points.insert(points.end(), own.begin(), own.end());
+        starts.push_back(static_cast<int>(points.size()));
+    }
+}
+
+}  // namespace sherd
