@@ -185,6 +185,16 @@ TEST_F(BakedAssetTest, AFullSolveSamplesAnewWhatTheFileLeavesOut) {
     EXPECT_GE(broke, 2);
 }
 
+/// The same, with other limits and warnings than any solid has.
+std::shared_ptr<const ReducedStress> altered(const std::shared_ptr<const ReducedStress>& reduced) {
+    const ReducedModel& model = reduced->model;
+    const std::shared_ptr<const SplineProblem> problem(reduced, &model.problem());
+    return std::make_shared<const ReducedStress>(
+        ReducedStress{ReducedModel(problem, model.stiffness(), model.modes(), {21, 22, 23}),
+                      reduced->reading,
+                      {"third warning"}});
+}
+
 /// Every field is another than its default, and the mesh has all attributes.
 BakedAsset altered(BakedSolid solid) {
     alterFields(solid.material);
@@ -206,6 +216,7 @@ BakedAsset altered(BakedSolid solid) {
     solid.bounding_radius = 18;
     solid.wall_thickness = 19;
     solid.spacing = 20;
+    solid.reduced = altered(solid.reduced);
     RepairReport repairs{1, 2, 3, 4, 5, 6, 0.7, 8, 9, 10, true, true, 0.13, 0.14, 0.15};
     return {std::move(solid), repairs, {"first warning", "second"}};
 }
@@ -234,7 +245,11 @@ TEST(BakedAssets, EveryFieldComesBack) {
     ASSERT_EQ(read.solid.supports.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(describe(read.solid.supports[i]), describe(written.solid.supports[i]));
-    EXPECT_EQ(read.solid.reduced->warnings, written.solid.reduced->warnings);
+    EXPECT_EQ(read.solid.reduced->warnings, std::vector<std::string>{"third warning"});
+    const ReducedModelLimits& limits = read.solid.reduced->model.limits();
+    EXPECT_EQ(limits.patches, 21);
+    EXPECT_EQ(limits.modes, 22);
+    EXPECT_EQ(limits.local_functions, 23);
 }
 
 TEST_F(BakedAssetTest, TheSamplingIsTheSameButForWhatOnlyStressProblemsRead) {
@@ -266,6 +281,19 @@ TEST_F(BakedAssetTest, TheSamplingIsTheSameButForWhatOnlyStressProblemsRead) {
         EXPECT_EQ(a.voxels[v].cell, b.voxels[v].cell);
         EXPECT_EQ(a.voxels[v].fill, b.voxels[v].fill);
     }
+    std::size_t face = 0;  // of `b`: between different particles only
+    for (const IntegrationFace& of_a : a.faces) {
+        if (a.cells[of_a.cells[0]].particle == a.cells[of_a.cells[1]].particle) continue;
+        ASSERT_LT(face, b.faces.size());
+        EXPECT_EQ(of_a.cells[0], b.faces[face].cells[0]);
+        EXPECT_EQ(of_a.cells[1], b.faces[face].cells[1]);
+        EXPECT_EQ(of_a.area, b.faces[face++].area);
+    }
+    EXPECT_EQ(face, b.faces.size());
+    EXPECT_EQ(a.parts.origin, b.parts.origin);
+    EXPECT_EQ(a.parts.edges, b.parts.edges);
+    EXPECT_EQ(a.parts.count, b.parts.count);
+    EXPECT_EQ(a.parts.voxels_per_cell, b.parts.voxels_per_cell);
     EXPECT_EQ(a.parts.first_part, b.parts.first_part);
     EXPECT_EQ(a.parts.neighbours, b.parts.neighbours);
     for (std::size_t p = 0; p < a.parts.parts.size(); ++p) {
