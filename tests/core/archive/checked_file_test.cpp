@@ -108,11 +108,11 @@ TEST(CheckedFile, ManyMayWriteToOnePathAtOnce) {
     std::atomic<int> failed{0};
     const auto writeAgainAndAgain = [&](std::byte filled, std::size_t size) {
         const std::vector<std::byte> bytes(size, filled);
-        for (int i = 0; i < 100; ++i)
+        for (int i = 0; i < 60; ++i)
             failed += !writeChecked(format, bytes, path) || !readChecked(format, path);
     };
-    std::thread other([&] { writeAgainAndAgain(std::byte{1}, 30000); });
-    writeAgainAndAgain(std::byte{2}, 70000);
+    std::thread other([&] { writeAgainAndAgain(std::byte{1}, 2000000); });
+    writeAgainAndAgain(std::byte{2}, 3000000);
     other.join();
     EXPECT_EQ(failed, 0);
     EXPECT_EQ(filesBeside(path), 0);
