@@ -1,21 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
+#include "core/archive/finite.h"
 #include "core/mlpg/reduced/reduced_stress.h"
+#include "core/mlpg/reduced/stiffness_archive.h"
 #include "core/mlpg/splines/archive.h"
 
 namespace sherd {
-
-/// What is not finite would make sums of all that is beside it not finite either.
-template <class Numbers>
-bool areFinite(const Numbers& numbers) {
-    bool are = true;
-    for (const auto number : numbers) are &= std::isfinite(number);
-    return are;
-}
 
 template <class Archive>
 void StressBounds::archiveBoxes(Archive& archive) {
@@ -51,103 +44,6 @@ void archiveModes(Archive& archive, const SplineSpace& space, ProperModes& modes
         archive.require(std::isfinite(value));
     });
     archiveStarts(archive, unit_starts, function_count, unit_loads.size());
-}
-
-inline constexpr int entries_of_block = 9;
-inline constexpr std::array<int, 4> bits_of_entries = {8, 10, 12, 16};  // by their kind
-
-/// Without branches on their kind, which nothing foretells. Four bytes are read from where an entry begins.
-inline void unpackEntries(const std::byte* from, int kind, std::int16_t* entries) {
-    const int bits = bits_of_entries[static_cast<std::size_t>(kind)], most = 1 << (bits - 1);
-    for (int e = 0; e < entries_of_block; ++e) {
-        std::uint32_t four = 0;
-        std::memcpy(&four, from + e * bits / 8, sizeof four);
-        const auto own = static_cast<int>(four >> (e * bits % 8) & static_cast<std::uint32_t>(2 * most - 1));
-        entries[e] = static_cast<std::int16_t>(own - most);
-    }
-}
-
-inline void packEntries(const std::int16_t* entries, int kind, std::byte* to) {
-    const int bits = bits_of_entries[static_cast<std::size_t>(kind)], most = 1 << (bits - 1);
-    for (int e = 0; e < entries_of_block; ++e) {
-        std::uint32_t four = 0;
-        std::memcpy(&four, to + e * bits / 8, sizeof four);
-        four |= static_cast<std::uint32_t>(entries[e] + most) << (e * bits % 8);
-        std::memcpy(to + e * bits / 8, &four, sizeof four);
-    }
-}
-
-/// The nine entries of a block, as many bits each as their kind says.
-template <class Archive>
-void archiveEntries(Archive& archive, int kind, std::int16_t* entries) {
-    constexpr std::size_t most = 2 * entries_of_block + sizeof(std::uint32_t);
-    const auto used = static_cast<std::size_t>(
-        (entries_of_block * bits_of_entries[static_cast<std::size_t>(kind)] + 7) / 8);
-    std::array<std::byte, most> bytes{};
-    if constexpr (Archive::reads) {
-        const std::byte* from = archive.next(most);
-        if (from) {
-            archive.skip(used);
-        } else {  // near the end
-            archive.raw(bytes.data(), used);
-            from = bytes.data();
-        }
-        unpackEntries(from, kind, entries);
-    } else {
-        packEntries(entries, kind, bytes.data());
-        archive.raw(bytes.data(), used);
-    }
-}
-
-/// The kind of the fewest bits that hold the entries of a block.
-inline int kindOfEntries(const std::int16_t* entries) {
-    std::size_t kind = 0;
-    for (int e = 0; e < entries_of_block; ++e)
-        while (entries[e] < -(1 << (bits_of_entries[kind] - 1)) ||
-               entries[e] >= 1 << (bits_of_entries[kind] - 1))
-            ++kind;
-    return static_cast<int>(kind);
-}
-
-/// A block and its row, at or below the row of the block before it. Most couplings are weak, and few bits
-/// hold them.
-template <class Archive>
-void archiveBlock(Archive& archive, int row_before, int end, int& row, std::int16_t* entries) {
-    constexpr int far = 63;
-    std::uint8_t head = 0;
-    if constexpr (!Archive::reads)
-        head = static_cast<std::uint8_t>(4 * std::min(row - row_before, far) + kindOfEntries(entries));
-    archive.raw(&head, 1);
-    const int step = head / 4;
-    if (step == far)
-        archiveIndex(archive, row, end);
-    else
-        row = row_before + step;
-    archiveEntries(archive, head % 4, entries);
-}
-
-template <class Archive>
-void archiveStiffness(Archive& archive, const SplineSpace& space, PackedStiffness& stiffness) {
-    auto& [starts, rows, entries, roots] = stiffness;
-    const auto function_count = static_cast<std::size_t>(space.function_count);
-    sherd::archive(archive, roots);
-    const std::size_t blocks = archive.count(rows.size(), 10);
-    archiveStarts(archive, starts, function_count, blocks);
-    archive.require(roots.size() == 3 * function_count && areFinite(roots));
-    if (!archive.good()) return;
-    if constexpr (Archive::reads) {
-        rows.resize(blocks);
-        entries.resize(9 * blocks);
-    }
-    for (int column = 0; column < space.function_count; ++column) {
-        int row = column;
-        for (int b = starts[column]; b < starts[column + 1]; ++b) {
-            archiveBlock(archive, row, space.function_count, rows[b], entries.data() + 9L * b);
-            row = rows[b];
-            archive.require(column <= row && row < space.function_count);
-            if (!archive.good()) return;
-        }
-    }
 }
 
 /// Three numbers of a reading point.
@@ -207,7 +103,7 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
     const SplineProblem& problem = written ? written->model.problem() : *made;
     auto& [patches, mode_limit, local_functions] = limits;
     archiveAll(archive, patches, mode_limit, local_functions, warnings);
-    archiveStiffness(archive, *problem.space, stiffness);
+    archiveStiffness(archive, problem.space->function_count, stiffness);
     archiveModes(archive, *problem.space, modes);
     archivePoints(archive, *sampling, points);
     if (!archive.good()) return nullptr;

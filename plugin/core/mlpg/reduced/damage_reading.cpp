@@ -103,20 +103,25 @@ class DamageReading::Reader {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
             const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients, point.xi);
-            const PrincipalRange range = of_.bounds_.rangeAt(gradient, is_on_surface);
-            if (range.largest <= tension &&
-                scale_ * bound_(range) < overstress * strength_.of_particle[point.particle])
-                continue;
+            const double failing = overstress * strength_.of_particle[point.particle];
+            if (doesNotMatter(of_.bounds_.rangeAt(gradient, is_on_surface), failing)) continue;
             SymmetricTensor stress = toSymmetricTensor(elasticity.stress(gradient.cast<double>()));
             if (is_on_surface && !loaded_.isNear(position(part, point)))
                 stress =
                     withTraction(stress, point.normal.cast<double>().normalized(), Vec3::Zero(), elasticity);
+            // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
+            if (is_on_surface && doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing))
+                continue;
             const PrincipalStresses principal = principalStresses(stress);
             double& largest = equivalent[point.particle];
             largest =
                 std::max(largest, strength_.criterion.equivalent_stress_pa(principal, strength_.material));
             tension = std::max(tension, principal.largest);
         }
+    }
+
+    bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
+        return range.largest <= tension && scale_ * bound_(range) < failing_pa;
     }
 
     Vec3 position(int part, const ReadingPoint& point) const {
