@@ -69,8 +69,8 @@ class BreakableAsset {
     ///
     /// May be called from any thread while a world steps with bodies of this asset; the thread holds its own
     /// copy of the asset. It takes all cores at the priority of the calling thread, so that steps take longer
-    /// meanwhile: `prepareOnThread` does not. FractureWorld::add and `particleCount` wait for the sampling only. Functions of the
-    /// settings (strength field, guide field) are not called here, but in blows.
+    /// meanwhile: `prepareOnThread` does not. FractureWorld::add and `particleCount` wait for the sampling
+    /// only. Functions of the settings (strength field, guide field) are not called here, but in blows.
     Status prepare(const std::function<void(double done)>& progress = {}) const;
 
     /// The same on a thread of its own, which with its helpers takes only what time other threads leave (on

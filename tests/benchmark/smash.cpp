@@ -9,19 +9,21 @@
 #include <btBulletDynamicsCommon.h>
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>
-#include <sys/resource.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "benchmark/quantile.h"
+#include "benchmark/value_or_exit.h"
+
 namespace {
 
 using namespace sherd;
+using namespace sherd::benchmarks;
 
 constexpr int row = 6, cups = 30;
 constexpr btScalar row_spacing_m = 0.13f;
@@ -44,12 +46,6 @@ double residentMegabytes() {
     return pages * 4096 / 1e6;
 }
 
-double quantile(std::vector<double> values, double share) {
-    if (values.empty()) return 0;
-    std::sort(values.begin(), values.end());
-    return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
-}
-
 struct Blows {
     BlowCounts by;
     long missed = 0, broke = 0, held = 0, failed = 0;
@@ -65,10 +61,8 @@ struct Blows {
     }
     void print(const char* what) const {
         std::printf(
-            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed, %ld missed; ms "
-            "median %.2f, "
-            "90 %% %.2f, "
-            "longest %.1f\n",
+            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed, %ld missed\n"
+            "                 ms: median %.2f, 90 %% %.2f, longest %.1f\n",
             what, by.coarse, by.reduced, by.full, broke, held, failed, missed, quantile(ms, 0.5),
             quantile(ms, 0.9), quantile(ms, 1));
     }
@@ -81,21 +75,12 @@ void printTimes(const Times& times) {
     std::puts("");
 }
 
-int run(const Options& options) {
+void run(const Options& options) {
     Settings settings = Settings::forQuality(*valueNamed<Quality>(options.quality));
-    if (const Status set = settings.set(options.assignments); !set) {
-        std::puts(set.error().c_str());
-        return 1;
-    }
-    const auto cup = BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings);
-    if (!cup) {
-        std::puts(cup.error().c_str());
-        return 1;
-    }
-    if (const Status prepared = cup.value().prepare(); !prepared) {
-        std::puts(prepared.error().c_str());
-        return 1;
-    }
+    succeedOrExit(settings.set(options.assignments));
+    const BreakableAsset cup =
+        valueOrExit(BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings));
+    succeedOrExit(cup.prepare());
 
     btDefaultCollisionConfiguration configuration;
     btCollisionDispatcher dispatcher(&configuration);
@@ -121,10 +106,7 @@ int run(const Options& options) {
                 btQuaternion::getIdentity(),
                 btVector3(row_spacing_m * btScalar(i % row), row_spacing_m * btScalar(i / row - 2), 0.001f)));
             place.user_index = 1;
-            if (const auto added = fracture.add(cup.value(), place); !added) {
-                std::puts(added.error().c_str());
-                return 1;
-            }
+            (void)valueOrExit(fracture.add(cup, place));
         }
         const int steps = static_cast<int>(options.seconds * options.rate_hz + 0.5);
         std::vector<double> step_ms, own_ms;
@@ -138,7 +120,7 @@ int run(const Options& options) {
             step_ms.push_back(now() - from);
             own_ms.push_back(step_ms.back() - (fracture.times().whole - whole_before));
             for (const BlowEvent& event : fracture.takeEvents()) {
-                (event.asset.solid() == cup.value().solid() ? on_cups : on_fragments).add(event);
+                (event.asset.solid() == cup.solid() ? on_cups : on_fragments).add(event);
                 dropped += event.dropped_mass_kg;
             }
             if (ball_after == 0 && ball.getWorldTransform().getOrigin().x() > row_spacing_m * row)
@@ -172,7 +154,7 @@ int run(const Options& options) {
         std::printf(
             "memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
             "%.3f m/s behind the cups\n",
-            residentMegabytes() - memory_before, masses.size(), asleep, mass, cups * cup.value().mass(),
+            residentMegabytes() - memory_before, masses.size(), asleep, mass, cups * cup.mass(),
             1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
             ball_after);
         std::printf("blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
@@ -186,7 +168,6 @@ int run(const Options& options) {
     }
     world.removeRigidBody(&ball);
     world.removeRigidBody(&floor);
-    return 0;
 }
 
 }  // namespace
@@ -200,5 +181,6 @@ int main(int count, char** arguments) {
     app.add_option("--set", options.assignments, "a setting by its path, FIELD=VALUE");
     app.add_option("--steps", options.steps_file, "file with a line a step");
     CLI11_PARSE(app, count, arguments);
-    return run(options);
+    run(options);
+    return 0;
 }
