@@ -16,10 +16,10 @@ enum class Outcome {
     failed,  ///< the blow could not be worked out; the body stays whole, and `message` says why
 };
 
-/// What decided a blow: the first of these that could. Each one costs more than the one before.
+/// What decided a blow: the first of these that could.
 enum class Level {
     gate,     ///< the blow is too weak to break the body: nothing was solved
-    coarse,   ///< a solve on a coarse grid: what the body stores of the blow pays for no crack by far
+    coarse,   ///< a solve of a fragment on a coarse grid: what it stores pays for no crack by far
     reduced,  ///< the reduced model of the stress that the asset keeps
     full,     ///< a full solve of the stress
 };

@@ -203,8 +203,8 @@ struct FractureSettings {
     /// Whether blows on a prepared asset are decided by its reduced model (BreakableAsset::prepare), which
     /// takes milliseconds, or fully.
     bool use_reduced_model = true;
-    /// Whether blows on fragments are looked at on a coarse grid first, which takes a tenth of a full solve
-    /// and tells eight out of ten that withstand.
+    /// Whether blows on fragments are looked at on a coarse grid first (Level::coarse), which takes a part of
+    /// the time of a full solve and decides most blows that hold. Splines up to quadratic ones only.
     bool use_coarse_model = true;
     /// For finding out how far cheap decisions can be trusted: every blow that something else than a full
     /// solve decides is solved fully as well, and its event says what came of that

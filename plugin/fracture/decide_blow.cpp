@@ -28,7 +28,10 @@ void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const Fra
     const AddedTime time(decided.ms.check);
     FractureSettings in_full = fracture;
     in_full.use_reduced_model = false;
-    const BlowOutcome full = strike(solid, blow, in_full, seed);
+    // A fragment that keeps a factor gets no coarse look at its next blow: the check asks a copy.
+    const bool is_looked_at = solid.isFragment() && !solid.prepared();
+    const auto copy = is_looked_at ? solid.anchored(solid.supports()) : nullptr;
+    const BlowOutcome full = strike(copy ? *copy : solid, blow, in_full, seed);
     decided.full_solve_outcome = full.outcome;
     if (!full.message.empty())
         decided.message += (decided.message.empty() ? "" : " ") + ("The full solve says: " + full.message);

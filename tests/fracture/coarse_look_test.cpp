@@ -16,11 +16,19 @@ namespace {
 using namespace sherd;
 using namespace sherd::fracture_tests;
 
-/// Pieces of a plate of glass: a shard, a rod and a chunk.
+/// Two prongs along x, one over the other, with a gap that a cell of the coarse grid bridges; the upper one
+/// is struck near its tip.
+TriangleMesh prongs() {
+    Mat3 lying;
+    lying << 0, 0, 1, 0, -1, 0, 1, 0, 0;
+    return shapes::moved(shapes::uShape(0.004, 0.005, 0.1, 0.015), lying, Vec3(-0.09, 0.0075, 0.002));
+}
+
+/// Pieces of a plate of glass: a shard, a rod, a chunk, and prongs.
 std::vector<TriangleMesh> pieces() {
     return {shapes::box(Vec3(-0.08, -0.05, -0.015), Vec3(0.08, 0.05, 0.015)),
             shapes::box(Vec3(-0.1, -0.012, -0.015), Vec3(0.1, 0.012, 0.015)),
-            shapes::box(Vec3(-0.03, -0.03, -0.015), Vec3(0.03, 0.03, 0.015))};
+            shapes::box(Vec3(-0.03, -0.03, -0.015), Vec3(0.03, 0.03, 0.015)), prongs()};
 }
 
 std::shared_ptr<const BreakableSolid> fragment(const TriangleMesh& surface) {
@@ -53,6 +61,12 @@ TEST(CoarseLook, ItsEnergyIsNearlyTheFullSolves) {
     }
 }
 
+TEST(CoarseLook, TellsProngsApartThatLieInOneCell) {
+    const auto solid = fragment(prongs());
+    const Blow blow = blowInTheMiddle(0.1, 3);
+    EXPECT_GT(coarseEnergy(*solid, blow) / fullEnergy(*solid, blow), 0.9);
+}
+
 TEST(CoarseLook, WhatItSaysIsHeldIsHeldByAFullSolve) {
     int coarse = 0, full = 0;
     for (const TriangleMesh& surface : pieces())
@@ -75,6 +89,21 @@ TEST(CoarseLook, WhatItSaysIsHeldIsHeldByAFullSolve) {
         }
     EXPECT_GT(coarse, 3);
     EXPECT_GT(full, 3);
+}
+
+TEST(CoarseLook, ACheckChangesNoLaterDecision) {
+    const auto solid = fragment(pieces()[0]);
+    FractureSettings fracture = solid->settings().fracture;
+    fracture.check_with_full_solve = true;
+    int coarse = 0;
+    for (const double speed : {0.01, 4.0, 4.0, 4.2}) {  // all held; the gate decides the first
+        const BlowOutcome out = decideBlow(*solid, blowInTheMiddle(0.02, speed), fracture, 1);
+        coarse += out.level == Level::coarse;
+        EXPECT_NE(out.level, Level::full);
+        EXPECT_EQ(out.full_solve_outcome, Outcome::held);
+    }
+    EXPECT_GE(coarse, 2);
+    EXPECT_FALSE(solid->isFactored());
 }
 
 TEST(CoarseLook, NobodyAsksForItWhereTheStressIsAtHandOrUnwanted) {

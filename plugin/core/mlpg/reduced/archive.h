@@ -103,6 +103,7 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
     const SplineProblem& problem = written ? written->model.problem() : *made;
     auto& [patches, mode_limit, local_functions] = limits;
     archiveAll(archive, patches, mode_limit, local_functions, warnings);
+    archive.require(local_functions > 0);
     archiveStiffness(archive, problem.space->function_count, stiffness);
     archiveModes(archive, *problem.space, modes);
     archivePoints(archive, *sampling, points);

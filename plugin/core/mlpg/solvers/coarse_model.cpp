@@ -11,6 +11,8 @@ namespace {
 
 constexpr Basis basis = Basis::quadratic;
 constexpr int order = 2 * splineDegree(basis);
+constexpr int cells_per_spacing = 3;  // tells prongs apart that lie in one cell
+constexpr double doubtful_condition = 1e-10;
 
 }  // namespace
 
@@ -20,7 +22,7 @@ CoarseModel::CoarseModel(std::shared_ptr<const SplineProblem> problem, PinnedSys
 Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacing_m, const Material& material,
                                       const std::vector<SupportPoint>& supports) {
     const OnThisThreadAlone small_work;
-    Result<CellParts> parts = sampleParts(surface, spacing_m, 1, order);
+    Result<CellParts> parts = sampleParts(surface, spacing_m, cells_per_spacing, order);
     if (!parts) return Error{parts.error()};
     const auto solid = std::make_shared<Discretisation>();
     solid->spacing = spacing_m;
@@ -31,8 +33,9 @@ Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacin
         PinnedSystem::factor(stiffnessOf(problem.value()), pinnedUnknowns(problem.value()), 3,
                              problem.value().space->highest_cells);
     if (!system) return Error{system.error()};
-    if (system.value().solver().relativeShift() > 0)
-        return Error{"The stiffness of the coarse model is singular; a full solve has to tell."};
+    const SparseSolver& factor = system.value().solver();
+    if (factor.relativeShift() > 0 || factor.reciprocalCondition() < doubtful_condition)
+        return Error{"The stiffness of the coarse model is nearly singular; a full solve has to tell."};
     return CoarseModel(std::make_shared<const SplineProblem>(std::move(problem).value()),
                        std::move(system).value());
 }
@@ -49,7 +52,7 @@ Result<double> CoarseModel::strainEnergy(const std::vector<PointForce>& loads) c
     for (const int unknown : system_.pinned()) held[unknown] = 0;
     if (!system_.solver().solve(held, unknowns)) return Error{"The coarse solve failed."};
     const double energy = 0.5 * unknowns.dot(forces);
-    if (!std::isfinite(energy)) return Error{"The coarse solve is not finite."};
+    if (!(energy >= 0) || !std::isfinite(energy)) return Error{"The coarse solve gives no energy."};
     return energy;
 }
 

@@ -11,7 +11,7 @@
 namespace sherd {
 
 /// The strain energy of a solid under loads, and nothing else, by a Galerkin solve on a grid too coarse for
-/// its stress: quadratic splines on exact cut cells. Made in a few milliseconds, on the calling thread alone.
+/// its stress: quadratic splines on exact cut cells. Made in milliseconds, on the calling thread alone.
 class CoarseModel {
   public:
     /// The error says why the solid cannot be solved at that spacing (m).

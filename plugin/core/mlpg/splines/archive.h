@@ -14,7 +14,7 @@ void SplineSpace::archiveFields(Archive& archive, const CellParts& solid) {
     auto& [raw_of_function, starts, terms] = ties;
     static_cast<void>(raw_of_function);  // was for making the space
     archiveAll(archive, space_degree, components, raw, functions);
-    archive.require(1 <= space_degree && space_degree <= largest_spline_degree && components >= 0 &&
+    archive.require(1 <= space_degree && space_degree <= largest_spline_degree && components > 0 &&
                     raw >= 0 && functions >= 0 && functions < std::numeric_limits<int>::max() / 3);
     archiveIndices(archive, components_of_part, components);
     archiveIndices(archive, raw_functions, raw);
