@@ -64,6 +64,14 @@ std::string faultOfSize(const Header& header, std::uintmax_t file_size) {
            " bytes after its header, where there should be " + std::to_string(header.size);
 }
 
+/// Of the file that was opened: another may have taken its path since. Leaves it at its beginning; -1 if the
+/// size cannot be had.
+long sizeOf(std::FILE* file) {
+    if (std::fseek(file, 0, SEEK_END) != 0) return -1;
+    const long size = std::ftell(file);
+    return std::fseek(file, 0, SEEK_SET) == 0 ? size : -1;
+}
+
 /// A name that no other program and no other thread takes that writes to the same path at the same time.
 std::string nameBeside(const std::string& path) {
     std::random_device random;
@@ -109,14 +117,15 @@ Result<CheckedContent> readChecked(const FileFormat& format, const std::string& 
     if (std::filesystem::is_directory(path, trouble))
         return wrong(std::string("is a folder, not a ") + format.name);
     File file(std::fopen(path.c_str(), "rb"));
-    const std::uintmax_t size = file ? std::filesystem::file_size(path, trouble) : 0;
-    if (!file || trouble) return wrong("cannot be opened");
+    const long size = file ? sizeOf(file.get()) : -1;
+    if (size < 0) return wrong("cannot be opened");
     if (size == 0) return wrong("is empty");
     Header header{};
     const bool has_header = std::fread(&header, 1, sizeof header, file.get()) == sizeof header;
     if (!has_header) return wrong("is cut short: it ends within its header");
     if (const std::string fault = faultOf(format, header); !fault.empty()) return wrong(fault);
-    if (const std::string fault = faultOfSize(header, size); !fault.empty()) return wrong(fault);
+    if (const std::string fault = faultOfSize(header, static_cast<std::uintmax_t>(size)); !fault.empty())
+        return wrong(fault);
 
     CheckedContent content;
     content.size = static_cast<std::size_t>(header.size);
