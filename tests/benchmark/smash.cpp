@@ -6,7 +6,6 @@
 // `--set` is that of the command line (fracture.collision_shape=hull); `--steps` writes one line a step. With
 // `--set fracture.check_with_full_solve=true` it counts the breaks that the cheaper levels missed.
 
-#include <btBulletDynamicsCommon.h>
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>
 
@@ -19,14 +18,12 @@
 
 #include "benchmark/quantile.h"
 #include "benchmark/value_or_exit.h"
+#include "support/cup_room.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::benchmarks;
-
-constexpr int row = 6, cups = 30;
-constexpr btScalar row_spacing_m = 0.13f;
 
 struct Options {
     double rate_hz = 60, seconds = 2;
@@ -82,32 +79,11 @@ void run(const Options& options) {
         valueOrExit(BreakableAsset::fromObj(SHERD_ASSETS "/coffee_cup.obj", Material::ceramic(), settings));
     succeedOrExit(cup.prepare());
 
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-    world.setGravity(btVector3(0, 0, -9.81f));
-    btBoxShape slab(btVector3(5, 5, 0.5f));
-    btRigidBody floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &slab));
-    floor.translate(btVector3(0, 0, -0.5f));
-    world.addRigidBody(&floor);
-    btSphereShape sphere(0.05f);
-    btRigidBody ball(2, nullptr, &sphere, btVector3(0.002f, 0.002f, 0.002f));
-    ball.translate(btVector3(-0.3f, 0.02f, 0.06f));
-    ball.setLinearVelocity(btVector3(12, 0, 0));
-    world.addRigidBody(&ball);
-
+    CupRoom room;
     const double memory_before = residentMegabytes();
     {
-        FractureWorld fracture(&world);
-        for (int i = 0; i < cups; ++i) {
-            BodyOptions place(btTransform(
-                btQuaternion::getIdentity(),
-                btVector3(row_spacing_m * btScalar(i % row), row_spacing_m * btScalar(i / row - 2), 0.001f)));
-            place.user_index = 1;
-            (void)valueOrExit(fracture.add(cup, place));
-        }
+        FractureWorld fracture(&room.world);
+        succeedOrExit(CupRoom::addCups(fracture, cup));
         const int steps = static_cast<int>(options.seconds * options.rate_hz + 0.5);
         std::vector<double> step_ms, own_ms;
         Blows on_cups, on_fragments;
@@ -116,18 +92,19 @@ void run(const Options& options) {
         const double begin = now();
         for (int step = 0; step < steps; ++step) {
             const double whole_before = fracture.times().whole, from = now();
-            world.stepSimulation(btScalar(1 / options.rate_hz), 0);
+            room.world.stepSimulation(btScalar(1 / options.rate_hz), 0);
             step_ms.push_back(now() - from);
             own_ms.push_back(step_ms.back() - (fracture.times().whole - whole_before));
             for (const BlowEvent& event : fracture.takeEvents()) {
                 (event.asset.solid() == cup.solid() ? on_cups : on_fragments).add(event);
                 dropped += event.dropped_mass_kg;
             }
-            if (ball_after == 0 && ball.getWorldTransform().getOrigin().x() > row_spacing_m * row)
-                ball_after = ball.getLinearVelocity().length();
+            if (ball_after == 0 &&
+                room.ball.getWorldTransform().getOrigin().x() > CupRoom::spacing_m * CupRoom::per_row)
+                ball_after = room.ball.getLinearVelocity().length();
             if (file)
                 std::fprintf(file, "%d %.3f %.3f %d %d\n", step, step_ms.back(), own_ms.back(),
-                             world.getNumCollisionObjects(), dispatcher.getNumManifolds());
+                             room.world.getNumCollisionObjects(), room.dispatcher.getNumManifolds());
         }
         const double wall = now() - begin;
         if (file) std::fclose(file);
@@ -154,7 +131,7 @@ void run(const Options& options) {
         std::printf(
             "memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
             "%.3f m/s behind the cups\n",
-            residentMegabytes() - memory_before, masses.size(), asleep, mass, cups * cup.mass(),
+            residentMegabytes() - memory_before, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
             1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
             ball_after);
         std::printf("blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
@@ -166,8 +143,6 @@ void run(const Options& options) {
         std::printf("steps, ms:");
         printTimes(times.steps);
     }
-    world.removeRigidBody(&ball);
-    world.removeRigidBody(&floor);
 }
 
 }  // namespace

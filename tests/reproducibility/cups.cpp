@@ -6,9 +6,6 @@
 //   cups_reproducibility SHAPE RUNS         several processes; fails at the first step that differs
 //   cups_reproducibility SHAPE RUNS STEPS   with another number of steps than 480
 
-#include <btBulletDynamicsCommon.h>
-#include <sherd/sherd.h>
-
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -17,10 +14,11 @@
 #include <string>
 #include <vector>
 
+#include "support/cup_room.h"
+
 namespace {
 
 constexpr double time_step_s = 1.0 / 240;
-constexpr btScalar row_spacing_m = 0.13f;
 
 /// FNV-1a over the bits.
 void mix(std::uint64_t& hash, const void* data, std::size_t size) {
@@ -49,21 +47,8 @@ bool shapeOf(const std::string& name, sherd::CollisionShape& shape) {
 }
 
 int runOnce(sherd::CollisionShape shape, int steps) {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher(&configuration);
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
-    world.setGravity(btVector3(0, 0, -9.81f));
-    btBoxShape slab(btVector3(5, 5, 0.5f));
-    btRigidBody floor(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &slab));
-    floor.translate(btVector3(0, 0, -0.5f));
-    world.addRigidBody(&floor);
-    btSphereShape sphere(0.05f);
-    btRigidBody ball(2, nullptr, &sphere, btVector3(0.002f, 0.002f, 0.002f));
-    ball.translate(btVector3(-0.3f, 0.02f, 0.06f));
-    ball.setLinearVelocity(btVector3(12, 0, 0));
-    world.addRigidBody(&ball);
+    sherd::CupRoom room;
+    btDiscreteDynamicsWorld& world = room.world;
     {
         sherd::FractureWorld fracture(&world);
         sherd::Settings settings = sherd::Settings::forQuality(sherd::Quality::preview);
@@ -74,14 +59,9 @@ int runOnce(sherd::CollisionShape shape, int steps) {
             std::puts(cup.error().c_str());
             return 1;
         }
-        for (int i = 0; i < 30; ++i) {
-            const btVector3 place(row_spacing_m * btScalar(i % 6), row_spacing_m * btScalar(i / 6 - 2),
-                                  0.001f);
-            const auto added = fracture.add(cup.value(), btTransform(btQuaternion::getIdentity(), place));
-            if (!added) {
-                std::puts(added.error().c_str());
-                return 1;
-            }
+        if (const auto added = sherd::CupRoom::addCups(fracture, cup.value()); !added) {
+            std::puts(added.error().c_str());
+            return 1;
         }
         std::uint64_t hash = 0xCBF29CE484222325ull;
         for (int step = 0; step < steps; ++step) {
@@ -89,12 +69,10 @@ int runOnce(sherd::CollisionShape shape, int steps) {
             const auto& objects = world.getCollisionObjectArray();
             for (int i = 0; i < objects.size(); ++i) mixBody(hash, *btRigidBody::upcast(objects[i]));
             fracture.takeEvents();
-            std::printf("%d %d %d %016llx\n", step, objects.size(), dispatcher.getNumManifolds(),
+            std::printf("%d %d %d %016llx\n", step, objects.size(), room.dispatcher.getNumManifolds(),
                         static_cast<unsigned long long>(hash));
         }
     }
-    world.removeRigidBody(&ball);
-    world.removeRigidBody(&floor);
     return 0;
 }
 
