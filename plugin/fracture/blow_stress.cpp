@@ -31,8 +31,7 @@ bool isHeld(const BreakableSolid& solid, const Blow& blow) {
     return solid.isAnchored() || blow.isSupported();
 }
 
-double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const ContactSettings& contact) {
-    const auto strikes = strikesOf(struckBody(solid), blow, contact);
+double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const std::vector<Strike>& strikes) {
     return impactOf(strikes, isHeld(solid, blow) ? 1 : 0).energy();
 }
 

@@ -36,8 +36,8 @@ ContactBody struckBody(const BreakableSolid& solid);
 /// Whether a solid is anchored or rests on something, so that it may not give way to a blow.
 bool isHeld(const BreakableSolid& solid, const Blow& blow);
 
-/// Energy that a blow brings to a solid at most, J. Reads the surface near the contacts; solves nothing.
-double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const ContactSettings& contact);
+/// Energy that a blow brings to a solid at most, J, by its strikes.
+double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const std::vector<Strike>& strikes);
 
 /// Stress under loads of 1 N in total, with free surfaces free of traction. Adds the times to `ms`.
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,

@@ -171,6 +171,32 @@ const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampl
     });
 }
 
+// A field belongs to the app, which may wait or throw in it: only the blow's own stage asks it.
+double BreakableSolid::weakestStrength(const Discretisation& sampling) const {
+    if (settings_.strength.field) return weakestPossibleStrength();
+    return weakest_strength_.get([&] {
+        const std::vector<double>& all = strengths(sampling);
+        return *std::min_element(all.begin(), all.end());
+    });
+}
+
+double BreakableSolid::cellVolume() const {
+    return std::min(std::pow(spacing_, 3), moments_.volume);
+}
+
+double BreakableSolid::weakestPossibleStrength() const {
+    const StrengthSettings& settings = settings_.strength;
+    const double weakest_place = settings.field ? settings.field_minimum : 1;
+    return material_.tensile_strength_pa * weakestStrengthFraction(material_, cellVolume()) * weakest_place;
+}
+
+double BreakableSolid::smallestFailureEnergy() const {
+    return smallest_failure_energy_.get([&] {
+        return failureCriterion().least_energy_density_j_m3(weakestPossibleStrength(), material_) *
+               settings_.sampling.smallest_fill * cellVolume();
+    });
+}
+
 double BreakableSolid::quadratureSpacing() const {
     constexpr double of_finest_cell = 1.0 / 3;
     return of_finest_cell * spacing_ / std::pow(2, settings_.stress.resampling_rounds);

@@ -77,6 +77,11 @@ class BreakableSolid {
     /// strength field; made at the first call. Throws std::invalid_argument where the field is not positive,
     /// or below its minimum.
     const std::vector<double>& strengths(const Discretisation& sampling) const;
+    /// The smallest of these, Pa, found at the first call; with a strength field, which is not called, the
+    /// smallest that it allows.
+    double weakestStrength(const Discretisation& sampling) const;
+    /// Least elastic energy of a particle that fails, J, whatever the sampling makes of the solid.
+    double smallestFailureEnergy() const;
     /// What the sampling took; 0 until it is done. Never waits.
     double sampleMilliseconds() const;
     /// Of the stress problem, 0 until it is made. Never waits.
@@ -116,6 +121,7 @@ class BreakableSolid {
     mutable MadeOnce<Result<CoarseModel>> coarse_;
     mutable MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced_;
     mutable MadeOnce<std::vector<double>> strengths_;
+    mutable MadeOnce<double> weakest_strength_, smallest_failure_energy_;
 
     // Of a solid from a file `sampled_` lacks what only the making of a stress problem needs.
     bool is_baked_ = false;

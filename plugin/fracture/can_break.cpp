@@ -1,9 +1,9 @@
 #include "fracture/can_break.h"
 
 #include <algorithm>
-#include <cmath>
 
-#include "core/damage/particle_strengths.h"
+#include "core/loads/contact_loads.h"
+#include "fracture/blow_bound.h"
 #include "fracture/blow_stress.h"
 #include "fracture/crack_energy.h"
 
@@ -11,27 +11,48 @@ namespace sherd {
 
 namespace {
 
-/// Least elastic energy of a particle that fails, J. The strength field is not asked, since its value at a
-/// particle cannot be known before the solid is sampled.
-double smallestFailureEnergy(const BreakableSolid& solid) {
-    const Material& material = solid.material();
-    const double volume = std::min(std::pow(solid.spacing(), 3), solid.moments().volume);
-    const StrengthSettings& settings = solid.settings().strength;
-    const double weakest_place = settings.field ? settings.field_minimum : 1;
-    const double strength =
-        material.tensile_strength_pa * weakestStrengthFraction(material, volume) * weakest_place;
-    return solid.failureCriterion().least_energy_density_j_m3(strength, material) *
-           solid.settings().sampling.smallest_fill * volume;
-}
+/// The close bound is seldom below this part of the quick one: where even that would not do, it is left out.
+constexpr double hope = 0.1;
+
+/// Bounds against what it takes to break a solid.
+class Needed {
+  public:
+    Needed(const BreakableSolid& solid, const PeakTable& table, const FractureSettings& fracture)
+        : crack_j_(smallestCrackEnergy(solid, fracture)) {
+        if (table.levels.empty()) return;
+        if (const auto sampling = solid.discretisation())
+            strength_pa_ = solid.weakestStrength(*sampling.value());
+    }
+    /// Whether a blow with `share` of a bound may break the solid.
+    bool mayBe(const std::optional<BlowBound>& bound, double share = 1) const {
+        return !bound || !(share * bound->equivalent_stress_pa <= strength_pa_ ||
+                           share * bound->strain_energy_j < crack_j_);
+    }
+
+  private:
+    double crack_j_, strength_pa_ = 0;
+};
 
 }  // namespace
 
-// The solid stores no more energy than the blow brings. The first bound costs nothing; the second one reads
-// the surface, and is closer.
+// From the bound that costs least to the one that costs most: the energy that the blow brings at most, which
+// the solid cannot store more of; what the table of a prepared solid says of the contacts; then those of the
+// strikes as the surface has them.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
-    const double needed = std::max(smallestCrackEnergy(solid, fracture), smallestFailureEnergy(solid));
-    return blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed &&
-           broughtEnergy(solid, blow, fracture.contact) > needed;
+    const double needed = std::max(smallestCrackEnergy(solid, fracture), solid.smallestFailureEnergy());
+    if (!(blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed)) return false;
+
+    const ReducedStress* reduced = fracture.use_reduced_model ? solid.reducedStress() : nullptr;
+    const PeakTable none;
+    const PeakTable& table = reduced ? reduced->peaks : none;
+    const Needed to_break(solid, table, fracture);
+    const auto quick = quickBound(solid, table, blow, fracture.contact);
+    if (!to_break.mayBe(quick)) return false;
+
+    const auto strikes = strikesOf(struckBody(solid), blow, fracture.contact);
+    if (!(broughtEnergy(solid, blow, strikes) > needed)) return false;
+    const bool is_hopeless = to_break.mayBe(quick, hope);
+    return is_hopeless || to_break.mayBe(closeBound(solid, table, blow, strikes, fracture.contact));
 }
 
 }  // namespace sherd

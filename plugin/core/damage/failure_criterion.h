@@ -17,7 +17,8 @@ struct FailureCriterion {
 
     /// The uniaxial tension that is as near to failure as `stress`, Pa. Where it exceeds the tensile strength
     /// of the place the material fails; below zero it is far from it. Proportional to the stress: all
-    /// strengths of a place are in the proportion of the material's.
+    /// strengths of a place are in the proportion of the material's. Convex in the stress: bounds of a sum of
+    /// loads rest on it (EquivalentBound, PeakTable).
     double (*equivalent_stress_pa)(const PrincipalStresses& stress, const Material& material);
 
     /// The least elastic energy density of any stress that fails where the tensile strength is

@@ -17,15 +17,6 @@ double travel(double duration_s) {
     return (pi / 2 - 1) * duration_s * duration_s / (pi * pi);
 }
 
-/// The part of the mass that a strike sets going while it lasts, 0 to 1.
-double movingShare(const ContactBody& body, double duration_s) {
-    const Material& m = body.material;
-    const double wall = body.wall_thickness_m, nu = m.poisson_ratio;
-    const double bending = m.youngs_modulus_pa * std::pow(wall, 3) / (12 * (1 - nu * nu));
-    const double damping = 8 * std::sqrt(bending * m.density_kg_m3 * wall);
-    return std::min(1.0, damping * duration_s / pi * body.mobility.inverse_mass);
-}
-
 /// A partner that gives way, by its number.
 struct Partner {
     Mobility mobility;
@@ -158,6 +149,14 @@ double springShare(double omega_rad_s, double duration_s) {
 
 double waveShare(double delay_s, double duration_s) {
     return delay_s < duration_s / 2 ? std::min(1.0, 2 * std::cos(pi * delay_s / duration_s)) : 0;
+}
+
+double movingShare(const ContactBody& body, double duration_s) {
+    const Material& m = body.material;
+    const double wall = body.wall_thickness_m, nu = m.poisson_ratio;
+    const double bending = m.youngs_modulus_pa * std::pow(wall, 3) / (12 * (1 - nu * nu));
+    const double damping = 8 * std::sqrt(bending * m.density_kg_m3 * wall);
+    return std::min(1.0, damping * duration_s / pi * body.mobility.inverse_mass);
 }
 
 SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundation>& foundations,

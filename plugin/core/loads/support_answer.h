@@ -25,6 +25,9 @@ double springShare(double omega_rad_s, double duration_s);
 /// wave at the other end is at its peak: 2 cos(pi delay / T) and at most 1; none after T / 2.
 double waveShare(double delay_s, double duration_s);
 
+/// The part of a struck body's mass that a strike sets going while it lasts, 0 to 1.
+double movingShare(const ContactBody& body, double duration_s);
+
 /// How the foundations answer while a strike lasts: the struck body and the partners that may move are rigid
 /// bodies, and the springs between them only push. Each mode of that system answers statically, in part or
 /// not at all, as the length of the strike has it (`springShare`). Of the struck body, no more moves than

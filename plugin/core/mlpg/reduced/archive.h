@@ -23,6 +23,22 @@ void StressBounds::archiveBoxes(Archive& archive) {
 }
 
 template <class Archive>
+void archiveFields(Archive& archive, PeakTable::Patch& patch) {
+    auto& [middle, inward, on_edge, peaks, compliance_m_n, work_scale, work] = patch;
+    archiveAll(archive, middle, inward, on_edge, peaks, compliance_m_n, work_scale, work);
+    archive.require(on_edge <= 1 && areFinite(middle) && areFinite(inward) && std::isfinite(compliance_m_n) &&
+                    std::isfinite(work_scale));
+}
+
+template <class Archive>
+void archiveFields(Archive& archive, PeakTable::Level& level) {
+    auto& [radius_m, reach_m, unit_pa_n, patches] = level;
+    archiveAll(archive, radius_m, reach_m, unit_pa_n, patches);
+    archive.require(radius_m > 0 && reach_m > 0 && std::isfinite(radius_m) && std::isfinite(reach_m) &&
+                    std::isfinite(unit_pa_n));
+}
+
+template <class Archive>
 void archiveModes(Archive& archive, const SplineSpace& space, ProperModes& modes) {
     auto& [count, entries, scales, unit_starts, unit_loads, combinations, combination_scales, accelerations] =
         modes;
@@ -88,13 +104,15 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
     ProperModes modes;
     ReducedModelLimits limits;
     ReadingPoints points;
+    PeakTable peaks;
     std::vector<std::string> warnings;
     if (written) {
-        const auto& [model, reading, trust] = *written;
+        const auto& [model, reading, table, trust] = *written;
         stiffness = model.stiffness();
         modes = model.modes();
         limits = model.limits();
         points = reading.points();
+        peaks = table;
         warnings = trust;
     }
     const auto made =
@@ -102,7 +120,7 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
     if (Archive::reads && !made) return nullptr;
     const SplineProblem& problem = written ? written->model.problem() : *made;
     auto& [patches, mode_limit, local_functions] = limits;
-    archiveAll(archive, patches, mode_limit, local_functions, warnings);
+    archiveAll(archive, patches, mode_limit, local_functions, peaks.levels, warnings);
     archive.require(local_functions > 0);
     archiveStiffness(archive, problem.space->function_count, stiffness);
     archiveModes(archive, *problem.space, modes);
@@ -114,8 +132,9 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
     bounds.archiveBoxes(archive);
     if (!Archive::reads || !archive.good()) return nullptr;
     ReducedModel model(made, std::move(stiffness), std::move(modes), limits);
-    return std::make_shared<const ReducedStress>(ReducedStress{
-        std::move(model), DamageReading(made, std::move(points), std::move(bounds)), std::move(warnings)});
+    return std::make_shared<const ReducedStress>(
+        ReducedStress{std::move(model), DamageReading(made, std::move(points), std::move(bounds)),
+                      std::move(peaks), std::move(warnings)});
 }
 
 }  // namespace sherd

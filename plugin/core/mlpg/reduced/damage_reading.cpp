@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
 #include "core/stress/loaded_places.h"
 #include "core/stress/surface_traction.h"
@@ -12,23 +13,6 @@ namespace sherd {
 namespace {
 
 constexpr double near_to_failure = 0.5;  // overstress from which it steers cracks
-
-/// An upper bound of the equivalent stress for all principal stresses in a range. Criteria are convex and
-/// proportional to the stress, so that eq(a + b) <= eq(a) + eq(b): of tensions and pressures each.
-struct EquivalentBound {
-    double of_tension = 0, of_pressure = 0;
-
-    explicit EquivalentBound(const Strength& strength) {
-        const auto at = [&](const PrincipalStresses& stress) {
-            return strength.criterion.equivalent_stress_pa(stress, strength.material);
-        };
-        of_tension = std::max({0.0, at({1, 0, 0}), at({1, 1, 0}), at({1, 1, 1})});
-        of_pressure = std::max({0.0, at({0, 0, -1}), at({0, -1, -1}), at({-1, -1, -1})});
-    }
-    double operator()(const PrincipalRange& range) const {
-        return of_tension * range.largest - of_pressure * range.smallest;
-    }
-};
 
 }  // namespace
 
@@ -71,7 +55,7 @@ class DamageReading::Reader {
           loaded_(loads, of.problem_->solid->spacing),
           scale_(scale),
           strength_(strength),
-          bound_(strength),
+          bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
           equivalent(of.problem_->solid->particles.size(), 0.0) {}
 
@@ -121,7 +105,7 @@ class DamageReading::Reader {
     }
 
     bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
-        return range.largest <= tension && scale_ * bound_(range) < failing_pa;
+        return range.largest <= tension && scale_ * bound_(range.smallest, range.largest) < failing_pa;
     }
 
     Vec3 position(int part, const ReadingPoint& point) const {
@@ -196,16 +180,17 @@ Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<
                              double scale, const Strength& strength) const {
     const Eigen::Matrix4Xf raw = expand(unknowns);
     Reader reader(*this, raw, loads, scale, strength);
-    const EquivalentBound equivalent_bound(strength);
+    const EquivalentBound equivalent_bound(strength.criterion, strength.material);
     const std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of);
     const int part_count = static_cast<int>(ranges.size());
 
     std::vector<double> overstress_bound(ranges.size());
     std::vector<std::pair<float, int>> by_tension;
     for (int part = 0; part < part_count; ++part) {
-        overstress_bound[part] = scale * equivalent_bound(ranges[part]) / weakest(part, strength);
-        if (points_.starts[part] < points_.starts[part + 1])
-            by_tension.push_back({ranges[part].largest, part});
+        const PrincipalRange& range = ranges[part];
+        overstress_bound[part] =
+            scale * equivalent_bound(range.smallest, range.largest) / weakest(part, strength);
+        if (points_.starts[part] < points_.starts[part + 1]) by_tension.push_back({range.largest, part});
     }
     // From the highest bound down, so that few parts are read before the largest stress is known.
     std::make_heap(by_tension.begin(), by_tension.end());

@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/linear_algebra/dense_kernels.h"
-#include "core/mlpg/splines/b_spline.h"
 #include "core/numerics/wide_vectors.h"
 
 namespace sherd {
@@ -14,107 +13,7 @@ namespace {
 constexpr double largest_entry = 32767;
 constexpr double least_energy = 1e-9;  // of the softest mode: below it, modes are rounding
 
-using SparseColumns = std::vector<std::vector<std::pair<int, double>>>;  // per patch: function, value
-
-/// What a unit force on each patch is at the functions.
-SparseColumns valuesOf(const SplineProblem& problem, const std::vector<UnitPatch>& patches) {
-    const SplineSpace& space = *problem.space;
-    SparseColumns columns;
-    std::vector<double> values, sums(static_cast<std::size_t>(space.function_count), 0.0);
-    for (const UnitPatch& patch : patches) {
-        std::vector<int> touched;
-        for (const UnitPatch::Point& point : patch.points) {
-            const GridPoint place = locate(problem.parts(), point.position);
-            if (place.part < 0) continue;
-            splineValues(space.degree, place.xi, values);
-            const std::vector<int>& raw = space.raw_of[place.part];
-            for (std::size_t a = 0; a < raw.size(); ++a)
-                for (const SplineTies::Term& term : space.termsOf(raw[a])) {
-                    touched.push_back(term.function);
-                    sums[term.function] += point.weight * values[a] * term.factor;
-                }
-        }
-        std::sort(touched.begin(), touched.end());
-        touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-        columns.emplace_back();
-        for (const int function : touched) {
-            columns.back().push_back({function, sums[function]});
-            sums[function] = 0;
-        }
-    }
-    return columns;
-}
-
-/// Rows of a component's unknowns; the others are zero.
-Eigen::MatrixXd ofComponent(const SplineProblem& problem, int component, const InertiaRelief::Forces& all) {
-    Eigen::MatrixXd own = all;
-    for (Eigen::Index u = 0; u < own.rows(); ++u)
-        if (problem.motions.componentOfUnknown(u) != component) own.row(u).setZero();
-    return own;
-}
-
-/// The balanced loads, #unknowns x 3 #patches, and the accelerations that balance them, 6 #components x 3
-/// #patches.
-void balancedLoads(const SplineProblem& problem, const SparseColumns& columns, Eigen::MatrixXd& forces,
-                   Eigen::MatrixXd& accelerations) {
-    const RigidMotions& motions = problem.motions;
-    const auto count = static_cast<Eigen::Index>(3 * columns.size());
-    forces = Eigen::MatrixXd::Zero(motions.coefficients.rows(), count);
-    accelerations.resize(6L * motions.componentCount(), count);
-    for (Eigen::Index load = 0; load < count; ++load) {
-        Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;
-        resultants.setZero(6, motions.componentCount());
-        for (const auto& [function, value] : columns[load / 3]) {
-            const Eigen::Index unknown = 3L * function + load % 3;
-            forces(unknown, load) = value;
-            resultants.col(motions.componentOfUnknown(unknown)) +=
-                value * motions.coefficients.row(unknown).transpose();
-        }
-        clearHeld(problem, resultants);
-        accelerations.col(load) = problem.inertia.accelerationOf(resultants).reshaped();
-    }
-    for (int component = 0; component < motions.componentCount(); ++component)
-        forces.noalias() += ofComponent(problem, component, problem.inertia.forces()) *
-                            accelerations.middleRows(6L * component, 6);
-}
-
-/// Takes the rigid motion of every free component out of displacements, in the mean over its mass.
-void removeRigidMotion(const SplineProblem& problem, Eigen::MatrixXd& displacements) {
-    for (int component = 0; component < problem.motions.componentCount(); ++component) {
-        if (problem.held[component]) continue;
-        const Eigen::MatrixXd momenta =
-            ofComponent(problem, component, problem.inertia.forces()).transpose() * displacements;
-        const Eigen::MatrixXd motion =
-            problem.inertia.mass(component).completeOrthogonalDecomposition().solve(momenta);
-        displacements.noalias() -= ofComponent(problem, component, problem.motions.coefficients) * motion;
-    }
-}
-
-/// The responses to unit loads, without rigid motion, and the accelerations that balance the loads. The loads
-/// of all patches at once would take as much memory as the responses, several times over.
-Status solveInBatches(const SplineProblem& problem, const SparseSolver& factor,
-                      const std::vector<int>& pinned, const SparseColumns& columns, const Progress& tell,
-                      Eigen::MatrixXd& responses, Eigen::MatrixXd& accelerations) {
-    constexpr std::size_t batch = 64;  // patches
-    const auto load_count = static_cast<Eigen::Index>(3 * columns.size());
-    responses.resize(problem.motions.coefficients.rows(), load_count);
-    accelerations.resize(6L * problem.motions.componentCount(), load_count);
-    for (std::size_t first = 0; first < columns.size(); first += batch) {
-        const std::size_t last = std::min(first + batch, columns.size());
-        const SparseColumns own(columns.begin() + static_cast<long>(first),
-                                columns.begin() + static_cast<long>(last));
-        Eigen::MatrixXd forces, balancing, displacements;
-        balancedLoads(problem, own, forces, balancing);
-        for (const int unknown : pinned) forces.row(unknown).setZero();
-        if (!factor.solve(forces, displacements))
-            return Error{"The stress solve failed in the linear solver."};
-        removeRigidMotion(problem, displacements);
-        responses.middleCols(static_cast<Eigen::Index>(3 * first), displacements.cols()) = displacements;
-        accelerations.middleCols(static_cast<Eigen::Index>(3 * first), balancing.cols()) = balancing;
-        tell(static_cast<double>(last) / static_cast<double>(columns.size()));
-    }
-    return success();
-}
+using SparseColumns = std::vector<UnitResponses::Load>;  // per patch: function, value
 
 /// U^T F. Inertia forces do no work on displacements without rigid motion, so loads alone count.
 Eigen::MatrixXd workOf(const SparseColumns& columns, const Eigen::MatrixXd& displacements) {
@@ -200,22 +99,10 @@ void setToUnitLoads(const ProperModes::UnitLoad* loads, int load_count, const Pr
 
 }  // namespace
 
-Result<ProperModes> ProperModes::make(const SplineProblem& problem, const SparseSolver& factor,
-                                      const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
-                                      int largest_count, const Progress& progress) {
-    const auto tell = [&](double done) {
-        if (progress) progress(done);
-    };
-    tell(0);
-    const SparseColumns columns = valuesOf(problem, patches);
-    constexpr double solves_done = 0.7;  // about: share of the time
-    Eigen::MatrixXd responses, accelerations;
-    const auto tell_solved = [&](double done) { tell(solves_done * done); };
-    if (const Status solved =
-            solveInBatches(problem, factor, pinned, columns, tell_solved, responses, accelerations);
-        !solved)
-        return Error{solved.error()};
-
+Result<ProperModes> ProperModes::make(const SplineProblem& problem, const UnitResponses& unit,
+                                      int largest_count) {
+    const SparseColumns& columns = unit.loads;
+    const Eigen::MatrixXd &responses = unit.displacements, &accelerations = unit.accelerations;
     Eigen::MatrixXd vectors = workOf(columns, responses);
     vectors = (0.5 * (vectors + vectors.transpose())).eval();
     Eigen::VectorXd values(vectors.rows());  // ascending
@@ -238,7 +125,6 @@ Result<ProperModes> ProperModes::make(const SplineProblem& problem, const Sparse
     pack(combinations, modes.combinations, modes.combination_scales);
     modes.accelerations = rowByRow(accelerations * combinations);
     sortByFunction(columns, problem.space->function_count, modes);
-    tell(1);
     return modes;
 }
 

@@ -3,10 +3,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/linear_algebra/sparse_solver.h"
-#include "core/mlpg/reduced/unit_patches.h"
+#include "core/mlpg/reduced/unit_responses.h"
 #include "core/mlpg/splines/spline_problem.h"
-#include "core/mlpg/stress_solver.h"
 #include "core/numerics/unset_vector.h"
 
 namespace sherd {
@@ -33,10 +31,9 @@ struct ProperModes {
     std::vector<float> combination_scales;  ///< per mode: N per unit of `combinations`
     std::vector<float> accelerations;       ///< 6 #components x count, row by row: those that balance them
 
-    /// An error if there are no modes or the factor cannot be used. `pinned`: unknowns that the factor holds.
-    static Result<ProperModes> make(const SplineProblem& problem, const SparseSolver& factor,
-                                    const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
-                                    int largest_count, const Progress& progress = {});
+    /// From what unit loads do. An error if there are no modes.
+    static Result<ProperModes> make(const SplineProblem& problem, const UnitResponses& unit,
+                                    int largest_count);
 
     /// u = V c, #unknowns.
     Eigen::VectorXf displacement(const Eigen::VectorXf& coefficients) const;

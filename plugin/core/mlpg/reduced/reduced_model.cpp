@@ -71,11 +71,9 @@ ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedS
 }
 
 Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> problem,
-                                        const SparseMatrix& stiffness, const std::vector<int>& pinned,
-                                        const SparseSolver& factor, const Progress& progress,
+                                        const SparseMatrix& stiffness, const UnitResponses& unit,
                                         const ReducedModelLimits& limits) {
-    auto modes = ProperModes::make(*problem, factor, pinned, unitPatches(*problem->solid, limits.patches),
-                                   limits.modes, progress);
+    auto modes = ProperModes::make(*problem, unit, limits.modes);
     if (!modes) return Error{modes.error()};
     ReducedModel model(std::move(problem), PackedStiffness(stiffness), std::move(modes).value(), limits);
     constexpr int least_local_parts = 4;

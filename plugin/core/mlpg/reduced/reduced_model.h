@@ -9,7 +9,6 @@
 #include "core/mlpg/reduced/packed_stiffness.h"
 #include "core/mlpg/reduced/proper_modes.h"
 #include "core/mlpg/splines/spline_problem.h"
-#include "core/mlpg/stress_solver.h"
 
 namespace sherd {
 
@@ -29,10 +28,9 @@ struct ReducedModelLimits {
 /// synthesis (Craig, Bampton 1968).
 class ReducedModel {
   public:
-    /// `stiffness` and `factor` are those of the problem with the unknowns `pinned`.
+    /// `stiffness` is that of the problem; `unit` is what loads on `limits.patches` patches do.
     static Result<ReducedModel> make(std::shared_ptr<const SplineProblem> problem,
-                                     const SparseMatrix& stiffness, const std::vector<int>& pinned,
-                                     const SparseSolver& factor, const Progress& progress = {},
+                                     const SparseMatrix& stiffness, const UnitResponses& unit,
                                      const ReducedModelLimits& limits = {});
 
     /// Of parts that were made before.

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mlpg/reduced/damage_reading.h"
+#include "core/mlpg/reduced/peak_table.h"
 #include "core/mlpg/reduced/reduced_model.h"
 
 namespace sherd {
@@ -12,6 +13,7 @@ namespace sherd {
 struct ReducedStress {
     ReducedModel model;
     DamageReading reading;
+    PeakTable peaks;
     std::vector<std::string> warnings;  ///< what limits trust in the stress, with the remedy
 };
 

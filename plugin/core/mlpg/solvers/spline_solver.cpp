@@ -1,5 +1,6 @@
 #include "core/linear_algebra/block_product.h"
 #include "core/mlpg/pinned_system.h"
+#include "core/mlpg/reduced/make_peak_table.h"
 #include "core/mlpg/reduced/reduced_stress.h"
 #include "core/mlpg/splines/resampling.h"
 #include "core/mlpg/splines/stress_reading.h"
@@ -13,12 +14,13 @@ namespace {
 class SplineSolver : public StressSolver::Impl {
   public:
     SplineSolver(std::shared_ptr<const SplineProblem> problem, SparseMatrix stiffness, PinnedSystem system,
-                 Resampling resampling)
+                 Resampling resampling, const Material& material)
         : shared_problem_(std::move(problem)),
           problem_(*shared_problem_),
           stiffness_(std::move(stiffness)),
           system_(std::move(system)),
           resampling_(resampling),
+          material_(material),
           samples_(locateSamples(*problem_.solid)) {}
 
     Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
@@ -39,6 +41,7 @@ class SplineSolver : public StressSolver::Impl {
     SparseMatrix stiffness_;
     PinnedSystem system_;
     Resampling resampling_;
+    Material material_;
     std::vector<GridPoint> samples_;
 };
 
@@ -124,11 +127,27 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
     if (!problem_.shares.empty()) return Error{"A damaged solid has no reduced model."};
     if (system_.solver().relativeShift() > 0)
         return Error{"The stiffness matrix is singular, so it has no reduced model; try another spacing."};
-    auto model =
-        ReducedModel::make(shared_problem_, stiffness_, system_.pinned(), system_.solver(), progress);
+    const auto tell = [&](double done) {
+        if (progress) progress(done);
+    };
+    tell(0);
+    const ReducedModelLimits limits;
+    const auto patches = unitPatches(*problem_.solid, limits.patches);
+    constexpr double solves_done = 0.4, modes_done = 0.6;  // about: shares of the time
+    const auto unit = unitResponses(problem_, system_.solver(), system_.pinned(), patches,
+                                    [&](double done) { tell(solves_done * done); });
+    if (!unit) return Error{unit.error()};
+    auto model = ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
     if (!model) return Error{model.error()};
-    return std::shared_ptr<const ReducedStress>(new ReducedStress{
-        std::move(model).value(), DamageReading(shared_problem_, samples_), report.warnings});
+    tell(modes_done);
+    auto peaks = makePeakTable(
+        {problem_, system_.solver(), system_.pinned(), patches, unit.value(), model.value().modes()},
+        samples_, material_);
+    if (!peaks) return Error{peaks.error()};
+    tell(1);
+    return std::shared_ptr<const ReducedStress>(new ReducedStress{std::move(model).value(),
+                                                                  DamageReading(shared_problem_, samples_),
+                                                                  std::move(peaks).value(), report.warnings});
 }
 
 std::vector<std::string> trustWarnings(const Material& material, const SparseSolver& factor) {
@@ -171,7 +190,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     const Resampling resampling{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
     auto solver =
         std::make_unique<SplineSolver>(std::make_shared<const SplineProblem>(std::move(problem).value()),
-                                       std::move(stiffness), std::move(system).value(), resampling);
+                                       std::move(stiffness), std::move(system).value(), resampling, material);
     solver->report = std::move(report);
     return std::unique_ptr<Impl>(std::move(solver));
 }

@@ -106,5 +106,20 @@ TEST_F(ReducedArchive, NumbersThatAreNotFiniteAreRefused) {
     expectRefusedIfNotFinite(first, archiveCopyOfBoxes);
 }
 
+TEST_F(ReducedArchive, PeaksThatAreNotFiniteAreRefused) {
+    PeakTable::Patch patch;
+    patch.middle = {1.1f, 1.2f, 1.3f};
+    patch.inward = {0.6f, 0.7f, 0.8f};
+    patch.compliance_m_n = 1.4f;
+    patch.work_scale = 1.6f;
+    const PeakTable::Level level{1.7f, 1.8f, 1.9f, {patch}};
+    for (const float number : {patch.middle.z(), patch.inward.x(), patch.compliance_m_n, patch.work_scale,
+                               level.radius_m, level.reach_m, level.unit_pa_n})
+        expectRefusedIfNotFinite(number, [&](auto& archive) {
+            PeakTable::Level copy = level;
+            archiveAll(archive, copy);
+        });
+}
+
 }  // namespace
 }  // namespace sherd

@@ -29,6 +29,8 @@ struct BothSolutions {
     SparseMatrix stiffness;
     PinnedSystem factor;
     ReducedStress reduced;
+    std::vector<UnitPatch> patches;
+    UnitResponses unit;  ///< on these
 };
 
 inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
@@ -40,11 +42,14 @@ inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
     SparseMatrix stiffness = stiffnessOf(*problem);
     PinnedSystem factor =
         valueOf(PinnedSystem::factor(stiffness, pinnedUnknowns(*problem), 3, problem->space->highest_cells));
-    ReducedStress reduced{valueOf(ReducedModel::make(problem, stiffness, factor.pinned(), factor.solver())),
+    std::vector<UnitPatch> patches = unitPatches(*solid, ReducedModelLimits{}.patches);
+    UnitResponses unit = valueOf(unitResponses(*problem, factor.solver(), factor.pinned(), patches));
+    ReducedStress reduced{valueOf(ReducedModel::make(problem, stiffness, unit)),
                           DamageReading(problem, locateSamples(*solid)),
+                          {},
                           {}};
-    return {std::move(solid), std::move(problem), std::move(stiffness), std::move(factor),
-            std::move(reduced)};
+    return {std::move(solid),   std::move(problem), std::move(stiffness), std::move(factor),
+            std::move(reduced), std::move(patches), std::move(unit)};
 }
 
 /// A wall, 0.4 x 0.3 x 0.04, whose faces are oblique to the grid.

@@ -1,0 +1,188 @@
+#include "core/mlpg/reduced/peak_reading.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "core/damage/equivalent_bound.h"
+#include "core/mlpg/splines/b_spline.h"
+#include "core/stress/surface_traction.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr int far_parts = 8;           // that are read away from the load
+constexpr double near_spacings = 1.5;  // beyond a patch: all within is read
+
+}  // namespace
+
+/// Coefficients of all functions under all loads: column by function, 3 numbers a load.
+Eigen::MatrixXf PeakReading::expand(const Eigen::MatrixXd& displacements) const {
+    const SplineSpace& space = *problem_.space;
+    Eigen::MatrixXf raw = Eigen::MatrixXf::Zero(3 * displacements.cols(), space.raw_count);
+    for (Eigen::Index load = 0; load < displacements.cols(); ++load)
+        for (int r = 0; r < space.raw_count; ++r)
+            for (const SplineTies::Term& term : space.termsOf(r))
+                raw.block<3, 1>(3 * load, r) +=
+                    (term.factor * displacements.block<3, 1>(3L * term.function, load)).cast<float>();
+    return raw;
+}
+
+PeakReading::PeakReading(const SplineProblem& problem, const std::vector<GridPoint>& samples,
+                         const Material& material)
+    : problem_(problem),
+      samples_(samples),
+      material_(material),
+      criterion_(*failureCriterion(material.failure_criterion)),
+      bound_(criterion_, material),
+      of_part_(problem.parts().parts.size()),
+      middles_(of_part_.size(), Vec3::Zero()) {
+    for (std::size_t s = 0; s < samples.size(); ++s)
+        if (samples[s].part >= 0) of_part_[samples[s].part].push_back(static_cast<int>(s));
+    for (std::size_t part = 0; part < of_part_.size(); ++part)
+        for (const int sample : of_part_[part])
+            middles_[part] += placeOf(sample) / static_cast<double>(of_part_[part].size());
+}
+
+Vec3 PeakReading::placeOf(int sample) const {
+    const Discretisation& solid = *problem_.solid;
+    const auto particles = static_cast<int>(solid.particles.size());
+    return sample < particles ? solid.particles[sample].position
+                              : solid.surface_points[sample - particles].position;
+}
+
+/// Per patch the parts with the largest stress in their middle.
+std::vector<std::vector<int>> PeakReading::mostStressedParts(const Eigen::MatrixXf& raw) const {
+    const Eigen::Index patches = raw.rows() / 9;
+    const SplineSpace& space = *problem_.space;
+    std::vector<Vec3> slopes;
+    splineGradients(space.degree, Vec3::Zero(), slopes);
+    for (Vec3& slope : slopes) slope = slope.cwiseQuotient(problem_.parts().edges);
+    const auto lambda = static_cast<float>(problem_.elasticity.lambda_pa);
+    const auto mu = static_cast<float>(problem_.elasticity.mu_pa);
+    Eigen::MatrixXf sizes = Eigen::MatrixXf::Zero(patches, static_cast<Eigen::Index>(of_part_.size()));
+    Eigen::MatrixX3f columns(raw.rows(), 3);
+    for (std::size_t part = 0; part < of_part_.size(); ++part) {
+        if (of_part_[part].empty()) continue;
+        columns.setZero();
+        const std::vector<int>& functions = space.raw_of[part];
+        for (std::size_t a = 0; a < functions.size(); ++a)
+            for (int j = 0; j < 3; ++j)
+                columns.col(j) += static_cast<float>(slopes[a][j]) * raw.col(functions[a]);
+        for (Eigen::Index load = 0; load < 3 * patches; ++load) {
+            const Eigen::Matrix3f gradient = columns.middleRows<3>(3 * load);
+            const Eigen::Matrix3f stress = lambda * gradient.trace() * Eigen::Matrix3f::Identity() +
+                                           mu * (gradient + gradient.transpose());
+            sizes(load / 3, static_cast<Eigen::Index>(part)) += stress.squaredNorm();
+        }
+    }
+    std::vector<std::vector<int>> most;
+    std::vector<int> order(of_part_.size());
+    const int count = std::min<int>(far_parts, static_cast<int>(order.size()));
+    for (Eigen::Index patch = 0; patch < patches; ++patch) {
+        std::iota(order.begin(), order.end(), 0);
+        std::partial_sort(order.begin(), order.begin() + count, order.end(), [&](int a, int b) {
+            return std::make_pair(-sizes(patch, a), a) < std::make_pair(-sizes(patch, b), b);
+        });
+        most.emplace_back(order.begin(), order.begin() + count);
+    }
+    return most;
+}
+
+/// The largest equivalent stress of each patch under 1 N in each of its directions, Pa. `far`: parts that are
+/// read wherever the patch is.
+std::vector<PeakReading::Peaks> PeakReading::read(const Eigen::MatrixXf& raw,
+                                                  const std::vector<PeakTable::Patch>& patches,
+                                                  const std::vector<std::vector<int>>& far,
+                                                  double radius) const {
+    const double spacing = problem_.solid->spacing, reach = radius + near_spacings * spacing;
+    std::vector<std::vector<int>> readers(of_part_.size());  // per part, ascending
+    for (std::size_t p = 0; p < patches.size(); ++p) {
+        std::vector<int> parts = far[p];
+        for (std::size_t part = 0; part < of_part_.size(); ++part)
+            if ((middles_[part] - patches[p].middle.cast<double>()).squaredNorm() <= reach * reach)
+                parts.push_back(static_cast<int>(part));
+        std::sort(parts.begin(), parts.end());
+        parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
+        for (const int part : parts) readers[part].push_back(static_cast<int>(p));
+    }
+    std::vector<Peaks> peaks(patches.size());
+    std::vector<std::array<Vec3, PeakTable::directions>> directions(patches.size());
+    for (std::size_t p = 0; p < patches.size(); ++p)
+        for (int d = 0; d < PeakTable::directions; ++d)
+            directions[p][d] = patches[p].direction(d).cast<double>();
+
+    const Vec3 per_edge = problem_.parts().edges.cwiseInverse();
+    std::vector<Vec3> slopes;
+    Eigen::MatrixXf own;
+    Eigen::MatrixX3f gradients;
+    for (std::size_t part = 0; part < of_part_.size(); ++part) {
+        if (of_part_[part].empty() || readers[part].empty()) continue;
+        const std::vector<int>& functions = problem_.space->raw_of[part];
+        const auto count = static_cast<Eigen::Index>(readers[part].size());
+        own.resize(9 * count, static_cast<Eigen::Index>(functions.size()));
+        for (std::size_t a = 0; a < functions.size(); ++a)
+            for (Eigen::Index r = 0; r < count; ++r)
+                own.block<9, 1>(9 * r, static_cast<Eigen::Index>(a)) =
+                    raw.block<9, 1>(9L * readers[part][r], functions[a]);
+        for (const int sample : of_part_[part]) {
+            splineGradients(problem_.space->degree, samples_[sample].xi, slopes);
+            gradients.setZero(9 * count, 3);
+            for (std::size_t a = 0; a < functions.size(); ++a)
+                for (int j = 0; j < 3; ++j)
+                    gradients.col(j) += static_cast<float>(slopes[a][j] * per_edge[j]) *
+                                        own.col(static_cast<Eigen::Index>(a));
+            for (Eigen::Index r = 0; r < count; ++r) {
+                const int p = readers[part][r];
+                include(sample, gradients.middleRows<9>(9 * r), patches[p], radius, directions[p], peaks[p]);
+            }
+        }
+    }
+    return peaks;
+}
+
+void PeakReading::include(int sample, const Eigen::Matrix<float, 9, 3>& gradients,
+                          const PeakTable::Patch& patch, double radius,
+                          const std::array<Vec3, PeakTable::directions>& directions, Peaks& peaks) const {
+    SymmetricTensor units[3];
+    double squared = 0;
+    for (int k = 0; k < 3; ++k) {
+        units[k] =
+            toSymmetricTensor(problem_.elasticity.stress(gradients.middleRows<3>(3 * k).cast<double>()));
+        squared += units[k].squaredNorm() + units[k].tail<3>().squaredNorm();
+    }
+    // Clearing the surface of traction may add as much again.
+    const double most = 2 * (bound_.of_tension + bound_.of_pressure) * std::sqrt(squared);
+    if (most <= *std::min_element(peaks.begin(), peaks.end())) return;
+
+    const Discretisation& solid = *problem_.solid;
+    const int point_number = sample - static_cast<int>(solid.particles.size());
+    const SurfacePoint* point = point_number >= 0 ? &solid.surface_points[point_number] : nullptr;
+    const bool is_cleared = point && !point->normal.isZero();
+    // Near a load the surface is not cleared; how near is a matter of the load.
+    const double near_load = radius + 2 * solid.spacing;
+    const bool is_read =
+        !is_cleared || (point->position - patch.middle.cast<double>()).squaredNorm() < near_load * near_load;
+    SymmetricTensor cleared[3];
+    for (int k = 0; is_cleared && k < 3; ++k)
+        cleared[k] = withTraction(units[k], point->normal, Vec3::Zero(), problem_.elasticity);
+    for (int d = 0; d < PeakTable::directions; ++d) {
+        if (most <= peaks[d]) continue;
+        const Vec3& f = directions[d];
+        if (is_read) raise(f[0] * units[0] + f[1] * units[1] + f[2] * units[2], peaks[d]);
+        if (is_cleared) raise(f[0] * cleared[0] + f[1] * cleared[1] + f[2] * cleared[2], peaks[d]);
+    }
+}
+
+void PeakReading::raise(const SymmetricTensor& stress, float& peak) const {
+    const double mean = stress.head<3>().sum() / 3;
+    const double squared =
+        (stress.head<3>().array() - mean).square().sum() + 2 * stress.tail<3>().squaredNorm();
+    const double deviator = std::sqrt(2.0 / 3 * squared);
+    if (bound_(std::min(0.0, mean - deviator), std::max(0.0, mean + deviator)) <= peak) return;
+    const double equivalent = criterion_.equivalent_stress_pa(principalStresses(stress), material_);
+    peak = std::max(peak, static_cast<float>(equivalent));
+}
+
+}  // namespace sherd

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+
+#include "fracture/blow_stress.h"
+#include "fracture/per_newton.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr std::size_t most_contacts = 64;  // more take longer than they are worth
+
+/// Bounds from the contacts alone.
+class Quick {
+  public:
+    Quick(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
+          const ContactSettings& settings)
+        : body_(struckBody(solid)),
+          table_(table),
+          blow_(blow),
+          settings_(settings),
+          mass_kg_(solid.mass()),
+          held_(isHeld(solid, blow)),
+          has_supports_(!solid.isAnchored() && blow.isSupported()) {}
+
+    std::optional<BlowBound> find() {
+        if (blow_.contacts.size() > most_contacts) return std::nullopt;
+        double energy = 0;
+        for (int partner = 0; partner < blow_.partnerCount(); ++partner)
+            if (blow_.isStruckBy(partner)) addStrike(partner, energy);
+        if (!(energy > 0)) return BlowBound{};
+        impact_.speed_m_s = std::sqrt(2 * energy / impact_.mass_kg);
+        PerNewton answer;
+        if (has_supports_ && !boundAnswer(table_, supports(), mass_kg_, strike_.root_mobility, 1, answer))
+            return std::nullopt;
+        return boundOf(impact_, strike_, answer, held_, settings_.shortest_contact_s);
+    }
+
+  private:
+    void addStrike(int number, double& energy) {
+        const Mobility partner = blow_.partner(number);
+        std::vector<const ContactImpulse*> contacts;
+        double speed = 0, friction = -1;
+        for (const ContactImpulse& contact : blow_.contacts) {
+            if (contact.partner != number || !contact.strikes()) continue;
+            contacts.push_back(&contact);
+            speed = std::max(speed, contact.approach_m_s);
+            friction = std::max(friction, contact.friction);
+        }
+        double mass = partner.fixed() ? mass_kg_ : 1 / ((held_ ? 0 : 1 / mass_kg_) + partner.inverse_mass);
+        if (contacts.size() == 1) {
+            Strike strike;
+            strike.points = {{contacts[0], {contacts[0]->point, -1}, {}, 1, contacts[0]->normal}};
+            shareOut(body_.mobility, partner, strike);
+            mass = strike.mass(held_ ? 1 : 0);
+            include(*contacts[0], strike.points[0].push, 0);
+        } else {
+            for (const ContactImpulse* contact : contacts)
+                include(*contact, withoutFriction(*contact), std::max(0.0, friction));
+        }
+        impact_.mass_kg += mass;
+        impact_.hertz_force_n += hertzForce(contacts, mass, speed);
+        energy += 0.5 * mass * speed * speed;
+    }
+
+    /// Includes a contact as if it had all of the force: all bounds are convex, so that it does not matter
+    /// how the force is shared out.
+    void include(const ContactImpulse& contact, const Vec3& push, double lateral) {
+        const double smallest = smallestPatch(body_, settings_);
+        const PerNewton more = underForce(body_, table_, contact.point, contact.normal, push, lateral,
+                                          std::max(contact.patch_radius_m, smallest));
+        strike_.stress_pa = std::max(strike_.stress_pa, more.stress_pa);
+        strike_.root_compliance = std::max(strike_.root_compliance, more.root_compliance);
+        strike_.root_mobility = std::max(strike_.root_mobility, more.root_mobility);
+        strike_.work = included_++ == 0 ? more.work : decltype(more.work)(decltype(more.work)::Zero());
+    }
+
+    /// The force along the normal where friction is known, else along the impulse.
+    static Vec3 withoutFriction(const ContactImpulse& contact) {
+        const double pushed = contact.pushed();
+        return contact.friction < 0 && pushed > 0 ? Vec3(contact.impulse / pushed) : contact.normal;
+    }
+
+    /// Of Hertz contacts that share a blow, at most. The force goes with the power 0.6 of a contact's share,
+    /// or 0.5 if its patch is given (hertzRadiusOfPatch): the sum is largest if all share evenly. Curvature
+    /// of the body's own makes the radius smaller, and the force with it.
+    double hertzForce(const std::vector<const ContactImpulse*>& contacts, double mass, double speed) const {
+        const double smallest = smallestPatch(body_, settings_);
+        const double largest = std::max(body_.radius_m, smallest);
+        double force = 0, power = 0.4;
+        for (const ContactImpulse* contact : contacts) {
+            const double radius = contact->partner_radius_m;
+            HertzContact hertz{radius > 0 ? std::clamp(radius, smallest, largest) : largest,
+                               contactModulus(body_, *contact, settings_)};
+            if (contact->patch_radius_m > 0) {
+                hertz.radius_m =
+                    hertzRadiusOfPatch(hertz.contact_modulus_pa, std::max(contact->patch_radius_m, smallest),
+                                       0.5 * mass * speed * speed);
+                power = 0.5;
+            }
+            force = std::max(force, hertzPeakForce(hertz, mass, speed));
+        }
+        return force * std::pow(static_cast<double>(contacts.size()), power);
+    }
+
+    /// Contacts that push alike are one.
+    std::vector<Support> supports() const {
+        constexpr double alike = 0.9;
+        std::vector<Support> found;
+        std::vector<Vec3> firsts;
+        for (const ContactImpulse& contact : blow_.contacts) {
+            if (!contact.supports()) continue;
+            std::size_t own = 0;
+            while (own < found.size() && firsts[own].dot(contact.normal) <= alike) ++own;
+            if (own == found.size()) {
+                found.emplace_back();
+                firsts.push_back(contact.normal);
+            }
+            found[own].push += contact.normal;
+            found[own].contacts.push_back(contact.point);
+            found[own].box.extend(contact.point.cast<float>());
+        }
+        for (Support& support : found) support.push.normalize();
+        return found;
+    }
+
+    const ContactBody body_;
+    const PeakTable& table_;
+    const Blow& blow_;
+    const ContactSettings& settings_;
+    double mass_kg_;
+    bool held_, has_supports_;
+    Impact impact_;
+    PerNewton strike_;
+    int included_ = 0;
+};
+
+}  // namespace
+
+std::optional<BlowBound> quickBound(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
+                                    const ContactSettings& contact) {
+    if (table.levels.empty()) return std::nullopt;
+    return Quick(solid, table, blow, contact).find();
+}
+
+}  // namespace sherd
