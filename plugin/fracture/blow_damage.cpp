@@ -17,11 +17,11 @@ namespace {
 /// False if the reduced model cannot answer.
 bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
                      const Strength& strength, StageTimes& ms, BlowDamage& found) {
-    ReducedModel::Response response;
+    ReducedResponse response;
     ReducedModel::LocalSystem kept;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
         const AddedTime time(ms.solve);
-        Result<ReducedModel::Response> answer = reduced.model.respond(loads, kept);
+        Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();
         return response.strain_energy_j;

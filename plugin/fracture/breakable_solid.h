@@ -113,6 +113,10 @@ class BreakableSolid {
         double ms = 0;
     };
     Sampled sampled() const;
+    /// Of the largest particle that there may be, m^3.
+    double cellVolume() const;
+    /// The smallest strength that its settings allow, Pa.
+    double weakestPossibleStrength() const;
 
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
     mutable MadeOnce<SurfaceTree> tree_;

@@ -42,9 +42,10 @@ TEST_F(BlowBounds, AreAboveWhatTheFullSolveFinds) {
     fracture.use_reduced_model = false;
     const PeakTable& table = solid().reducedStress()->peaks;
     RandomBlows blows(bowl().mesh, 3);
+    constexpr int blow_count = 20;
     int quick = 0, close = 0, supported = 0;
     double least = 1e9;
-    for (int i = 0; i < 40; ++i) {
+    for (int i = 0; i < blow_count; ++i) {
         const Blow blow = blows.next();
         StageTimes ms;
         const BlowDamage truth = blowDamage({solid(), sampling, fracture, 1}, blow, strength, ms);
@@ -62,11 +63,10 @@ TEST_F(BlowBounds, AreAboveWhatTheFullSolveFinds) {
         close += second.has_value();
         supported += second && blow.isSupported();
     }
-    std::printf("%d and %d of 40 have bounds, %d with supports; at least %.2f of the stress\n", quick, close,
-                supported, least);
     EXPECT_GT(least, 1);
-    EXPECT_GT(quick, 25);
-    EXPECT_GT(supported, 5);
+    EXPECT_GT(quick, blow_count / 2);
+    EXPECT_GT(close, blow_count / 2);
+    EXPECT_GT(supported, 3);
 }
 
 Blow tap(double speed) {
@@ -142,7 +142,7 @@ TEST_F(BlowBounds, TheWeakestStrengthIsThatOfTheParticles) {
 
 // The app's field may wait or throw: what asks whether a blow is worth a solve must not call it.
 TEST_F(BlowBounds, TheGateNeverCallsAStrengthField) {
-    Settings settings;
+    Settings settings = Settings::forQuality(Quality::preview);
     int calls = 0;
     settings.strength.field = [&](const Vec3&) {
         ++calls;

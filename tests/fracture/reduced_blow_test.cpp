@@ -8,6 +8,7 @@
 #include "fracture/crack_energy.h"
 #include "fracture/default_fracture.h"
 #include "fracture/random_blows.h"
+#include "geometry/surface_checks.h"
 
 namespace {
 
@@ -103,6 +104,21 @@ TEST(ReducedBlows, NeedNoFactor) {
     EXPECT_FALSE(solid->isFactored());
     EXPECT_TRUE(solid->prepared());
     EXPECT_EQ(ms.factor, 0);
+}
+
+TEST(ReducedBlows, SmallSolidsAreAnsweredByTheirComplianceMatrix) {
+    const Shape& shape = shapeNamed("wall");
+    Settings settings = Settings::forQuality(Quality::preview);
+    settings.sampling.spacing_m = 1.1 * wallThickness(shape.mesh);
+    const auto solid = BreakableSolid::make(shape.mesh, shape.material, settings).value();
+    ASSERT_TRUE(solid->prepare({}).ok());
+    EXPECT_FALSE(solid->isFactored());
+    ASSERT_TRUE(solid->reducedStress());
+    EXPECT_TRUE(solid->reducedStress()->model.isDirect()) << solid->unknownCount() << " unknowns";
+    const Compared compared = compare(*solid, shape.mesh, 40);
+    EXPECT_EQ(compared.reduced, compared.blows);
+    EXPECT_EQ(compared.same, compared.blows);
+    EXPECT_LT(compared.stress_errors.back(), 2e-4);
 }
 
 TEST(ReducedBlows, SolidsWithoutOneAreSolvedFully) {

@@ -62,6 +62,21 @@ void archiveModes(Archive& archive, const SplineSpace& space, ProperModes& modes
     archiveStarts(archive, unit_starts, function_count, unit_loads.size());
 }
 
+/// The lower half.
+template <class Archive>
+void archiveCompliance(Archive& archive, const SplineSpace& space, ComplianceMatrix& compliance) {
+    const Eigen::Index size = 3L * space.function_count;
+    // A larger one is never written.
+    archive.require(size <= ReducedModelLimits{}.direct_unknowns);
+    if (!archive.good()) return;
+    Eigen::MatrixXf& entries = compliance.entries;
+    if (Archive::reads) entries.resize(size, size);
+    for (Eigen::Index column = 0; column < size; ++column)
+        archive.raw(&entries(column, column), static_cast<std::size_t>(size - column) * sizeof(float));
+    if (Archive::reads) entries.triangularView<Eigen::StrictlyUpper>() = entries.transpose();
+    archive.require(entries.allFinite());
+}
+
 /// Three numbers of a reading point.
 template <class Archive>
 void archiveSteps(Archive& archive, Eigen::Vector3f& x) {
@@ -102,7 +117,9 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
                                                     const Material& material, const ReducedStress* written) {
     PackedStiffness stiffness;
     ProperModes modes;
+    ComplianceMatrix compliance;
     ReducedModelLimits limits;
+    bool is_direct = false;
     ReadingPoints points;
     PeakTable peaks;
     std::vector<std::string> warnings;
@@ -110,7 +127,9 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
         const auto& [model, reading, table, trust] = *written;
         stiffness = model.stiffness();
         modes = model.modes();
+        compliance = model.compliance();
         limits = model.limits();
+        is_direct = model.isDirect();
         points = reading.points();
         peaks = table;
         warnings = trust;
@@ -119,11 +138,16 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
         archiveProblem(archive, sampling, material, written ? &written->model.problem() : nullptr);
     if (Archive::reads && !made) return nullptr;
     const SplineProblem& problem = written ? written->model.problem() : *made;
-    auto& [patches, mode_limit, local_functions] = limits;
-    archiveAll(archive, patches, mode_limit, local_functions, peaks.levels, warnings);
+    auto& [patches, mode_limit, local_functions, direct_unknowns] = limits;
+    archiveAll(archive, patches, mode_limit, local_functions, direct_unknowns, is_direct, peaks.levels,
+               warnings);
     archive.require(local_functions > 0);
-    archiveStiffness(archive, problem.space->function_count, stiffness);
-    archiveModes(archive, *problem.space, modes);
+    if (is_direct) {
+        archiveCompliance(archive, *problem.space, compliance);
+    } else {
+        archiveStiffness(archive, problem.space->function_count, stiffness);
+        archiveModes(archive, *problem.space, modes);
+    }
     archivePoints(archive, *sampling, points);
     if (!archive.good()) return nullptr;
     StressBounds bounds = written
@@ -131,7 +155,8 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
                               : StressBounds(problem.parts(), problem.space->degree, problem.elasticity, {});
     bounds.archiveBoxes(archive);
     if (!Archive::reads || !archive.good()) return nullptr;
-    ReducedModel model(made, std::move(stiffness), std::move(modes), limits);
+    ReducedModel model = is_direct ? ReducedModel(made, std::move(compliance))
+                                   : ReducedModel(made, std::move(stiffness), std::move(modes), limits);
     return std::make_shared<const ReducedStress>(
         ReducedStress{std::move(model), DamageReading(made, std::move(points), std::move(bounds)),
                       std::move(peaks), std::move(warnings)});

@@ -5,7 +5,7 @@
 
 #include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/dense_kernels.h"
-#include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/reduced/loaded_functions.h"
 
 namespace sherd {
 
@@ -16,44 +16,6 @@ constexpr double largest_local_share = 0.6;
 constexpr double wanted_local_share = 0.4;  // at most, in small solids
 
 constexpr double largest_rounding = 1e-3;  // of the energy of a mode
-
-struct FunctionForce {
-    int function;
-    Vec3 force;
-};
-
-/// What point forces are at the functions, and the rigid acceleration that balances them.
-struct Loaded {
-    std::vector<FunctionForce> forces;
-    Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration;
-};
-
-Result<Loaded> loadedFunctions(const SplineProblem& problem, const std::vector<PointForce>& loads) {
-    const SplineSpace& space = *problem.space;
-    Loaded loaded;
-    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;
-    resultants.setZero(6, problem.motions.componentCount());
-    std::vector<double> values;
-    for (const PointForce& load : loads) {
-        const GridPoint place = locate(problem.parts(), load.position);
-        if (place.part < 0 || !load.force.allFinite())
-            return Error{
-                "A load is not finite, or more than a particle spacing outside the body; give it in the "
-                "asset's frame."};
-        splineValues(space.degree, place.xi, values);
-        const std::vector<int>& raw = space.raw_of[place.part];
-        for (std::size_t a = 0; a < raw.size(); ++a)
-            for (const SplineTies::Term& term : space.termsOf(raw[a])) {
-                const Vec3 force = values[a] * term.factor * load.force;
-                loaded.forces.push_back({term.function, force});
-                resultants.col(space.component[term.function]) +=
-                    problem.motions.coefficients.middleRows<3>(3L * term.function).transpose() * force;
-            }
-    }
-    clearHeld(problem, resultants);
-    loaded.acceleration = problem.inertia.accelerationOf(resultants);
-    return loaded;
-}
 
 }  // namespace
 
@@ -83,6 +45,19 @@ Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> pro
     if (model.roundingOfModes(stiffness) > largest_rounding)
         return Error{"The solid is too slender for a reduced model in 16 bits; blows are solved fully."};
     return model;
+}
+
+Result<ReducedModel> ReducedModel::makeDirect(std::shared_ptr<const SplineProblem> problem,
+                                              const SparseSolver& factor, const std::vector<int>& pinned,
+                                              const Progress& progress) {
+    auto compliance = ComplianceMatrix::make(*problem, factor, pinned, progress);
+    if (!compliance) return Error{compliance.error()};
+    return ReducedModel(std::move(problem), std::move(compliance).value());
+}
+
+ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance)
+    : ReducedModel(std::move(problem), {}, {}, {}) {
+    compliance_ = std::move(compliance);
 }
 
 /// The largest energy of what 16 bits take from the softest modes, of which each has 1/2: slender solids move
@@ -131,17 +106,17 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
     return success();
 }
 
-Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForce>& loads,
-                                                     LocalSystem& kept) const {
+Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loads, LocalSystem& kept) const {
     const auto loaded = loadedFunctions(*problem_, loads);
     if (!loaded) return Error{loaded.error()};
+    if (isDirect()) return compliance_.respond(loaded.value());
     if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
         return Error{ready.error()};
     const int size = kept.size();
 
     Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
     Eigen::VectorXf forces = Eigen::VectorXf::Zero(size);        // E^T f
-    for (const FunctionForce& on : loaded.value().forces) {
+    for (const LoadedFunctions::Force& on : loaded.value().forces) {
         const int place = kept.place_of[on.function];
         if (place >= 0) forces.segment<3>(3L * place) += on.force.cast<float>();
         for (int k = 0; place < 0 && k < 3; ++k)
@@ -161,14 +136,14 @@ Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForc
     const Eigen::VectorXf coefficients = work - kept.coupling * local;
     if (!coefficients.allFinite() || !local.allFinite())
         return Error{"The reduced equations have no finite solution where the loads act."};
-    Response response{modes_.displacement(coefficients),
-                      0.5 * double(work.dot(coefficients) + forces.dot(local))};
+    ReducedResponse response{modes_.displacement(coefficients),
+                             0.5 * double(work.dot(coefficients) + forces.dot(local))};
     for (int i = 0; i < size; i += 3)
         response.unknowns.segment<3>(3L * kept.functions[i / 3]) += local.segment<3>(i);
     return response;
 }
 
-Result<ReducedModel::Response> ReducedModel::respond(const std::vector<PointForce>& loads) const {
+Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loads) const {
     LocalSystem none;
     return respond(loads, none);
 }

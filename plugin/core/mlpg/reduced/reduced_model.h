@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/mlpg/reduced/compliance_matrix.h"
 #include "core/mlpg/reduced/local_functions.h"
 #include "core/mlpg/reduced/packed_stiffness.h"
 #include "core/mlpg/reduced/proper_modes.h"
@@ -17,6 +18,8 @@ struct ReducedModelLimits {
     int patches = 300;  ///< with three unit loads each
     int modes = 128;
     int local_functions = 300;  ///< about the loads
+    /// Solids of no more unknowns are answered by their compliance matrix, of up to 8 MB.
+    int direct_unknowns = 1400;
 };
 
 /// What answers a blow without a factor. The displacement is a combination of proper modes plus any
@@ -25,7 +28,7 @@ struct ReducedModelLimits {
 ///     [ E^T K V   E^T K E ] [d] = [E^T f],      u = V c + E d,
 /// E being the unit vectors of the functions about the loads: a dense system of some hundreds of unknowns.
 /// Compare Barbic, Zhao, Subspace self-collision culling (2010), and the static correction of component mode
-/// synthesis (Craig, Bampton 1968).
+/// synthesis (Craig, Bampton 1968). A small solid needs no modes: its whole compliance matrix is kept.
 class ReducedModel {
   public:
     /// `stiffness` is that of the problem; `unit` is what loads on `limits.patches` patches do.
@@ -33,14 +36,17 @@ class ReducedModel {
                                      const SparseMatrix& stiffness, const UnitResponses& unit,
                                      const ReducedModelLimits& limits = {});
 
+    /// Of a solid with no more unknowns than `direct_unknowns`: by its compliance matrix. `pinned`: unknowns
+    /// that the factor holds.
+    static Result<ReducedModel> makeDirect(std::shared_ptr<const SplineProblem> problem,
+                                           const SparseSolver& factor, const std::vector<int>& pinned,
+                                           const Progress& progress = {});
+
     /// Of parts that were made before.
     ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness, ProperModes modes,
                  const ReducedModelLimits& limits);
+    ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance);
 
-    struct Response {
-        Eigen::VectorXf unknowns;  ///< displacement, m
-        double strain_energy_j = 0;
-    };
     /// The equations of the functions about loads. Loads at the same places need no other.
     struct LocalSystem {
         std::vector<int> functions;  ///< ascending
@@ -53,13 +59,16 @@ class ReducedModel {
 
     /// The displacement under point forces and the rigid acceleration that balances them. An error says that
     /// the full solve is needed.
-    Result<Response> respond(const std::vector<PointForce>& loads) const;
+    Result<ReducedResponse> respond(const std::vector<PointForce>& loads) const;
     /// The same, with what is kept of the loads before.
-    Result<Response> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    Result<ReducedResponse> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
 
     const SplineProblem& problem() const { return *problem_; }
     const PackedStiffness& stiffness() const { return stiffness_; }
     const ProperModes& modes() const { return modes_; }
+    const ComplianceMatrix& compliance() const { return compliance_; }
+    /// Whether the compliance matrix answers, without stiffness and modes.
+    bool isDirect() const { return compliance_.entries.size() > 0; }
     const ReducedModelLimits& limits() const { return limits_; }
 
   private:
@@ -70,6 +79,7 @@ class ReducedModel {
     std::shared_ptr<const SplineProblem> problem_;
     PackedStiffness stiffness_;
     ProperModes modes_;
+    ComplianceMatrix compliance_;
     LocalFunctions local_;
     ReducedModelLimits limits_;
     std::vector<int> functions_of_component_;

@@ -114,13 +114,19 @@ Status solveInBatches(const SplineProblem& problem, const SparseSolver& factor,
 }  // namespace
 
 Result<UnitResponses> unitResponses(const SplineProblem& problem, const SparseSolver& factor,
-                                    const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
+                                    const std::vector<int>& pinned, std::vector<UnitResponses::Load> loads,
                                     const Progress& progress) {
     UnitResponses unit;
-    unit.loads = valuesOf(problem, patches);
+    unit.loads = std::move(loads);
     if (const Status solved = solveInBatches(problem, factor, pinned, progress, unit); !solved)
         return Error{solved.error()};
     return unit;
+}
+
+Result<UnitResponses> unitResponses(const SplineProblem& problem, const SparseSolver& factor,
+                                    const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
+                                    const Progress& progress) {
+    return unitResponses(problem, factor, pinned, valuesOf(problem, patches), progress);
 }
 
 }  // namespace sherd

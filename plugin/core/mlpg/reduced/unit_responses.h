@@ -14,7 +14,7 @@
 namespace sherd {
 
 /// What 1 N does on each of some patches of a solid, in x, y and z: load 3 p + k acts on patch p along axis
-/// k.
+/// k. A patch may also be a function, or several.
 struct UnitResponses {
     using Load = std::vector<std::pair<int, double>>;  ///< functions, and what 1 N is at each
 
@@ -28,6 +28,9 @@ struct UnitResponses {
 /// An error if the factor cannot be used. `pinned`: unknowns that the factor holds.
 Result<UnitResponses> unitResponses(const SplineProblem& problem, const SparseSolver& factor,
                                     const std::vector<int>& pinned, const std::vector<UnitPatch>& patches,
+                                    const Progress& progress = {});
+Result<UnitResponses> unitResponses(const SplineProblem& problem, const SparseSolver& factor,
+                                    const std::vector<int>& pinned, std::vector<UnitResponses::Load> loads,
                                     const Progress& progress = {});
 
 }  // namespace sherd

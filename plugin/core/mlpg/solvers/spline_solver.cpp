@@ -137,7 +137,9 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
     const auto unit = unitResponses(problem_, system_.solver(), system_.pinned(), patches,
                                     [&](double done) { tell(solves_done * done); });
     if (!unit) return Error{unit.error()};
-    auto model = ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
+    const bool is_direct = 3 * problem_.space->function_count <= limits.direct_unknowns;
+    auto model = is_direct ? ReducedModel::makeDirect(shared_problem_, system_.solver(), system_.pinned())
+                           : ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
     if (!model) return Error{model.error()};
     tell(modes_done);
     auto peaks = makePeakTable(
