@@ -100,8 +100,8 @@ FirstBlow firstBlow(const TriangleMesh& surface) {
         timed([&] { return valueOrExit(makeSplineProblem(solid, material, settings.stress.basis, {}, {})); });
     const SparseMatrix stiffness = timed([&] { return stiffnessOf(problem); });
     const PinnedSystem system = timed([&] {
-        return valueOrExit(
-            PinnedSystem::factor(stiffness, pinnedUnknowns(problem), 3, problem.space->highest_cells));
+        return valueOrExit(PinnedSystem::factor(stiffness, pinnedUnknowns(problem, stiffness), 3,
+                                                problem.space->highest_cells, Precision::refined));
     });
     blow.unknowns = stiffness.size;
     blow.factor_entries = system.solver().factorEntries();

@@ -1,5 +1,9 @@
 #include "core/linear_algebra/cholesky_solver.h"
 
+#include <algorithm>
+#include <numeric>
+
+#include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/least_fill.h"
 #include "core/linear_algebra/multifrontal_factor.h"
 
@@ -7,33 +11,20 @@ namespace sherd {
 namespace {
 
 constexpr double smallest_reciprocal_condition = 1e-15;
-constexpr double diagonal_shift = 1e-11;
-constexpr int shifts = 3;  // that are tried, each a hundred times the one before
+constexpr double diagonal_shifts[] = {0, 1e-11, 1e-9, 1e-7};  // that are tried
 
 const char* const no_order = "The stiffness matrix could not be ordered; is there enough memory?";
 
-double meanDiagonal(const SparseMatrix& lower) {
-    double sum = 0;
-    for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k)
-            if (lower.indices[k] == column) sum += lower.values[k];
-    return sum / std::max(1, lower.size);
+double meanOf(const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) /
+           static_cast<double>(std::max<std::size_t>(1, values.size()));
 }
 
+template <class Number>
 class CholeskySolver : public SparseSolver {
   public:
     CholeskySolver(const BlockGraph& graph, const EliminationTree& tree, int block_size)
         : factor_(graph, tree, block_size) {}
-
-    Status factor(const BlockGraph& graph, const SparseMatrix& lower) {
-        if (tryFactor(graph, lower, 0)) return success();
-        shift_ = diagonal_shift;
-        for (int attempt = 0; attempt < shifts; ++attempt, shift_ *= 100)
-            if (tryFactor(graph, lower, shift_ * meanDiagonal(lower))) return success();
-        return Error{
-            "The stiffness matrix is singular beyond repair; try another particle spacing or support "
-            "radius."};
-    }
 
     bool solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const override {
         x = factor_.solve(b);
@@ -44,32 +35,57 @@ class CholeskySolver : public SparseSolver {
         return true;
     }
 
+    double smallestPivotShare(const std::vector<double>& diagonal) const {
+        return factor_.smallestPivotShare(diagonal);
+    }
     long long factorEntries() const override { return factor_.entries(); }
     double reciprocalCondition() const override { return reciprocal_condition_; }
-    double relativeShift() const override { return shift_; }
+    double relativeShift() const override { return relative_shift_; }
 
-  private:
-    bool tryFactor(const BlockGraph& graph, const SparseMatrix& lower, double shift) {
+    /// False where the matrix, with the shift, is not safely positive definite.
+    bool factor(const BlockGraph& graph, const SparseMatrix& lower, double relative_shift) {
+        relative_shift_ = relative_shift;
+        const double shift = relative_shift > 0 ? relative_shift * meanOf(diagonalOf(lower)) : 0;
         if (!factor_.factor(graph, lower, shift)) return false;
         reciprocal_condition_ = factor_.reciprocalCondition();
         return reciprocal_condition_ > smallest_reciprocal_condition;
     }
 
-    MultifrontalFactor factor_;
+  private:
+    MultifrontalFactor<Number> factor_;
     double reciprocal_condition_ = 0;
-    double shift_ = 0;
+    double relative_shift_ = 0;
 };
+
+/// Whether refinements get anywhere: no pivot is small enough to be what rounding made of none, and a first
+/// one takes enough off the residual of a load that moves the softest motions.
+bool isRefinable(const CholeskySolver<float>& solver, const SparseMatrix& lower) {
+    constexpr double smallest_pivot = 3e-6, largest_left = 0.03;
+    if (!(solver.smallestPivotShare(diagonalOf(lower)) > smallest_pivot)) return false;
+    const Eigen::VectorXd load = Eigen::VectorXd::Ones(lower.size);
+    Eigen::VectorXd answer;
+    if (!solver.solve(load, answer) || !answer.allFinite()) return false;
+    return (load - symmetricBlockProduct(lower, answer)).norm() <= largest_left * load.norm();
+}
 
 }  // namespace
 
 Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size,
-                                                     const std::vector<Eigen::Vector3i>& places) {
+                                                     const std::vector<Eigen::Vector3i>& places,
+                                                     Precision precision) {
     const BlockGraph graph = blockGraph(lower, block_size);
     const EliminationTree tree = leastFill(graph, places);
     if (static_cast<int>(tree.order.size()) != graph.size()) return Error{no_order};
-    auto solver = std::make_unique<CholeskySolver>(graph, tree, block_size);
-    if (Status status = solver->factor(graph, lower); !status) return Error{status.error()};
-    return std::unique_ptr<SparseSolver>(std::move(solver));
+    if (precision == Precision::refined && block_size == 3) {
+        auto solver = std::make_unique<CholeskySolver<float>>(graph, tree, block_size);
+        if (solver->factor(graph, lower, 0) && isRefinable(*solver, lower))
+            return std::unique_ptr<SparseSolver>(std::move(solver));
+    }
+    auto solver = std::make_unique<CholeskySolver<double>>(graph, tree, block_size);
+    for (const double shift : diagonal_shifts)
+        if (solver->factor(graph, lower, shift)) return std::unique_ptr<SparseSolver>(std::move(solver));
+    return Error{
+        "The stiffness matrix is singular beyond repair; try another particle spacing or support radius."};
 }
 
 Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size,

@@ -10,13 +10,20 @@
 
 namespace sherd {
 
+/// Of the numbers in a factor.
+enum class Precision {
+    refined,  ///< single, for blocks of 3: half the time and memory; PinnedSystem refines its solutions
+    full      ///< double
+};
+
 /// Cholesky factorisation of a symmetric positive definite matrix, given in CSC in blocks of `block_size`
 /// squared with equal patterns, from the diagonal blocks (complete) downwards. `places`: of the block columns
 /// on a lattice where they couple with near ones only, or empty; they make it quick to find an order with
 /// little fill. A matrix that is not safely positive definite gets a small shift of its diagonal
-/// (`relativeShift`).
+/// (`relativeShift`), and one that is too badly conditioned for single precision gets double.
 Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size,
-                                                     const std::vector<Eigen::Vector3i>& places = {});
+                                                     const std::vector<Eigen::Vector3i>& places = {},
+                                                     Precision precision = Precision::full);
 
 /// Numbers that the Cholesky factor of such a matrix has, from its pattern alone: CSC of blocks of
 /// `block_size`, each of them one entry, without values.

@@ -16,60 +16,110 @@ void dtrsv_(const char* uplo, const char* trans, const char* diag, const int* n,
             const int* lda, double* x, const int* incx);
 void dgemv_(const char* trans, const int* m, const int* n, const double* alpha, const double* a,
             const int* lda, const double* x, const int* incx, const double* beta, double* y, const int* incy);
-void dsyevd_(const char* jobz, const char* uplo, const int* n, double* a, const int* lda, double* w,
-             double* work, const int* lwork, int* iwork, const int* liwork, int* info);
 void spotrf_(const char* uplo, const int* n, float* a, const int* lda, int* info);
-void strsv_(const char* uplo, const char* trans, const char* diag, const int* n, const float* a,
-            const int* lda, float* x, const int* incx);
+void strsm_(const char* side, const char* uplo, const char* transa, const char* diag, const int* m,
+            const int* n, const float* alpha, const float* a, const int* lda, float* b, const int* ldb);
 void ssyrk_(const char* uplo, const char* trans, const int* n, const int* k, const float* alpha,
             const float* a, const int* lda, const float* beta, float* c, const int* ldc);
+void sgemm_(const char* transa, const char* transb, const int* m, const int* n, const int* k,
+            const float* alpha, const float* a, const int* lda, const float* b, const int* ldb,
+            const float* beta, float* c, const int* ldc);
+void strsv_(const char* uplo, const char* trans, const char* diag, const int* n, const float* a,
+            const int* lda, float* x, const int* incx);
+void sgemv_(const char* trans, const int* m, const int* n, const float* alpha, const float* a, const int* lda,
+            const float* x, const int* incx, const float* beta, float* y, const int* incy);
+void dsyevd_(const char* jobz, const char* uplo, const int* n, double* a, const int* lda, double* w,
+             double* work, const int* lwork, int* iwork, const int* liwork, int* info);
 }
 
 namespace sherd {
 namespace {
 
-constexpr double zero = 0, one = 1, minus_one = -1;
+template <class Number>
+struct Blas;
+
+template <>
+struct Blas<double> {
+    static constexpr auto potrf = dpotrf_;
+    static constexpr auto trsm = dtrsm_;
+    static constexpr auto syrk = dsyrk_;
+    static constexpr auto gemm = dgemm_;
+    static constexpr auto trsv = dtrsv_;
+    static constexpr auto gemv = dgemv_;
+};
+
+template <>
+struct Blas<float> {
+    static constexpr auto potrf = spotrf_;
+    static constexpr auto trsm = strsm_;
+    static constexpr auto syrk = ssyrk_;
+    static constexpr auto gemm = sgemm_;
+    static constexpr auto trsv = strsv_;
+    static constexpr auto gemv = sgemv_;
+};
+
+template <class Number>
+constexpr Number zero = 0;
+template <class Number>
+constexpr Number one = 1;
+template <class Number>
+constexpr Number minus_one = -1;
 constexpr int step = 1;
 
 }  // namespace
 
-bool choleskyInPlace(double* a, int size, int stride) {
+template <class Number>
+bool choleskyInPlace(Number* a, int size, int stride) {
     int info = 0;
-    dpotrf_("L", &size, a, &stride, &info);
+    Blas<Number>::potrf("L", &size, a, &stride, &info);
     return info == 0;
 }
 
-void divideByTransposed(const double* l, int size, int l_stride, double* b, int rows, int b_stride) {
-    dtrsm_("R", "L", "T", "N", &rows, &size, &one, l, &l_stride, b, &b_stride);
+template <class Number>
+void divideByTransposed(const Number* l, int size, int l_stride, Number* b, int rows, int b_stride) {
+    Blas<Number>::trsm("R", "L", "T", "N", &rows, &size, &one<Number>, l, &l_stride, b, &b_stride);
 }
 
-void setToSquare(const double* a, int size, int depth, int a_stride, double* c, int c_stride) {
-    dsyrk_("L", "N", &size, &depth, &minus_one, a, &a_stride, &zero, c, &c_stride);
+template <class Number>
+void setToSquare(const Number* a, int size, int depth, int a_stride, Number* c, int c_stride) {
+    Blas<Number>::syrk("L", "N", &size, &depth, &minus_one<Number>, a, &a_stride, &zero<Number>, c,
+                       &c_stride);
 }
 
-void setToProduct(const double* a, int rows, const double* b, int columns, int depth, int stride, double* c,
+template <class Number>
+void setToProduct(const Number* a, int rows, const Number* b, int columns, int depth, int stride, Number* c,
                   int c_stride) {
-    dgemm_("N", "T", &rows, &columns, &depth, &minus_one, a, &stride, b, &stride, &zero, c, &c_stride);
+    Blas<Number>::gemm("N", "T", &rows, &columns, &depth, &minus_one<Number>, a, &stride, b, &stride,
+                       &zero<Number>, c, &c_stride);
 }
 
-void solveLower(const double* l, int size, int stride, bool transposed, double* x, int count) {
+template <class Number>
+void solveLower(const Number* l, int size, int stride, bool transposed, Number* x, int count) {
     if (count == 1)
-        dtrsv_("L", transposed ? "T" : "N", "N", &size, l, &stride, x, &step);
+        Blas<Number>::trsv("L", transposed ? "T" : "N", "N", &size, l, &stride, x, &step);
     else  // X^T = X^T L^-T or X^T L^-1
-        dtrsm_("R", "L", transposed ? "N" : "T", "N", &count, &size, &one, l, &stride, x, &count);
+        Blas<Number>::trsm("R", "L", transposed ? "N" : "T", "N", &count, &size, &one<Number>, l, &stride, x,
+                           &count);
 }
 
-void subtractProduct(const double* a, int rows, int columns, int stride, bool transposed, const double* x,
-                     int count, double* y) {
+template <class Number>
+void subtractProduct(const Number* a, int rows, int columns, int stride, bool transposed, const Number* x,
+                     int count, Number* y) {
     if (count == 1)
-        dgemv_(transposed ? "T" : "N", &rows, &columns, &minus_one, a, &stride, x, &step, &one, y, &step);
+        Blas<Number>::gemv(transposed ? "T" : "N", &rows, &columns, &minus_one<Number>, a, &stride, x, &step,
+                           &one<Number>, y, &step);
     else  // Y^T -= X^T A^T or X^T A
-        dgemm_("N", transposed ? "N" : "T", &count, transposed ? &columns : &rows,
-               transposed ? &rows : &columns, &minus_one, x, &count, a, &stride, &one, y, &count);
+        Blas<Number>::gemm("N", transposed ? "N" : "T", &count, transposed ? &columns : &rows,
+                           transposed ? &rows : &columns, &minus_one<Number>, x, &count, a, &stride,
+                           &one<Number>, y, &count);
 }
 
 void setToProduct(const double* a, int rows, const double* b, int columns, int depth, double* c) {
-    dgemm_("N", "N", &rows, &columns, &depth, &one, a, &rows, b, &depth, &zero, c, &rows);
+    dgemm_("N", "N", &rows, &columns, &depth, &one<double>, a, &rows, b, &depth, &zero<double>, c, &rows);
+}
+
+void subtractSquare(const float* a, int size, int depth, float* c, int c_stride) {
+    ssyrk_("L", "T", &size, &depth, &minus_one<float>, a, &depth, &one<float>, c, &c_stride);
 }
 
 bool symmetricEigenvectors(double* a, int size, double* values) {
@@ -81,19 +131,17 @@ bool symmetricEigenvectors(double* a, int size, double* values) {
     return info == 0;
 }
 
-bool choleskyInPlace(float* a, int size, int stride) {
-    int info = 0;
-    spotrf_("L", &size, a, &stride, &info);
-    return info == 0;
-}
-
-void solveLower(const float* l, int size, int stride, bool transposed, float* x) {
-    strsv_("L", transposed ? "T" : "N", "N", &size, l, &stride, x, &step);
-}
-
-void subtractSquare(const float* a, int size, int depth, float* c, int c_stride) {
-    constexpr float plus = 1, minus = -1;
-    ssyrk_("L", "T", &size, &depth, &minus, a, &depth, &plus, c, &c_stride);
-}
+template bool choleskyInPlace(float*, int, int);
+template void divideByTransposed(const float*, int, int, float*, int, int);
+template void setToSquare(const float*, int, int, int, float*, int);
+template void setToProduct(const float*, int, const float*, int, int, int, float*, int);
+template void solveLower(const float*, int, int, bool, float*, int);
+template void subtractProduct(const float*, int, int, int, bool, const float*, int, float*);
+template bool choleskyInPlace(double*, int, int);
+template void divideByTransposed(const double*, int, int, double*, int, int);
+template void setToSquare(const double*, int, int, int, double*, int);
+template void setToProduct(const double*, int, const double*, int, int, int, double*, int);
+template void solveLower(const double*, int, int, bool, double*, int);
+template void subtractProduct(const double*, int, int, int, bool, const double*, int, double*);
 
 }  // namespace sherd

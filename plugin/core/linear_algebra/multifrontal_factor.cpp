@@ -16,7 +16,8 @@ constexpr int strip = 192;           // columns or rows that are worked on at a 
 }  // namespace
 
 /// One factorisation under way.
-class MultifrontalFactor::Elimination {
+template <class Number>
+class MultifrontalFactor<Number>::Elimination {
   public:
     Elimination(MultifrontalFactor& target, const BlockGraph& graph, const SparseMatrix& lower, double shift)
         : to_(target),
@@ -39,13 +40,13 @@ class MultifrontalFactor::Elimination {
   private:
     /// Updates of fronts, by the parity of their depth.
     struct Stacks {
-        std::array<BigBuffer, 2> memory;
+        std::array<BigBuffer<Number>, 2> memory;
         std::array<std::size_t, 2> used{0, 0};
     };
 
     void runThrough(const EliminationSchedule::Run& run, Stacks& stacks, bool on_all_cores) {
         std::vector<int> local_row(graph_.size());
-        for (int s = 0; s < 2; ++s) stacks.memory[s] = BigBuffer(run.stack_sizes[s]);
+        for (int s = 0; s < 2; ++s) stacks.memory[s] = BigBuffer<Number>(run.stack_sizes[s]);
         for (const int front : run.fronts) {
             if (failed_) return;
             eliminate(front, stacks, local_row, on_all_cores);
@@ -54,11 +55,11 @@ class MultifrontalFactor::Elimination {
 
     void eliminate(int front, Stacks& stacks, std::vector<int>& local_row, bool on_all_cores) {
         const int columns = to_.columnCount(front), rows = to_.rowCount(front), stride = columns + rows;
-        double* panel = to_.values_.data() + to_.panel_starts_[front];
+        Number* panel = to_.values_.data() + to_.panel_starts_[front];
         takeEntries(front, panel, local_row);
 
         const int own = to_.schedule_.depth[front] % 2;
-        double* update = stacks.memory[own].data() + stacks.used[own];
+        Number* update = stacks.memory[own].data() + stacks.used[own];
         updates_[front] = update;
         stacks.used[own] += static_cast<std::size_t>(rows) * rows;
         const std::vector<int>& children = fronts_.children[front];
@@ -69,13 +70,13 @@ class MultifrontalFactor::Elimination {
         }
         const bool share = on_all_cores && 1.0 * rows * rows * columns > shared_work;
         const int strips = share ? (rows + strip - 1) / strip : 1;
-        double* below = panel + columns;
+        Number* below = panel + columns;
         forEachStrip(strips, rows, [&](int first, int last) {
             divideByTransposed(panel, columns, stride, below + first, last - first, stride);
         });
         forEachStrip(strips, rows, [&](int first, int last) {
             const int width = last - first;
-            double* target = update + 1L * first * rows + first;
+            Number* target = update + 1L * first * rows + first;
             setToSquare(below + first, width, columns, stride, target, rows);
             if (last < rows)
                 setToProduct(below + last, rows - last, below + first, width, columns, stride, target + width,
@@ -94,7 +95,7 @@ class MultifrontalFactor::Elimination {
     }
 
     /// Puts a front's entries of A into its panel, which is zero.
-    void takeEntries(int front, double* panel, std::vector<int>& local_row) {
+    void takeEntries(int front, Number* panel, std::vector<int>& local_row) {
         const int first = fronts_.first_column[front], behind = fronts_.first_column[front + 1];
         const int stride = to_.stride(front);
         for (int column = first; column < behind; ++column) local_row[column] = column - first;
@@ -102,10 +103,10 @@ class MultifrontalFactor::Elimination {
         for (const int row : fronts_.rows[front]) local_row[row] = height++;
         for (int column = first; column < behind; ++column) {
             const int vertex = fronts_.order[column];
-            double* target = panel + 1L * (column - first) * block_ * stride;
+            Number* target = panel + 1L * (column - first) * block_ * stride;
             takeBlock(vertex, 0, false, target + (column - first) * block_, stride);
             for (int k = 0; k < block_; ++k)
-                target[1L * k * stride + (column - first) * block_ + k] += shift_;
+                target[1L * k * stride + (column - first) * block_ + k] += static_cast<Number>(shift_);
             for (int e = graph_.starts[vertex]; e < graph_.starts[vertex + 1]; ++e) {
                 const int other = graph_.neighbours[e], row = fronts_.place[other];
                 if (row > column)
@@ -116,11 +117,12 @@ class MultifrontalFactor::Elimination {
     }
 
     /// Copies the block at a place in a block column of A.
-    void takeBlock(int column, int position, bool transposed, double* target, int stride) const {
+    void takeBlock(int column, int position, bool transposed, Number* target, int stride) const {
         for (int j = 0; j < block_; ++j) {
             const double* source =
                 lower_.values.data() + lower_.starts[column * block_ + j] + position * block_;
-            for (int i = 0; i < block_; ++i) target[transposed ? i * stride + j : j * stride + i] = source[i];
+            for (int i = 0; i < block_; ++i)
+                target[transposed ? i * stride + j : j * stride + i] = static_cast<Number>(source[i]);
         }
     }
 
@@ -151,11 +153,11 @@ class MultifrontalFactor::Elimination {
 
     /// Adds what a child left behind to the columns from `first` to below `last` of the front above it.
     /// `target` is where the front's entry (first, first) lies.
-    void addUpdate(int child, int parent, int first, int last, double* target, int stride,
+    void addUpdate(int child, int parent, int first, int last, Number* target, int stride,
                    bool on_all_cores) const {
         const std::vector<Piece> pieces = piecesOf(child, parent);
         const int size = to_.rowCount(child);
-        const double* source = updates_[child];
+        const Number* source = updates_[child];
         const auto addColumns = [&](int chunk, int chunks) {
             for (std::size_t piece = 0; piece < pieces.size(); ++piece)
                 for (int k = 0; k < pieces[piece].length; ++k) {
@@ -174,10 +176,10 @@ class MultifrontalFactor::Elimination {
 
     /// Adds one column of a child's update from row `begin` of a piece on; `to`: the parent's column from its
     /// row `first_row` on.
-    static void addColumn(const std::vector<Piece>& pieces, std::size_t piece, int begin, const double* from,
-                          double* to, int first_row) {
+    static void addColumn(const std::vector<Piece>& pieces, std::size_t piece, int begin, const Number* from,
+                          Number* to, int first_row) {
         for (; piece < pieces.size(); ++piece, begin = 0) {
-            const double* source = from + pieces[piece].in_child;
+            const Number* source = from + pieces[piece].in_child;
             const int shift = pieces[piece].in_parent - first_row;
             for (int i = begin; i < pieces[piece].length; ++i) to[shift + i] += source[i];
         }
@@ -185,8 +187,8 @@ class MultifrontalFactor::Elimination {
 
     /// The updates of children in the same run lie on top of their stack.
     void popUpdates(const std::vector<int>& children, Stacks& stacks, int parity) const {
-        const double* begin = stacks.memory[parity].data();
-        const double* end = begin + stacks.memory[parity].size();
+        const Number* begin = stacks.memory[parity].data();
+        const Number* end = begin + stacks.memory[parity].size();
         for (const int child : children)
             if (updates_[child] >= begin && updates_[child] < end && to_.rowCount(child) > 0)
                 stacks.used[parity] -= static_cast<std::size_t>(to_.rowCount(child)) * to_.rowCount(child);
@@ -198,11 +200,13 @@ class MultifrontalFactor::Elimination {
     const BlockGraph& graph_;
     const SparseMatrix& lower_;
     const double shift_;
-    std::vector<double*> updates_;  // per front
+    std::vector<Number*> updates_;  // per front
     std::atomic<bool> failed_{false};
 };
 
-MultifrontalFactor::MultifrontalFactor(const BlockGraph& graph, const EliminationTree& tree, int block_size)
+template <class Number>
+MultifrontalFactor<Number>::MultifrontalFactor(const BlockGraph& graph, const EliminationTree& tree,
+                                               int block_size)
     : block_(block_size), fronts_(graph, tree, block_size), schedule_(fronts_, block_size) {
     panel_starts_.assign(1, 0);
     for (int f = 0; f < fronts_.count(); ++f)
@@ -210,13 +214,15 @@ MultifrontalFactor::MultifrontalFactor(const BlockGraph& graph, const Eliminatio
                                                            static_cast<std::size_t>(stride(f)));
 }
 
-bool MultifrontalFactor::factor(const BlockGraph& graph, const SparseMatrix& lower, double shift) {
-    values_ = BigBuffer();
-    values_ = BigBuffer(panel_starts_.back());
+template <class Number>
+bool MultifrontalFactor<Number>::factor(const BlockGraph& graph, const SparseMatrix& lower, double shift) {
+    values_ = {};
+    values_ = BigBuffer<Number>(panel_starts_.back());
     return Elimination(*this, graph, lower, shift).run();
 }
 
-double MultifrontalFactor::reciprocalCondition() const {
+template <class Number>
+double MultifrontalFactor<Number>::reciprocalCondition() const {
     double least = INFINITY, largest = 0;
     for (int f = 0; f < fronts_.count(); ++f)
         for (int j = 0; j < columnCount(f); ++j) {
@@ -227,5 +233,20 @@ double MultifrontalFactor::reciprocalCondition() const {
         }
     return largest > 0 ? std::pow(least / largest, 2) : 0;
 }
+
+template <class Number>
+double MultifrontalFactor<Number>::smallestPivotShare(const std::vector<double>& diagonal) const {
+    double least = INFINITY;
+    for (int f = 0; f < fronts_.count(); ++f)
+        for (int j = 0; j < columnCount(f); ++j) {
+            const int vertex = fronts_.order[fronts_.first_column[f] + j / block_];
+            const double root = panel(f)[1L * j * stride(f) + j];
+            least = std::min(least, root * root / diagonal[vertex * block_ + j % block_]);
+        }
+    return least;
+}
+
+template class MultifrontalFactor<float>;
+template class MultifrontalFactor<double>;
 
 }  // namespace sherd

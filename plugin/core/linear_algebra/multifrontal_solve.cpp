@@ -9,7 +9,8 @@ constexpr int columns_at_once = 192;  // fixed, so that results do not depend on
 
 }  // namespace
 
-Eigen::MatrixXd MultifrontalFactor::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
+template <class Number>
+Eigen::MatrixXd MultifrontalFactor<Number>::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
     Eigen::MatrixXd result(b.rows(), b.cols());
     const int all = static_cast<int>(b.cols()), chunks = (all + columns_at_once - 1) / columns_at_once;
     forEachChunk(chunks, [&](int chunk) {
@@ -19,15 +20,20 @@ Eigen::MatrixXd MultifrontalFactor::solve(const Eigen::Ref<const Eigen::MatrixXd
             for (std::size_t k = 0; k < fronts_.order.size(); ++k)
                 visit(x.middleRows(static_cast<long>(k) * block_, block_), 1L * fronts_.order[k] * block_);
         };
-        forEachBlock([&](auto&& own, long given) { own = b.block(given, first, block_, count); });
+        forEachBlock([&](auto&& own, long given) {
+            own = b.block(given, first, block_, count).template cast<Number>();
+        });
         solveInOrder(x);
-        forEachBlock([&](auto&& own, long given) { result.block(given, first, block_, count) = own; });
+        forEachBlock([&](auto&& own, long given) {
+            result.block(given, first, block_, count) = own.template cast<double>();
+        });
     });
     return result;
 }
 
 /// x = L^-T L^-1 x, with rows in the order of the fronts.
-void MultifrontalFactor::solveInOrder(Rows& x) const {
+template <class Number>
+void MultifrontalFactor<Number>::solveInOrder(Rows& x) const {
     const int count = static_cast<int>(x.cols());
     Rows below;  // what a front has to do with below its own rows
     const auto forEachBlock = [&](int front, const auto& visit) {
@@ -39,7 +45,7 @@ void MultifrontalFactor::solveInOrder(Rows& x) const {
     };
     for (int f = 0; f < fronts_.count(); ++f) {
         const int columns = columnCount(f), rows = rowCount(f);
-        double* own = x.row(1L * fronts_.first_column[f] * block_).data();
+        Number* own = x.row(1L * fronts_.first_column[f] * block_).data();
         solveLower(panel(f), columns, stride(f), false, own, count);
         if (rows == 0) continue;
         below.setZero(rows, count);
@@ -48,7 +54,7 @@ void MultifrontalFactor::solveInOrder(Rows& x) const {
     }
     for (int f = fronts_.count() - 1; f >= 0; --f) {
         const int columns = columnCount(f), rows = rowCount(f);
-        double* own = x.row(1L * fronts_.first_column[f] * block_).data();
+        Number* own = x.row(1L * fronts_.first_column[f] * block_).data();
         if (rows > 0) {
             below.resize(rows, count);
             forEachBlock(f, [](auto&& above, auto&& copy) { copy = above; });
@@ -57,5 +63,8 @@ void MultifrontalFactor::solveInOrder(Rows& x) const {
         solveLower(panel(f), columns, stride(f), true, own, count);
     }
 }
+
+template Eigen::MatrixXd MultifrontalFactor<float>::solve(const Eigen::Ref<const Eigen::MatrixXd>&) const;
+template Eigen::MatrixXd MultifrontalFactor<double>::solve(const Eigen::Ref<const Eigen::MatrixXd>&) const;
 
 }  // namespace sherd

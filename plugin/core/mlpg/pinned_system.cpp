@@ -1,6 +1,5 @@
 #include "core/mlpg/pinned_system.h"
 
-#include "core/linear_algebra/cholesky_solver.h"
 #include "core/mlpg/pinned_unknowns.h"
 
 namespace sherd {
@@ -9,9 +8,9 @@ PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int
     : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
 
 Result<PinnedSystem> PinnedSystem::factor(SparseMatrix lower, std::vector<int> pinned, int block_size,
-                                          const std::vector<Eigen::Vector3i>& places) {
+                                          const std::vector<Eigen::Vector3i>& places, Precision precision) {
     pinUnknowns(lower, pinned);
-    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places);
+    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places, precision);
     if (!solver) return Error{solver.error()};
     return PinnedSystem(std::move(solver).value(), std::move(pinned));
 }

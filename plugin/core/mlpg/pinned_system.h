@@ -6,8 +6,8 @@
 #include <memory>
 #include <vector>
 
+#include "core/linear_algebra/cholesky_solver.h"
 #include "core/linear_algebra/sparse_matrix.h"
-#include "core/linear_algebra/sparse_solver.h"
 
 namespace sherd {
 
@@ -18,7 +18,8 @@ class PinnedSystem {
     /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards. `places`: see
     /// factorCholesky.
     static Result<PinnedSystem> factor(SparseMatrix lower, std::vector<int> pinned, int block_size,
-                                       const std::vector<Eigen::Vector3i>& places = {});
+                                       const std::vector<Eigen::Vector3i>& places = {},
+                                       Precision precision = Precision::full);
 
     struct Solution {
         Eigen::VectorXd unknowns;
@@ -28,7 +29,7 @@ class PinnedSystem {
     using Residual = std::function<Eigen::VectorXd(const Eigen::VectorXd& unknowns)>;
 
     /// Refines u until `residual_rel` is at most `good_residual` or falls no more. That mends what the
-    /// factorisation lost to a shifted diagonal or a bad condition; mostly the first solve is good enough.
+    /// factorisation lost to single precision, a shifted diagonal or a bad condition.
     Result<Solution> solve(const Eigen::VectorXd& forces, const Residual& residual_of,
                            double good_residual) const;
 

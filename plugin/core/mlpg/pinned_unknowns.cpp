@@ -5,16 +5,20 @@
 
 namespace sherd {
 
-std::vector<int> unknownsToPin(const RigidMotions& motions) {
+std::vector<int> unknownsToPin(const RigidMotions& motions, const SparseMatrix& stiffness) {
     constexpr double smallest_norm = 1e-6;
+    constexpr double least_weight = 1e-3;  // of the stiffest: a component may have no stiffness
+    std::vector<double> weight = diagonalOf(stiffness);
+    const double largest = weight.empty() ? 0 : *std::max_element(weight.begin(), weight.end());
+    for (double& w : weight) w = largest > 0 ? w / largest + least_weight : 1;
     Eigen::Matrix<double, Eigen::Dynamic, 6> rest = motions.coefficients;
     std::vector<int> pinned;
     for (int round = 0; round < 6; ++round) {
         std::vector<long> best(motions.componentCount(), -1);
         for (long unknown = 0; unknown < rest.rows(); ++unknown) {
             long& leader = best[motions.componentOfUnknown(unknown)];
-            if (leader < 0 || rest.row(unknown).squaredNorm() > rest.row(leader).squaredNorm())
-                leader = unknown;
+            const auto holds = [&](long by) { return weight[by] * rest.row(by).squaredNorm(); };
+            if (leader < 0 || holds(unknown) > holds(leader)) leader = unknown;
         }
         std::vector<Eigen::Matrix<double, 6, 1>> directions(best.size(), Eigen::Matrix<double, 6, 1>::Zero());
         for (size_t component = 0; component < best.size(); ++component) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/dense.h"
+#include "core/linear_algebra/lattice_matrix.h"
+#include "core/mlpg/pinned_system.h"
 
 namespace sherd {
 namespace {
@@ -26,6 +29,65 @@ TEST(CholeskySolver, SingularCholeskyIsShiftedAndSaysSo) {
     const auto solver = factorCholesky(compressed(root * root.transpose(), Layout::lower_columns), 3);
     ASSERT_TRUE(solver.ok()) << solver.error();
     EXPECT_GT(solver.value()->relativeShift(), 0);
+}
+
+double residualOf(const SparseSolver& solver, const Eigen::MatrixXd& dense) {
+    const Eigen::VectorXd b = randomVector(dense.rows(), 7);
+    Eigen::VectorXd x;
+    EXPECT_TRUE(solver.solve(b, x));
+    return (dense * x - b).norm() / b.norm();
+}
+
+/// Symmetric, with eigenvalues from 1 down to the smallest in even powers.
+Eigen::MatrixXd matrixWith(double smallest_eigenvalue) {
+    const Eigen::MatrixXd q = randomMatrix(12).householderQr().householderQ();
+    Eigen::VectorXd values(12);
+    for (int i = 0; i < 12; ++i) values[i] = std::pow(smallest_eigenvalue, i / 11.0);
+    return q * values.asDiagonal() * q.transpose();
+}
+
+TEST(CholeskySolver, SinglePrecisionIsTakenWhereItCanBeRefined) {
+    for (const double smallest : {1e-1, 1e-3}) {
+        const Eigen::MatrixXd dense = matrixWith(smallest);
+        const auto lower = compressed(dense, Layout::lower_columns);
+        const auto refined = factorCholesky(lower, 3, {}, Precision::refined);
+        ASSERT_TRUE(refined.ok()) << refined.error();
+        EXPECT_GT(residualOf(*refined.value(), dense), 1e-9) << smallest;
+        EXPECT_LT(residualOf(*refined.value(), dense), 1e-2) << smallest;
+        EXPECT_LT(residualOf(*factorCholesky(lower, 3).value(), dense), 1e-11) << smallest;
+    }
+}
+
+TEST(CholeskySolver, WhatSinglePrecisionCannotHoldGetsDouble) {
+    const Eigen::MatrixXd dense = matrixWith(1e-9);
+    const auto refined = factorCholesky(compressed(dense, Layout::lower_columns), 3, {}, Precision::refined);
+    ASSERT_TRUE(refined.ok()) << refined.error();
+    EXPECT_LT(residualOf(*refined.value(), dense), 1e-6);
+    EXPECT_EQ(refined.value()->relativeShift(), 0);
+}
+
+TEST(CholeskySolver, SinglePrecisionFindsSingularMatricesToo) {
+    const Eigen::MatrixXd root = randomMatrix(12).leftCols(9);
+    const auto solver =
+        factorCholesky(compressed(root * root.transpose(), Layout::lower_columns), 3, {}, Precision::refined);
+    ASSERT_TRUE(solver.ok()) << solver.error();
+    EXPECT_GT(solver.value()->relativeShift(), 0);
+}
+
+TEST(CholeskySolver, RefinedSolutionsAreThoseOfDouble) {
+    const LatticeMatrix lattice(9, 8, 4);
+    const Eigen::VectorXd b = randomVector(lattice.lower.size, 11);
+    const auto residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+        return b - symmetricBlockProduct(lattice.lower, x);
+    };
+    const auto solved = [&](Precision precision) {
+        const auto system = PinnedSystem::factor(lattice.lower, {}, 3, lattice.places, precision);
+        EXPECT_TRUE(system.ok());
+        return system.value().solve(b, residual, 1e-12).value();
+    };
+    const PinnedSystem::Solution refined = solved(Precision::refined), full = solved(Precision::full);
+    EXPECT_LT(refined.residual_rel, 1e-12);
+    EXPECT_LT((refined.unknowns - full.unknowns).norm(), 1e-11 * full.unknowns.norm());
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ class MultifrontalFactors : public testing::Test {
 };
 
 TEST_F(MultifrontalFactors, SolveTheSystem) {
-    MultifrontalFactor factor(graph_, tree_, 3);
+    MultifrontalFactor<double> factor(graph_, tree_, 3);
     ASSERT_TRUE(factor.factor(graph_, matrix_.lower, 0));
     EXPECT_LT(residual(factor.solve(b_), 0), 1e-12 * b_.norm());
     EXPECT_GE(factor.entries(), 9 * tree_.blocks());
@@ -40,7 +40,7 @@ TEST_F(MultifrontalFactors, SolveTheSystem) {
 
 // More columns than pass through the factor at once.
 TEST_F(MultifrontalFactors, SolveManyColumnsAsOneByOne) {
-    MultifrontalFactor factor(graph_, tree_, 3);
+    MultifrontalFactor<double> factor(graph_, tree_, 3);
     ASSERT_TRUE(factor.factor(graph_, matrix_.lower, 0));
     Eigen::MatrixXd b(matrix_.lower.size, 301);
     for (int j = 0; j < b.cols(); ++j) b.col(j) = randomVector(b.rows(), 20 + j);
@@ -51,13 +51,13 @@ TEST_F(MultifrontalFactors, SolveManyColumnsAsOneByOne) {
 }
 
 TEST_F(MultifrontalFactors, AddAShiftToTheDiagonal) {
-    MultifrontalFactor factor(graph_, tree_, 3);
+    MultifrontalFactor<double> factor(graph_, tree_, 3);
     ASSERT_TRUE(factor.factor(graph_, matrix_.lower, 5));
     EXPECT_LT(residual(factor.solve(b_), 5), 1e-12 * b_.norm());
 }
 
 TEST_F(MultifrontalFactors, RefuseWhatIsNotPositiveDefinite) {
-    MultifrontalFactor factor(graph_, tree_, 3);
+    MultifrontalFactor<double> factor(graph_, tree_, 3);
     EXPECT_FALSE(factor.factor(graph_, matrix_.lower, -1000));
     ASSERT_TRUE(factor.factor(graph_, matrix_.lower, 0)) << "and can be used again";
     EXPECT_LT(residual(factor.solve(b_), 0), 1e-12 * b_.norm());
@@ -65,7 +65,7 @@ TEST_F(MultifrontalFactors, RefuseWhatIsNotPositiveDefinite) {
 
 #ifdef __linux__
 TEST_F(MultifrontalFactors, HaveTheSameBitsOnOneCore) {
-    MultifrontalFactor on_all(graph_, tree_, 3), on_one(graph_, tree_, 3);
+    MultifrontalFactor<double> on_all(graph_, tree_, 3), on_one(graph_, tree_, 3);
     ASSERT_TRUE(on_all.factor(graph_, matrix_.lower, 0));
     bool done = false;
     std::thread([&] {

@@ -66,7 +66,7 @@ std::vector<Eigen::Vector3i> placesOf(const Discretisation& solid) {
 Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem, double& factor_ms,
                                                    std::vector<std::string>& warnings) {
     SparseMatrix stiffness = galerkinStiffness(problem.solid, problem.cells, problem.elasticity);
-    std::vector<int> pinned = unknownsToPin(problem.motions);
+    std::vector<int> pinned = unknownsToPin(problem.motions, stiffness);
     Stopwatch watch;
     Result<PinnedSystem> system =
         PinnedSystem::factor(std::move(stiffness), std::move(pinned), problem.space.unknownsPerParticle(),

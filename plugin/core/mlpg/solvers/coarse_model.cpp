@@ -29,9 +29,9 @@ Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacin
     solid->parts = std::move(parts).value();
     Result<SplineProblem> problem = makeSplineProblem(solid, material, basis, supports, {});
     if (!problem) return Error{problem.error()};
-    Result<PinnedSystem> system =
-        PinnedSystem::factor(stiffnessOf(problem.value()), pinnedUnknowns(problem.value()), 3,
-                             problem.value().space->highest_cells);
+    const SparseMatrix stiffness = stiffnessOf(problem.value());
+    Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness),
+                                                       3, problem.value().space->highest_cells);
     if (!system) return Error{system.error()};
     const SparseSolver& factor = system.value().solver();
     if (factor.relativeShift() > 0 || factor.reciprocalCondition() < doubtful_condition)

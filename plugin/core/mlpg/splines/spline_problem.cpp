@@ -59,9 +59,9 @@ SparseMatrix stiffnessOf(const SplineProblem& problem) {
                            springsOf(problem.parts(), problem.supports), problem.shares);
 }
 
-std::vector<int> pinnedUnknowns(const SplineProblem& problem) {
+std::vector<int> pinnedUnknowns(const SplineProblem& problem, const SparseMatrix& stiffness) {
     std::vector<int> pinned;
-    for (const int unknown : unknownsToPin(problem.motions))
+    for (const int unknown : unknownsToPin(problem.motions, stiffness))
         if (!problem.held[problem.motions.componentOfUnknown(unknown)]) pinned.push_back(unknown);
     return pinned;
 }

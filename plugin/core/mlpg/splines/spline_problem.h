@@ -38,7 +38,7 @@ Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector
 SparseMatrix stiffnessOf(const SplineProblem& problem);
 
 /// Unknowns that hold the rigid motions of components without supports.
-std::vector<int> pinnedUnknowns(const SplineProblem& problem);
+std::vector<int> pinnedUnknowns(const SplineProblem& problem, const SparseMatrix& stiffness);
 
 /// Sets the resultants of held components to zero: their supports balance the loads.
 void clearHeld(const SplineProblem& problem, Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants);

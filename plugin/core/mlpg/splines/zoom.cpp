@@ -39,7 +39,7 @@ CellBox onFineGrid(const CellBox& box) {
 /// What must not move: functions that reach beyond the box, and where nothing of a component does and no
 /// support holds it, six unknowns against its rigid motions.
 std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const CellBox& fine_box,
-                              const std::vector<PointSpring>& springs) {
+                              const std::vector<PointSpring>& springs, const SparseMatrix& stiffness) {
     std::vector<int> held;
     std::vector<char> is_held(space.component_count, 0);
     for (const PointSpring& spring : springs) is_held[space.component_of_part[spring.part]] = 1;
@@ -48,7 +48,7 @@ std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, c
         for (int i = 0; i < 3; ++i) held.push_back(3 * function + i);
     }
     const RigidMotions motions = splineMotions(fine, space);
-    for (const int unknown : unknownsToPin(motions))
+    for (const int unknown : unknownsToPin(motions, stiffness))
         if (!is_held[motions.componentOfUnknown(unknown)]) held.push_back(unknown);
     return held;
 }
@@ -65,7 +65,7 @@ Result<Eigen::Matrix3Xd> solveCorrection(const SplineField& coarse, const CellBo
     Eigen::VectorXd residual =
         space.gather(external - splineInternalForces(fine, space, elasticity, springs, coarse.raw));
     SparseMatrix stiffness = splineStiffness(fine, space, elasticity, springs);
-    const std::vector<int> held = heldUnknowns(fine, space, fine_box, springs);
+    const std::vector<int> held = heldUnknowns(fine, space, fine_box, springs, stiffness);
     pinUnknowns(stiffness, held);
     for (const int unknown : held) residual[unknown] = 0;
     entries = static_cast<long long>(stiffness.values.size());

@@ -40,8 +40,8 @@ inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
     auto problem = std::make_shared<const SplineProblem>(
         valueOf(makeSplineProblem(solid, Material{}, Basis::quadratic, supports, {})));
     SparseMatrix stiffness = stiffnessOf(*problem);
-    PinnedSystem factor =
-        valueOf(PinnedSystem::factor(stiffness, pinnedUnknowns(*problem), 3, problem->space->highest_cells));
+    PinnedSystem factor = valueOf(PinnedSystem::factor(stiffness, pinnedUnknowns(*problem, stiffness), 3,
+                                                       problem->space->highest_cells));
     std::vector<UnitPatch> patches = unitPatches(*solid, ReducedModelLimits{}.patches);
     UnitResponses unit = valueOf(unitResponses(*problem, factor.solver(), factor.pinned(), patches));
     ReducedStress reduced{valueOf(ReducedModel::make(problem, stiffness, unit)),
