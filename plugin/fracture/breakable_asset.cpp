@@ -72,11 +72,10 @@ Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>
         return Error{"no support was given to hold the body on; name parts of its surface (SurfaceRegion)"};
     if (const auto points = pointsOfSupports(surface(), supports, solid_->spacing()); !points)
         return Error{points.error()};
-    if (supportsThatHold(surface(), supports, solid_->spacing()).empty())
+    if (supportsThatHold(surface(), supports, solid_->spacing(), solid_->wallThickness()).empty())
         return Error{
             "the supports hold the body by no more than a line or a point, about which it can turn; give "
-            "them "
-            "more of its surface"};
+            "them more of its surface"};
     return BreakableAsset(solid_->anchored(supports), repairs_, warnings_);
 }
 

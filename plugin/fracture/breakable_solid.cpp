@@ -58,7 +58,7 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_ = fragmentSpacing(spacing_, volume);
     piece->is_fragment_ = true;
-    piece->supports_ = supportsThatHold(piece->surface_, supports_, piece->spacing_);
+    piece->supports_ = supportsThatHold(piece->surface_, supports_, piece->spacing_, piece->wall_thickness_);
     return piece;
 }
 

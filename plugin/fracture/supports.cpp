@@ -1,6 +1,7 @@
 #include "fracture/supports.h"
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 
 #include "core/loads/surface_region.h"
 
@@ -40,9 +41,12 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
                                                    double spacing_m) {
     std::vector<SupportPoint> supports;
     if (regions.empty()) return supports;
+    constexpr double points_across = 3;  // at least: points in one row would not keep a body from turning
     const TriangleMesh original = withoutCrackFaces(surface);
     for (const SurfaceRegion& region : regions) {
-        const auto points = regionQuadrature(original, region, spacing_m);
+        const double width = regionWidth(original, region);
+        const auto points = regionQuadrature(
+            original, region, width > 0 ? std::min(spacing_m, width / points_across) : spacing_m);
         if (!points) return Error{"A support cannot be placed: " + points.error()};
         for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
     }
@@ -50,9 +54,10 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
 }
 
 std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
-                                            const std::vector<SurfaceRegion>& regions, double spacing_m) {
+                                            const std::vector<SurfaceRegion>& regions, double spacing_m,
+                                            double wall_thickness_m) {
     constexpr double smallest_area = 0.5;    // of a particle's face
-    constexpr double smallest_width = 0.05;  // of the spacing; standard deviation across the line
+    constexpr double smallest_width = 0.05;  // of spacing or wall; standard deviation across the line
     std::vector<SurfaceRegion> holding;
     std::vector<SupportPoint> points;
     for (const SurfaceRegion& region : regions) {
@@ -64,7 +69,8 @@ std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
         holding.push_back(region);
         points.insert(points.end(), of_region.value().begin(), of_region.value().end());
     }
-    if (points.empty() || areInLine(points, smallest_width * spacing_m)) return {};
+    if (points.empty() || areInLine(points, smallest_width * std::min(spacing_m, wall_thickness_m)))
+        return {};
     return holding;
 }
 

@@ -10,8 +10,8 @@
 
 namespace sherd {
 
-/// Quadrature points, about `spacing_m` apart, of the parts of the surface that regions take. Crack faces are
-/// held by nothing. The error says which region touches no surface.
+/// Quadrature points, about `spacing_m` apart or closer where a part is narrow, of the parts of the surface
+/// that regions take. Crack faces are held by nothing. The error says which region touches no surface.
 Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
                                                    const std::vector<SurfaceRegion>& regions,
                                                    double spacing_m);
@@ -19,6 +19,7 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
 /// Those regions that hold a piece of a broken body; none if together they leave it free to turn.
 /// `spacing_m`: between its particles; regions that touch less than a particle's face hold nothing.
 std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
-                                            const std::vector<SurfaceRegion>& regions, double spacing_m);
+                                            const std::vector<SurfaceRegion>& regions, double spacing_m,
+                                            double wall_thickness_m);
 
 }  // namespace sherd

@@ -1,5 +1,6 @@
 #include "core/loads/surface_region.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,6 +83,29 @@ Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, con
     for (const ConvexPolygon& part : parts)
         for (std::size_t i = 2; i < part.size(); ++i) addTriangle({part[0], part[i - 1], part[i]}, grid);
     return grid.points();
+}
+
+double regionWidth(const TriangleMesh& surface, const SurfaceRegion& region) {
+    if (!checkRegion(region)) return 0;
+    const Vec3 origin = boundingBox(surface.vertices).center();
+    double area = 0;
+    Vec3 first = Vec3::Zero();
+    Mat3 second = Mat3::Zero();
+    for (const ConvexPolygon& part : partsInside(surface, region))
+        for (std::size_t i = 2; i < part.size(); ++i) {
+            const TriangleCorners t{part[0] - origin, part[i - 1] - origin, part[i] - origin};
+            const double a = areaVector(t).norm();
+            const Vec3 sum = t[0] + t[1] + t[2];
+            area += a;
+            first += a / 3 * sum;
+            second += a / 12 * sum * sum.transpose();
+            for (const Vec3& corner : t) second += a / 12 * corner * corner.transpose();
+        }
+    if (!(area > 0)) return 0;
+    const Mat3 spread = second / area - first * first.transpose() / (area * area);
+    const double variance =
+        Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues()[1];
+    return std::sqrt(12 * std::max(0.0, variance));
 }
 
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points) {

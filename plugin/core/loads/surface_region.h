@@ -22,6 +22,10 @@ struct AreaPoint {
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size);
 
+/// The width of the part of `surface` in `region`, m: the shorter side of a rectangle that spreads as far. 0
+/// if there is none.
+double regionWidth(const TriangleMesh& surface, const SurfaceRegion& region);
+
 /// The forces of a load at the quadrature points of its region: F a / A - p a n at a point of area a and
 /// normal n, with A the sum of all areas.
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points);
