@@ -33,15 +33,16 @@ struct BodyOptions : BreakableOptions {
     BodyOptions(const btTransform& its_start = btTransform::getIdentity()) : start(its_start) {}
 
     btTransform start;  ///< where the asset's own coordinates stand; a rotation and a translation
-    btVector3 velocity = btVector3(0, 0, 0);          ///< of the centre of mass, m/s; 0 with supports
-    btVector3 angular_velocity = btVector3(0, 0, 0);  ///< rad/s; 0 with supports
+    btVector3 velocity = btVector3(0, 0, 0);  ///< of the centre of mass, m/s; has to be 0 with supports
+    btVector3 angular_velocity = btVector3(0, 0, 0);  ///< rad/s; has to be 0 with supports
     std::optional<FractureSettings> fracture;         ///< how it breaks; none: as the asset says
     std::optional<int> collision_group;               ///< none: Bullet's own choice
     std::optional<int> collision_mask;                ///< none: Bullet's own choice
     void* user_pointer = nullptr;
     int user_index = -1;
-    /// The app's, which outlives the body; it is told `start` at once. None: the body gets one of its own, a
-    /// btDefaultMotionState whose `m_graphicsWorldTrans` is where to draw the asset's surface.
+    /// The app's, which outlives the body; it is told `start` at once (what it throws leaves `add`). None:
+    /// the body gets one of its own, a btDefaultMotionState whose `m_graphicsWorldTrans` is where to draw the
+    /// asset's surface.
     btMotionState* motion_state = nullptr;
 };
 

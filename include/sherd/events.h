@@ -37,8 +37,9 @@ struct BlowEvent : BlowFigures {
     Vec3 position = Vec3::Zero();  ///< of the strike that was met first, m
     Vec3 normal = Vec3::Zero();    ///< unit direction in which the body was pushed there
 
-    /// Empty unless it broke. The FractureWorld owns them. Each is valid until it is removed or the
-    /// FractureWorld is destroyed; if it breaks in its turn, it lives on as the `body` of that event.
+    /// Empty unless it broke, and without those that a FragmentCallback removed. The FractureWorld owns them.
+    /// Each is valid until it is removed or the FractureWorld is destroyed; if it breaks in its turn, it
+    /// lives on as the `body` of that event.
     std::vector<btRigidBody*> fragments;
     /// Joints that held the body before it broke, removed from the world. The app owns them; if the body was
     /// Sherd's they are disabled. They may be removed once more and deleted at any time.

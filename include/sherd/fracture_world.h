@@ -32,8 +32,8 @@ Result<int> explode(FractureWorld& world, const Explosion& explosion);
 /// owning these), and takes Sherd out of the world.
 ///
 /// Set the world's constraint solver first: a solver that is set later replaces Sherd's, and nothing breaks
-/// any more. `add` and `makeBreakable` then say so, as they do in a btDeformableMultiBodyDynamicsWorld, in
-/// which nothing can break.
+/// any more. `add` and `makeBreakable` then say so (`applyBlow` works still), as they do in a
+/// btDeformableMultiBodyDynamicsWorld, in which nothing can break.
 ///
 /// Threads. A FractureWorld belongs to the thread that steps its world: make every call from there, or while
 /// no other thread steps or calls. Several worlds may be stepped on several threads, also with bodies of one
@@ -46,8 +46,10 @@ Result<int> explode(FractureWorld& world, const Explosion& explosion);
 /// Inside a step, that is from a callback of Bullet's between the start of its collision detection and the
 /// end of its solver, and inside a FragmentCallback: `add` and `makeBreakable` are refused, `remove` and
 /// `applyBlow` wait for the end of the step, `takeEvents` gives the events of earlier steps, everything else
-/// works as always. Bullet's tick callbacks and actions are outside. A callback that throws out of
-/// `stepSimulation` leaves the world inside the step, until the next one is complete.
+/// works as always; `stepSimulation` must not be called. A body that is removed while it breaks is removed
+/// with all its fragments. Bullet's tick callbacks and actions are outside. A callback that throws out of
+/// `stepSimulation` leaves the world inside the step, until the next one is complete; a FractureWorld that is
+/// destroyed before leaves its bodies and its solver in the world until then, or until that is destroyed.
 ///
 /// Bullet does not tell that it is busy elsewhere. From callbacks of what the app calls itself
 /// (`performDiscreteCollisionDetection`, `contactTest`, `rayTest`, `convexSweepTest`, `debugDrawWorld`) only

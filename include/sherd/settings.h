@@ -150,7 +150,8 @@ struct GuideField {
 /// What becomes of pieces below `FractureSettings::smallest_fragment_m3`.
 enum class Debris {
     unbreakable,  ///< bodies as the others, that never break again
-    merged,       ///< parts of the neighbour that they share most surface with
+    merged,   ///< parts of the neighbour that they share most surface with; by the volume of particles, so
+              ///< that a piece may still come out a few percent smaller
     dropped,  ///< never enter the world (the largest piece always does); the event says how much mass they
               ///< had
 };

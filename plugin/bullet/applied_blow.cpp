@@ -25,6 +25,8 @@ std::string words(const btVector3& v) {
     return text.str();
 }
 
+constexpr double speed_of_light_m_s = 299792458;
+
 bool isNotNegative(double value) {
     return std::isfinite(value) && value >= 0;
 }
@@ -38,6 +40,8 @@ Status checkPush(const Push& push) {
                        "0 (as small as the settings allow) or positive, in m");
     if (!isNotNegative(push.speed_m_s))
         return refused("speed", push.speed_m_s, "0 (not known) or positive, in m/s");
+    if (push.speed_m_s >= speed_of_light_m_s)
+        return refused("speed", push.speed_m_s, "slower than light, in m/s");
     return success();
 }
 
@@ -91,7 +95,6 @@ Status checkPushes(const std::vector<Push>& pushes) {
 }
 
 Status checkSpeeds(const Breakable& breakable, const std::vector<Push>& pushes) {
-    constexpr double speed_of_light_m_s = 299792458;
     for (const Push& push : pushes) {
         const double speed = speedBy(breakable, push);
         if (speed < speed_of_light_m_s) continue;

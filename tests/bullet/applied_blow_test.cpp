@@ -151,6 +151,8 @@ TEST(AppliedBlow, RefusalsSayWhy) {
         "in m");
     EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1), 0, -2}),
               "the speed of the push is -2 but must be 0 (not known) or positive, in m/s");
+    EXPECT_EQ(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1), 0, 1e300}),
+              "the speed of the push is 1e+300 but must be slower than light, in m/s");
     EXPECT_NE(refusal({btVector3(0, 0, 0), btVector3(0, 0, 1e20f)}).find("faster than light"),
               std::string::npos);
     EXPECT_NE(refusal({btVector3(1e20f, 0, 0), btVector3(0, 0, 1)}).find("away from the surface"),
