@@ -131,7 +131,8 @@ Status BreakableSolid::makeReduced(const Progress& progress) const {
     const auto& reduced = reduced_.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
         if (const Result<StressSolver>* made = solver_.ifMade(); made && *made)
             return made->value().reduced(progress);
-        const Result<StressSolver> solver = stressSolverWithout({});  // its factor is not kept
+        // Its factor is not kept.
+        const Result<StressSolver> solver = stressSolverWithout({}, Precision::full);
         if (!solver) return Error{solver.error()};
         return solver.value().reduced(progress);
     });
@@ -144,14 +145,15 @@ const ReducedStress* BreakableSolid::reducedStress() const {
     return reduced && *reduced ? reduced->value().get() : nullptr;
 }
 
-Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged) const {
+Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged,
+                                                         Precision precision) const {
     const auto sampled = completeDiscretisation();
     if (!sampled) return Error{sampled.error()};
     const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
     StressSettings stress = settings_.stress;
     if (!stress.resample_contacts) stress.resampling_rounds = 0;
-    return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged);
+    return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged, precision);
 }
 
 const Result<CoarseModel>& BreakableSolid::coarseModel() const {

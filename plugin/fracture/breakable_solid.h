@@ -72,7 +72,8 @@ class BreakableSolid {
     /// Whether `makeFragment` made it.
     bool isFragment() const { return is_fragment_; }
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
-    Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged) const;
+    Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged,
+                                             Precision precision = Precision::refined) const;
     /// Tensile strength of every particle of `discretisation()`, Pa, from the material, the seed and the
     /// strength field; made at the first call. Throws std::invalid_argument where the field is not positive,
     /// or below its minimum.

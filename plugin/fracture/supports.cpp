@@ -41,12 +41,13 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
                                                    double spacing_m) {
     std::vector<SupportPoint> supports;
     if (regions.empty()) return supports;
-    constexpr double points_across = 3;  // at least: points in one row would not keep a body from turning
+    constexpr double points_across = 3;  // points in one row would not keep a body from turning
+    constexpr double finest = 1.0 / 50;  // of the spacing: narrower strips hold as a line does
     const TriangleMesh original = withoutCrackFaces(surface);
     for (const SurfaceRegion& region : regions) {
-        const double width = regionWidth(original, region);
-        const auto points = regionQuadrature(
-            original, region, width > 0 ? std::min(spacing_m, width / points_across) : spacing_m);
+        const double across = extentOf(original, region).width_m / points_across;
+        const auto points =
+            regionQuadrature(original, region, std::clamp(across, finest * spacing_m, spacing_m));
         if (!points) return Error{"A support cannot be placed: " + points.error()};
         for (const AreaPoint& p : points.value()) supports.push_back({p.position, p.area_m2});
     }
@@ -60,12 +61,11 @@ std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
     constexpr double smallest_width = 0.05;  // of spacing or wall; standard deviation across the line
     std::vector<SurfaceRegion> holding;
     std::vector<SupportPoint> points;
+    const TriangleMesh original = withoutCrackFaces(piece);
     for (const SurfaceRegion& region : regions) {
+        if (extentOf(original, region).area_m2 < smallest_area * spacing_m * spacing_m) continue;
         const auto of_region = pointsOfSupports(piece, {region}, spacing_m / 2);
         if (!of_region) continue;
-        double area = 0;
-        for (const SupportPoint& p : of_region.value()) area += p.area_m2;
-        if (area < smallest_area * spacing_m * spacing_m) continue;
         holding.push_back(region);
         points.insert(points.end(), of_region.value().begin(), of_region.value().end());
     }

@@ -140,6 +140,28 @@ TEST_F(BlowBounds, TheWeakestStrengthIsThatOfTheParticles) {
     EXPECT_EQ(solid().weakestStrength(sampling), *std::min_element(strengths.begin(), strengths.end()));
 }
 
+// Beside a clamp the table would say too little.
+TEST(AnchoredBlowBounds, AreThoseOfTheEnergyAlone) {
+    const Shape wall = tenShapes()[1];
+    const auto free = BreakableSolid::make(wall.mesh, wall.material, Settings::forQuality(Quality::preview));
+    const double low = std::min_element(wall.mesh.vertices.begin(), wall.mesh.vertices.end(),
+                                        [](const Vec3& a, const Vec3& b) { return a.z() < b.z(); })
+                           ->z();
+    const double far = 10;
+    const auto solid = free.value()->anchored({BoxRegion{{-far, -far, low}, {far, far, low}}});
+    ASSERT_TRUE(solid->prepare({}).ok());
+    ASSERT_TRUE(solid->reducedStress());
+    EXPECT_TRUE(solid->reducedStress()->peaks.levels.empty());
+    FractureSettings fully = solid->settings().fracture;
+    fully.use_reduced_model = false;
+    RandomBlows blows(wall.mesh, 4);
+    for (double speed = 10; speed > 0.01; speed *= 0.8) {
+        Blow blow = blows.next();
+        for (ContactImpulse& contact : blow.contacts) contact.approach_m_s *= speed;
+        EXPECT_EQ(canBreak(*solid, blow, solid->settings().fracture), canBreak(*solid, blow, fully));
+    }
+}
+
 // The app's field may wait or throw: what asks whether a blow is worth a solve must not call it.
 TEST_F(BlowBounds, TheGateNeverCallsAStrengthField) {
     Settings settings = Settings::forQuality(Quality::preview);

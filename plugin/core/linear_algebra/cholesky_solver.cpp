@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <type_traits>
 
 #include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/least_fill.h"
@@ -41,6 +42,7 @@ class CholeskySolver : public SparseSolver {
     long long factorEntries() const override { return factor_.entries(); }
     double reciprocalCondition() const override { return reciprocal_condition_; }
     double relativeShift() const override { return relative_shift_; }
+    bool isSingle() const override { return std::is_same_v<Number, float>; }
 
     /// False where the matrix, with the shift, is not safely positive definite.
     bool factor(const BlockGraph& graph, const SparseMatrix& lower, double relative_shift) {

@@ -33,6 +33,9 @@ class SparseSolver {
     /// What was added to the diagonal, relative to its mean, because the matrix alone could not be factored;
     /// mostly 0.
     virtual double relativeShift() const { return 0; }
+
+    /// Whether solutions are in single precision, and are to be refined.
+    virtual bool isSingle() const { return false; }
 };
 
 }  // namespace sherd

@@ -85,8 +85,8 @@ Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, con
     return grid.points();
 }
 
-double regionWidth(const TriangleMesh& surface, const SurfaceRegion& region) {
-    if (!checkRegion(region)) return 0;
+RegionExtent extentOf(const TriangleMesh& surface, const SurfaceRegion& region) {
+    if (!checkRegion(region)) return {};
     const Vec3 origin = boundingBox(surface.vertices).center();
     double area = 0;
     Vec3 first = Vec3::Zero();
@@ -101,11 +101,11 @@ double regionWidth(const TriangleMesh& surface, const SurfaceRegion& region) {
             second += a / 12 * sum * sum.transpose();
             for (const Vec3& corner : t) second += a / 12 * corner * corner.transpose();
         }
-    if (!(area > 0)) return 0;
+    if (!(area > 0)) return {};
     const Mat3 spread = second / area - first * first.transpose() / (area * area);
     const double variance =
         Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues()[1];
-    return std::sqrt(12 * std::max(0.0, variance));
+    return {area, std::sqrt(12 * std::max(0.0, variance))};
 }
 
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points) {

@@ -22,9 +22,14 @@ struct AreaPoint {
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size);
 
-/// The width of the part of `surface` in `region`, m: the shorter side of a rectangle that spreads as far. 0
-/// if there is none.
-double regionWidth(const TriangleMesh& surface, const SurfaceRegion& region);
+/// How large the part of a surface in a region is.
+struct RegionExtent {
+    double area_m2 = 0;
+    double width_m = 0;  ///< the shorter side of a rectangle that spreads as far
+};
+
+/// Both 0 if no part of `surface` lies in `region`.
+RegionExtent extentOf(const TriangleMesh& surface, const SurfaceRegion& region);
 
 /// The forces of a load at the quadrature points of its region: F a / A - p a n at a point of area a and
 /// normal n, with A the sum of all areas.

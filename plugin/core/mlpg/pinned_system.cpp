@@ -1,5 +1,7 @@
 #include "core/mlpg/pinned_system.h"
 
+#include <cmath>
+
 #include "core/mlpg/pinned_unknowns.h"
 
 namespace sherd {
@@ -25,11 +27,15 @@ Result<PinnedSystem::Solution> PinnedSystem::solve(const Eigen::VectorXd& forces
     Eigen::VectorXd residual = forces, correction;
     for (int step = 0; step <= largest_refinements && best.residual_rel > good_residual; ++step) {
         for (const int unknown : pinned_) residual[unknown] = 0;
-        if (!solver_->solve(residual, correction))
+        // Loads and units of any size are the same to single precision.
+        const double size = residual.lpNorm<Eigen::Infinity>();
+        if (!(size > 0)) break;
+        if (!solver_->solve(residual / size, correction))
             return Error{"The stress solve failed in the linear solver."};
-        Eigen::VectorXd next = best.unknowns + correction;
+        Eigen::VectorXd next = best.unknowns + size * correction;
         residual = residual_of(next);
         const double next_rel = residual.norm() / scale;
+        if (!std::isfinite(next_rel)) return Error{"The stress solve came out not finite."};
         if (step > 0 && !(next_rel < best.residual_rel)) break;
         best = {std::move(next), next_rel};
     }

@@ -44,7 +44,7 @@ Result<StressField> finiteOrError(StressField field) {
 Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> solid,
                                          const Material& material, const StressSettings& settings,
                                          const std::vector<SupportPoint>& supports,
-                                         const std::vector<char>& damaged) {
+                                         const std::vector<char>& damaged, Precision precision) {
     if (Status status = checkStressProblem(solid.get(), material, settings); !status)
         return Error{status.error()};
     const bool splines = settings.trial_function == TrialFunction::spline;
@@ -53,7 +53,7 @@ Result<StressSolver> StressSolver::build(std::shared_ptr<const Discretisation> s
         return Error{"Damaged particles are left out of the stress with spline trial functions only."};
     return guarded<StressSolver>([&]() -> Result<StressSolver> {
         Result<std::unique_ptr<Impl>> impl =
-            splines ? Impl::overSplines(std::move(solid), material, settings, supports, damaged)
+            splines ? Impl::overSplines(std::move(solid), material, settings, supports, damaged, precision)
                     : Impl::overParticles(std::move(solid), material, settings);
         if (!impl) return Error{impl.error()};
         return StressSolver(std::move(impl).value());

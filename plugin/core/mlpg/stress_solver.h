@@ -9,6 +9,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/linear_algebra/cholesky_solver.h"
 #include "core/sampling/discretisation.h"
 
 namespace sherd {
@@ -41,11 +42,13 @@ struct SupportPoint {
 class StressSolver {
   public:
     /// `damaged` (#particles, or empty: none) marks particles that carry no stress: a ten-thousandth of their
-    /// stiffness keeps what they hold together from drifting. Splines only.
+    /// stiffness keeps what they hold together from drifting. Splines only, as `precision`: full is for what
+    /// solves a thousand loads (`reduced`).
     static Result<StressSolver> build(std::shared_ptr<const Discretisation> solid, const Material& material,
                                       const StressSettings& settings,
                                       const std::vector<SupportPoint>& supports = {},
-                                      const std::vector<char>& damaged = {});
+                                      const std::vector<char>& damaged = {},
+                                      Precision precision = Precision::refined);
 
     StressSolver(StressSolver&&) noexcept;
     StressSolver& operator=(StressSolver&&) noexcept;

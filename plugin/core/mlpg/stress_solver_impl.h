@@ -26,7 +26,7 @@ struct StressSolver::Impl {
     static Result<std::unique_ptr<Impl>> overSplines(std::shared_ptr<const Discretisation> solid,
                                                      const Material& material, const StressSettings& settings,
                                                      const std::vector<SupportPoint>& supports,
-                                                     const std::vector<char>& damaged);
+                                                     const std::vector<char>& damaged, Precision precision);
 };
 
 /// The error of a field that is not finite, or the field.

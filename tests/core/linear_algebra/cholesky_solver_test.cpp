@@ -76,18 +76,21 @@ TEST(CholeskySolver, SinglePrecisionFindsSingularMatricesToo) {
 
 TEST(CholeskySolver, RefinedSolutionsAreThoseOfDouble) {
     const LatticeMatrix lattice(9, 8, 4);
-    const Eigen::VectorXd b = randomVector(lattice.lower.size, 11);
-    const auto residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-        return b - symmetricBlockProduct(lattice.lower, x);
-    };
-    const auto solved = [&](Precision precision) {
-        const auto system = PinnedSystem::factor(lattice.lower, {}, 3, lattice.places, precision);
-        EXPECT_TRUE(system.ok());
-        return system.value().solve(b, residual, 1e-12).value();
-    };
-    const PinnedSystem::Solution refined = solved(Precision::refined), full = solved(Precision::full);
-    EXPECT_LT(refined.residual_rel, 1e-12);
-    EXPECT_LT((refined.unknowns - full.unknowns).norm(), 1e-11 * full.unknowns.norm());
+    for (const double size : {1.0, 1e-50, 1e50}) {
+        const Eigen::VectorXd b = size * randomVector(lattice.lower.size, 11);
+        const auto residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
+            return b - symmetricBlockProduct(lattice.lower, x);
+        };
+        const auto solved = [&](Precision precision) {
+            const auto system = PinnedSystem::factor(lattice.lower, {}, 3, lattice.places, precision);
+            EXPECT_TRUE(system.ok());
+            EXPECT_EQ(system.value().solver().isSingle(), precision == Precision::refined);
+            return system.value().solve(b, residual, 1e-12).value();
+        };
+        const PinnedSystem::Solution refined = solved(Precision::refined), full = solved(Precision::full);
+        EXPECT_LT(refined.residual_rel, 1e-12) << size;
+        EXPECT_LT((refined.unknowns - full.unknowns).norm(), 1e-11 * full.unknowns.norm()) << size;
+    }
 }
 
 }  // namespace

@@ -22,20 +22,25 @@ void StressBounds::archiveBoxes(Archive& archive) {
         }
 }
 
+inline bool isFiniteSize(float value) {
+    return std::isfinite(value) && value >= 0;
+}
+
 template <class Archive>
 void archiveFields(Archive& archive, PeakTable::Patch& patch) {
     auto& [middle, inward, on_edge, peaks, compliance_m_n, work_scale, work] = patch;
     archiveAll(archive, middle, inward, on_edge, peaks, compliance_m_n, work_scale, work);
-    archive.require(on_edge <= 1 && areFinite(middle) && areFinite(inward) && std::isfinite(compliance_m_n) &&
-                    std::isfinite(work_scale));
+    constexpr float rounding = 1e-3f;
+    archive.require(on_edge <= 1 && areFinite(middle) && std::abs(inward.norm() - 1) < rounding &&
+                    isFiniteSize(compliance_m_n) && isFiniteSize(work_scale));
 }
 
 template <class Archive>
 void archiveFields(Archive& archive, PeakTable::Level& level) {
     auto& [radius_m, reach_m, unit_pa_n, patches] = level;
     archiveAll(archive, radius_m, reach_m, unit_pa_n, patches);
-    archive.require(radius_m > 0 && reach_m > 0 && std::isfinite(radius_m) && std::isfinite(reach_m) &&
-                    std::isfinite(unit_pa_n));
+    archive.require(radius_m > 0 && reach_m > 0 && isFiniteSize(radius_m) && isFiniteSize(reach_m) &&
+                    isFiniteSize(unit_pa_n));
 }
 
 template <class Archive>

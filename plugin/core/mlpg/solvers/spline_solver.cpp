@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <optional>
+
 #include "core/linear_algebra/block_product.h"
 #include "core/mlpg/pinned_system.h"
 #include "core/mlpg/reduced/make_peak_table.h"
@@ -125,17 +128,20 @@ StressField SplineSolver::stressOf(const std::function<Vec3(const Vec3& x)>& dis
 
 Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progress& progress) const {
     if (!problem_.shares.empty()) return Error{"A damaged solid has no reduced model."};
-    if (system_.solver().relativeShift() > 0)
-        return Error{"The stiffness matrix is singular, so it has no reduced model; try another spacing."};
     const auto tell = [&](double done) {
         if (progress) progress(done);
     };
     tell(0);
     // A thousand solves in double precision take less than as many that are refined.
-    const auto precise =
-        PinnedSystem::factor(stiffness_, system_.pinned(), 3, problem_.space->highest_cells, Precision::full);
-    if (!precise) return Error{precise.error()};
-    const SparseSolver& factor = precise.value().solver();
+    std::optional<PinnedSystem> precise;
+    if (system_.solver().isSingle()) {
+        auto made = PinnedSystem::factor(stiffness_, system_.pinned(), 3, problem_.space->highest_cells);
+        if (!made) return Error{made.error()};
+        precise = std::move(made).value();
+    }
+    const SparseSolver& factor = precise ? precise->solver() : system_.solver();
+    if (factor.relativeShift() > 0)
+        return Error{"The stiffness matrix is singular, so it has no reduced model; try another spacing."};
     const ReducedModelLimits limits;
     const auto patches = unitPatches(*problem_.solid, limits.patches);
     constexpr double solves_done = 0.4, modes_done = 0.6;  // about: shares of the time
@@ -147,9 +153,14 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
                            : ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
     if (!model) return Error{model.error()};
     tell(modes_done);
-    auto peaks =
-        makePeakTable({problem_, factor, system_.pinned(), patches, unit.value(), model.value().modes()},
-                      samples_, material_);
+    // Beside a support, stress and compliance change too fast from place to place for a table.
+    const bool is_held =
+        std::any_of(problem_.held.begin(), problem_.held.end(), [](char held) { return held; });
+    Result<PeakTable> peaks = PeakTable{};
+    if (!is_held)
+        peaks =
+            makePeakTable({problem_, factor, system_.pinned(), patches, unit.value(), model.value().modes()},
+                          samples_, material_);
     if (!peaks) return Error{peaks.error()};
     tell(1);
     return std::shared_ptr<const ReducedStress>(new ReducedStress{std::move(model).value(),
@@ -175,7 +186,7 @@ std::vector<std::string> trustWarnings(const Material& material, const SparseSol
 
 Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     std::shared_ptr<const Discretisation> solid, const Material& material, const StressSettings& settings,
-    const std::vector<SupportPoint>& supports, const std::vector<char>& damaged) {
+    const std::vector<SupportPoint>& supports, const std::vector<char>& damaged, Precision precision) {
     Result<SplineProblem> problem =
         makeSplineProblem(std::move(solid), material, settings.basis, supports, damaged);
     if (!problem) return Error{problem.error()};
@@ -184,9 +195,8 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     StressSolverReport report;
     report.assemble_ms = assembly_watch.milliseconds();
     const Stopwatch factor_watch;
-    Result<PinnedSystem> system =
-        PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness), 3,
-                             problem.value().space->highest_cells, Precision::refined);
+    Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness),
+                                                       3, problem.value().space->highest_cells, precision);
     if (!system) return Error{system.error()};
     report.factor_ms = factor_watch.milliseconds();
     const SparseSolver& factor = system.value().solver();

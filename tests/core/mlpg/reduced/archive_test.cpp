@@ -109,7 +109,7 @@ TEST_F(ReducedArchive, NumbersThatAreNotFiniteAreRefused) {
 TEST_F(ReducedArchive, PeaksThatAreNotFiniteAreRefused) {
     PeakTable::Patch patch;
     patch.middle = {1.1f, 1.2f, 1.3f};
-    patch.inward = {0.6f, 0.7f, 0.8f};
+    patch.inward = {0.36f, 0.48f, 0.8f};
     patch.compliance_m_n = 1.4f;
     patch.work_scale = 1.6f;
     const PeakTable::Level level{1.7f, 1.8f, 1.9f, {patch}};
