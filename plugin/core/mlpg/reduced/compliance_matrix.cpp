@@ -17,10 +17,7 @@ Result<ComplianceMatrix> ComplianceMatrix::make(const SplineProblem& problem, co
     return ComplianceMatrix{(0.5 * (columns + columns.transpose())).cast<float>()};
 }
 
-Result<ReducedResponse> ComplianceMatrix::respond(const LoadedFunctions& loaded) const {
-    Eigen::VectorXf forces = Eigen::VectorXf::Zero(entries.cols());
-    for (const LoadedFunctions::Force& on : loaded.forces)
-        forces.segment<3>(3L * on.function) += on.force.cast<float>();
+Result<ReducedResponse> ComplianceMatrix::respond(const Eigen::VectorXf& forces) const {
     ReducedResponse response{Eigen::VectorXf::Zero(entries.rows())};
     for (Eigen::Index function = 0; function < entries.cols() / 3; ++function) {
         const Eigen::Vector3f force = forces.segment<3>(3 * function);

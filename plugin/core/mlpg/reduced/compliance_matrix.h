@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/linear_algebra/sparse_solver.h"
-#include "core/mlpg/reduced/loaded_functions.h"
+#include "core/mlpg/splines/spline_problem.h"
 #include "core/mlpg/stress_solver.h"
 
 namespace sherd {
@@ -27,8 +27,8 @@ struct ComplianceMatrix {
     static Result<ComplianceMatrix> make(const SplineProblem& problem, const SparseSolver& factor,
                                          const std::vector<int>& pinned, const Progress& progress);
 
-    /// An error if the displacement is not finite.
-    Result<ReducedResponse> respond(const LoadedFunctions& loaded) const;
+    /// Of forces at the unknowns. An error if the displacement is not finite.
+    Result<ReducedResponse> respond(const Eigen::VectorXf& forces) const;
 };
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 
 #include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/dense_kernels.h"
-#include "core/mlpg/reduced/loaded_functions.h"
+#include "core/mlpg/splines/b_spline.h"
 
 namespace sherd {
 
@@ -16,6 +16,43 @@ constexpr double largest_local_share = 0.6;
 constexpr double wanted_local_share = 0.4;  // at most, in small solids
 
 constexpr double largest_rounding = 1e-3;  // of the energy of a mode
+
+/// What point forces are at the functions, and the rigid acceleration that balances them.
+struct LoadedFunctions {
+    struct Force {
+        int function;
+        Vec3 force;
+    };
+    std::vector<Force> forces;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration;
+};
+
+Result<LoadedFunctions> loadedFunctions(const SplineProblem& problem, const std::vector<PointForce>& loads) {
+    const SplineSpace& space = *problem.space;
+    LoadedFunctions loaded;
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;
+    resultants.setZero(6, problem.motions.componentCount());
+    std::vector<double> values;
+    for (const PointForce& load : loads) {
+        const GridPoint place = locate(problem.parts(), load.position);
+        if (place.part < 0 || !load.force.allFinite())
+            return Error{
+                "A load is not finite, or more than a particle spacing outside the body; give it in the "
+                "asset's frame."};
+        splineValues(space.degree, place.xi, values);
+        const std::vector<int>& raw = space.raw_of[place.part];
+        for (std::size_t a = 0; a < raw.size(); ++a)
+            for (const SplineTies::Term& term : space.termsOf(raw[a])) {
+                const Vec3 force = values[a] * term.factor * load.force;
+                loaded.forces.push_back({term.function, force});
+                resultants.col(space.component[term.function]) +=
+                    problem.motions.coefficients.middleRows<3>(3L * term.function).transpose() * force;
+            }
+    }
+    clearHeld(problem, resultants);
+    loaded.acceleration = problem.inertia.accelerationOf(resultants);
+    return loaded;
+}
 
 }  // namespace
 
@@ -107,9 +144,13 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
 }
 
 Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loads, LocalSystem& kept) const {
+    if (isDirect()) {
+        const auto forces = forcesAt(*problem_, loads);
+        if (!forces) return Error{forces.error()};
+        return compliance_.respond(forces.value().cast<float>());
+    }
     const auto loaded = loadedFunctions(*problem_, loads);
     if (!loaded) return Error{loaded.error()};
-    if (isDirect()) return compliance_.respond(loaded.value());
     if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
         return Error{ready.error()};
     const int size = kept.size();

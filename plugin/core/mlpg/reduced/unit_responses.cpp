@@ -88,7 +88,7 @@ void removeRigidMotion(const SplineProblem& problem, Eigen::MatrixXd& displaceme
 /// The loads of all patches at once would take as much memory as the responses, several times over.
 Status solveInBatches(const SplineProblem& problem, const SparseSolver& factor,
                       const std::vector<int>& pinned, const Progress& progress, UnitResponses& unit) {
-    constexpr std::size_t batch = 64;  // patches
+    constexpr std::size_t batch = 128;  // patches; enough for two cores
     const SparseColumns& columns = unit.loads;
     const auto load_count = static_cast<Eigen::Index>(3 * columns.size());
     unit.displacements.resize(problem.motions.coefficients.rows(), load_count);
