@@ -122,7 +122,7 @@ Group widened(const Group& even, const std::vector<UnitPatch>& patches, double r
 }
 
 PeakTable::Level levelOf(Group group, double reach_m, const PeakReading& reading) {
-    const auto peaks = reading.read(group.raw, group.patches, group.far, group.radius);
+    const auto peaks = reading.read({group.raw, group.patches, group.far, group.radius});
     PeakTable::Level level;
     level.radius_m = static_cast<float>(group.radius);
     level.reach_m = static_cast<float>(reach_m);

@@ -6,6 +6,7 @@
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/stress/surface_traction.h"
 
 namespace sherd {
@@ -13,6 +14,7 @@ namespace sherd {
 namespace {
 
 constexpr int far_parts = 8;           // that are read away from the load
+constexpr int chunks = 16;             // of work for several cores
 constexpr double near_spacings = 1.5;  // beyond a patch: all within is read
 
 }  // namespace
@@ -20,12 +22,17 @@ constexpr double near_spacings = 1.5;  // beyond a patch: all within is read
 /// Coefficients of all functions under all loads: column by function, 3 numbers a load.
 Eigen::MatrixXf PeakReading::expand(const Eigen::MatrixXd& displacements) const {
     const SplineSpace& space = *problem_.space;
-    Eigen::MatrixXf raw = Eigen::MatrixXf::Zero(3 * displacements.cols(), space.raw_count);
-    for (Eigen::Index load = 0; load < displacements.cols(); ++load)
-        for (int r = 0; r < space.raw_count; ++r)
+    const Eigen::MatrixXf by_load = displacements.transpose().cast<float>();  // #loads x #unknowns
+    const Eigen::Index loads = by_load.rows();
+    Eigen::MatrixXf raw = Eigen::MatrixXf::Zero(3 * loads, space.raw_count);
+    forEachChunk(chunks, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunks, space.raw_count);
+        for (int r = chunkBegin(chunk, chunks, space.raw_count); r < end; ++r)
             for (const SplineTies::Term& term : space.termsOf(r))
-                raw.block<3, 1>(3 * load, r) +=
-                    (term.factor * displacements.block<3, 1>(3L * term.function, load)).cast<float>();
+                for (int axis = 0; axis < 3; ++axis)
+                    raw.col(r)(Eigen::seqN(axis, loads, 3)) +=
+                        static_cast<float>(term.factor) * by_load.col(3L * term.function + axis);
+    });
     return raw;
 }
 
@@ -90,28 +97,38 @@ std::vector<std::vector<int>> PeakReading::mostStressedParts(const Eigen::Matrix
     return most;
 }
 
-/// The largest equivalent stress of each patch under 1 N in each of its directions, Pa. `far`: parts that are
-/// read wherever the patch is.
-std::vector<PeakReading::Peaks> PeakReading::read(const Eigen::MatrixXf& raw,
-                                                  const std::vector<PeakTable::Patch>& patches,
-                                                  const std::vector<std::vector<int>>& far,
-                                                  double radius) const {
-    const double spacing = problem_.solid->spacing, reach = radius + near_spacings * spacing;
-    std::vector<std::vector<int>> readers(of_part_.size());  // per part, ascending
-    for (std::size_t p = 0; p < patches.size(); ++p) {
-        std::vector<int> parts = far[p];
+/// Which patches read each part, ascending: of those from `first` to `last`.
+std::vector<std::vector<int>> PeakReading::readersOf(const Read& read, int first, int last) const {
+    const double reach = read.radius_m + near_spacings * problem_.solid->spacing;
+    std::vector<std::vector<int>> readers(of_part_.size());
+    for (int p = first; p < last; ++p) {
+        std::vector<int> parts = read.far[p];
         for (std::size_t part = 0; part < of_part_.size(); ++part)
-            if ((middles_[part] - patches[p].middle.cast<double>()).squaredNorm() <= reach * reach)
+            if ((middles_[part] - read.patches[p].middle.cast<double>()).squaredNorm() <= reach * reach)
                 parts.push_back(static_cast<int>(part));
         std::sort(parts.begin(), parts.end());
         parts.erase(std::unique(parts.begin(), parts.end()), parts.end());
-        for (const int part : parts) readers[part].push_back(static_cast<int>(p));
+        for (const int part : parts) readers[part].push_back(p);
     }
-    std::vector<Peaks> peaks(patches.size());
-    std::vector<std::array<Vec3, PeakTable::directions>> directions(patches.size());
-    for (std::size_t p = 0; p < patches.size(); ++p)
+    return readers;
+}
+
+/// The largest equivalent stress of each patch under 1 N in each of its directions, Pa.
+std::vector<PeakReading::Peaks> PeakReading::read(const Read& read) const {
+    const auto count = static_cast<int>(read.patches.size());
+    std::vector<Peaks> peaks(read.patches.size());
+    forEachChunk(chunks, [&](int chunk) {
+        readChunk(read, chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count), peaks);
+    });
+    return peaks;
+}
+
+void PeakReading::readChunk(const Read& read, int first, int last, std::vector<Peaks>& peaks) const {
+    const std::vector<std::vector<int>> readers = readersOf(read, first, last);
+    std::vector<Directions> directions(static_cast<std::size_t>(last - first));
+    for (int p = first; p < last; ++p)
         for (int d = 0; d < PeakTable::directions; ++d)
-            directions[p][d] = patches[p].direction(d).cast<double>();
+            directions[p - first][d] = read.patches[p].direction(d).cast<double>();
 
     const Vec3 per_edge = problem_.parts().edges.cwiseInverse();
     std::vector<Vec3> slopes;
@@ -125,7 +142,7 @@ std::vector<PeakReading::Peaks> PeakReading::read(const Eigen::MatrixXf& raw,
         for (std::size_t a = 0; a < functions.size(); ++a)
             for (Eigen::Index r = 0; r < count; ++r)
                 own.block<9, 1>(9 * r, static_cast<Eigen::Index>(a)) =
-                    raw.block<9, 1>(9L * readers[part][r], functions[a]);
+                    read.raw.block<9, 1>(9L * readers[part][r], functions[a]);
         for (const int sample : of_part_[part]) {
             splineGradients(problem_.space->degree, samples_[sample].xi, slopes);
             gradients.setZero(9 * count, 3);
@@ -135,16 +152,16 @@ std::vector<PeakReading::Peaks> PeakReading::read(const Eigen::MatrixXf& raw,
                                         own.col(static_cast<Eigen::Index>(a));
             for (Eigen::Index r = 0; r < count; ++r) {
                 const int p = readers[part][r];
-                include(sample, gradients.middleRows<9>(9 * r), patches[p], radius, directions[p], peaks[p]);
+                include(sample, gradients.middleRows<9>(9 * r), read.patches[p], read.radius_m,
+                        directions[p - first], peaks[p]);
             }
         }
     }
-    return peaks;
 }
 
 void PeakReading::include(int sample, const Eigen::Matrix<float, 9, 3>& gradients,
-                          const PeakTable::Patch& patch, double radius,
-                          const std::array<Vec3, PeakTable::directions>& directions, Peaks& peaks) const {
+                          const PeakTable::Patch& patch, double radius, const Directions& directions,
+                          Peaks& peaks) const {
     SymmetricTensor units[3];
     double squared = 0;
     for (int k = 0; k < 3; ++k) {

@@ -25,16 +25,24 @@ class PeakReading {
     Eigen::MatrixXf expand(const Eigen::MatrixXd& displacements) const;
     /// Per patch the parts with the largest stress in their middle.
     std::vector<std::vector<int>> mostStressedParts(const Eigen::MatrixXf& raw) const;
-    /// The peaks of patches with their responses. `far`, per patch: parts that are read even if they are not
-    /// near.
-    std::vector<Peaks> read(const Eigen::MatrixXf& raw, const std::vector<PeakTable::Patch>& patches,
-                            const std::vector<std::vector<int>>& far, double radius_m) const;
+    /// What is read: patches of one radius.
+    struct Read {
+        const Eigen::MatrixXf& raw;  ///< as `expand` returns it
+        const std::vector<PeakTable::Patch>& patches;
+        const std::vector<std::vector<int>>&
+            far;  ///< per patch: parts that are read though they are not near
+        double radius_m;
+    };
+    std::vector<Peaks> read(const Read& read) const;
 
   private:
+    using Directions = std::array<Vec3, PeakTable::directions>;
+
     Vec3 placeOf(int sample) const;
+    std::vector<std::vector<int>> readersOf(const Read& read, int first, int last) const;
+    void readChunk(const Read& read, int first, int last, std::vector<Peaks>& peaks) const;
     void include(int sample, const Eigen::Matrix<float, 9, 3>& gradients, const PeakTable::Patch& patch,
-                 double radius_m, const std::array<Vec3, PeakTable::directions>& directions,
-                 Peaks& peaks) const;
+                 double radius_m, const Directions& directions, Peaks& peaks) const;
     void raise(const SymmetricTensor& stress, float& peak) const;
 
     const SplineProblem& problem_;
