@@ -62,6 +62,7 @@ inline constexpr NamedValue<Debris> enum_names<Debris>[] = {
 
 template <>
 inline constexpr NamedValue<CollisionShape> enum_names<CollisionShape>[] = {
+    {"automatic", CollisionShape::automatic},
     {"boxes", CollisionShape::boxes},
     {"hull", CollisionShape::hull},
     {"convex_parts", CollisionShape::convex_parts},

@@ -250,6 +250,9 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"collision_shape",
                 "what stands for a body and its fragments in collisions; a hull closes hollows"},
           s.collision_shape);
+    visit(Field{"largest_collision_part_count", "most hulls of a body, with collision_shape automatic",
+                Range::between(1, 100)},
+          s.largest_collision_part_count);
     visit(Field{"rest_after_break_s", "how long new fragments cannot break", Range::atLeast(0, "s")},
           s.rest_after_break_s);
     visit(Field{"use_reduced_model", "whether the reduced model of a prepared asset decides blows"},

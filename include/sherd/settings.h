@@ -159,12 +159,15 @@ enum class Debris {
 /// What stands for a body in collisions: for bodies of `FractureWorld::add` and for all fragments. A body
 /// that `makeBreakable` is given keeps the shape that it has; its fragments get what is set here.
 enum class CollisionShape {
+    /// One convex hull where a piece is nearly convex, a few where it is hollow or bent
+    /// (`largest_collision_part_count`): a hollow stays open, a shallow one is closed.
+    automatic,
     /// Filled cells of the sampling, merged: hollows stay open, surfaces are stairs of about half a particle
-    /// spacing.
+    /// spacing. Pieces do not come to rest on stairs, and steps take ten times as long.
     boxes,
     /// One convex hull, the quickest: hollows are closed, so nothing falls into a cup.
     hull,
-    /// Hulls of up to 24 parts that follow the surface: hollows stay open, faces are smooth.
+    /// Hulls of up to 24 parts, which follow the surface more closely than those of `automatic`.
     convex_parts,
 };
 
@@ -197,7 +200,9 @@ struct FractureSettings {
     double crack_roughness = 0;
     /// Hulls and convex parts of neighbouring fragments may overlap when they are made. Such pairs collide,
     /// but only what they sink deeper into each other later pushes them apart.
-    CollisionShape collision_shape = CollisionShape::boxes;
+    CollisionShape collision_shape = CollisionShape::automatic;
+    /// Convex hulls that stand for one body at most, with CollisionShape::automatic.
+    int largest_collision_part_count = 8;
     /// Fragments cannot break for this time after they were made: they still fly apart from the same blow. A
     /// very large value lets them never break.
     double rest_after_break_s = 0.05;

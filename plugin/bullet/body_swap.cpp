@@ -97,14 +97,14 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
     std::vector<btRigidBody*> moving;
     for (const Fragment& fragment : fragments) {
         auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid), parent.fracture);
-        piece->owned = makeRigidBody(*fragment.solid, parent.fracture->collision_shape, fragment.boxes,
+        piece->owned = makeRigidBody(*fragment.solid, ShapeChoice(*parent.fracture), fragment.boxes,
                                      fragment.solid->isAnchored() ? 0 : mass_scale);
         piece->body = piece->owned.body.get();
         piece->body_from_asset = principalFrame(fragment.solid->moments()).body_from_asset;
         const btTransform asset_from_body = piece->body_from_asset.inverse();
         placeBody(piece->owned, world_from_asset * asset_from_body, drawn_from_asset * asset_from_body,
                   piece->body_from_asset);
-        piece->inner_ball = innerBall(*piece->owned.shape.shape);
+        piece->inner_ball = innerBall(*piece->owned.shape->shape);
         piece->name = parent.name;
         piece->filter = inheritedFilter(whole, *piece->body);
         inheritSurface(whole, *piece->body);

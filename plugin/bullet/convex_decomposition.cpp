@@ -4,89 +4,110 @@
 #include <array>
 #include <limits>
 
-#include "bullet/solid_part.h"
+#include "bullet/cut_tree.h"
+#include "bullet/possible_cuts.h"
+#include "bullet/surface_cloud.h"
 #include "core/numerics/mesh_measures.h"
-#include "core/numerics/plane_crossing.h"
 
 namespace sherd {
 
 namespace {
 
-constexpr int measuring_directions = 42;      // of the rough hulls whose volumes are compared
-constexpr std::size_t compared_points = 500;  // about, of a part whose cuts are compared
+constexpr double in_plane = 1e-6;  // of the spacing of points: how near to a plane is in it
 
-std::vector<AxisPlane> possibleCuts(const SolidPart& part) {
-    const Eigen::AlignedBox3d box = boundingBox(part.points);
-    std::vector<AxisPlane> cuts;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double share : {0.25, 0.5, 0.75})
-            cuts.push_back({axis, box.min()[axis] + share * box.sizes()[axis]});
-    return cuts;
+/// A part, and the volume of its hull that is not solid, m^3.
+struct Part {
+    SurfaceCloud cloud;
+    double hull_volume = 0, solid_volume = 0;
+
+    Part(SurfaceCloud cut_off, double its_solid_volume)
+        : cloud(std::move(cut_off)),
+          hull_volume(roughHullVolume(cloud.points)),
+          solid_volume(its_solid_volume) {}
+    double air() const { return hull_volume - solid_volume; }
+    double price() const { return priceOf(hull_volume, boundingBox(cloud.points).diagonal().norm()); }
+};
+
+/// Of the halves, m^3, that are `whole` together; where it is not known of either, both have the same.
+std::array<double, 2> solidVolumes(const std::array<SurfaceCloud, 2>& halves, double whole) {
+    std::array<double, 2> volumes = {solidVolume(halves[0]), solidVolume(halves[1])};
+    if (volumes[0] < 0) volumes[0] = volumes[1] < 0 ? whole / 2 : std::max(whole - volumes[1], 0.0);
+    if (volumes[1] < 0) volumes[1] = std::max(whole - volumes[0], 0.0);
+    return volumes;
 }
 
-/// Volume of the two hulls after a cut, estimated from a sample of the points, m^3.
-double hullVolumesAfter(const SolidPart& part, const AxisPlane& plane) {
-    const std::size_t stride = 1 + part.points.size() / compared_points;
-    std::array<std::vector<Vec3>, 2> points;
-    for (std::size_t p = 0; p < part.points.size(); p += stride)
-        points[plane.height(part.points[p]) >= 0].push_back(part.points[p]);
-    for (std::size_t t = 0; t < part.triangles.size(); t += stride) {
-        for (int i = 0; i < 3; ++i) {
-            const Vec3& a = part.points[part.triangles[t][i]];
-            const Vec3& b = part.points[part.triangles[t][(i + 1) % 3]];
-            const double h_a = plane.height(a), h_b = plane.height(b);
-            // Each edge belongs to two triangles, which run along it both ways.
-            if (h_a < 0 || h_b >= 0) continue;
-            const Vec3 crossing = planeCrossing(a, h_a, b, h_b);
-            points[0].push_back(crossing);
-            points[1].push_back(crossing);
-        }
-    }
-    return roughHull(points[0], measuring_directions).volume +
-           roughHull(points[1], measuring_directions).volume;
-}
+/// The cheapest one.
+struct Cut {
+    AxisPlane plane;
+    std::vector<Part> halves;  // below and above; none: there is nothing to cut
+};
 
-AxisPlane bestCut(const SolidPart& part) {
-    AxisPlane best;
+Cut bestCut(const Part& whole) {
+    Cut best;
     double least = std::numeric_limits<double>::infinity();
-    for (const AxisPlane& plane : possibleCuts(part)) {
-        const double volume = hullVolumesAfter(part, plane);
-        if (volume >= least) continue;
-        least = volume;
-        best = plane;
+    for (const AxisPlane& plane : possibleCuts(whole.cloud)) {
+        std::array<SurfaceCloud, 2> clouds = parted(whole.cloud, plane);
+        const std::array<double, 2> solid = solidVolumes(clouds, whole.solid_volume);
+        std::vector<Part> halves;
+        for (int h = 0; h < 2; ++h) halves.emplace_back(std::move(clouds[h]), solid[h]);
+        const double price = halves[0].price() + halves[1].price();
+        if (price >= least) continue;
+        least = price;
+        best = {plane, std::move(halves)};
     }
     return best;
 }
 
-/// A part, and the volume of its hull that is not solid, m^3.
-struct Candidate {
-    SolidPart part;
-    double air = 0;
+/// The corners of a part's box inside the solid, where no triangle of the surface is.
+std::vector<Vec3> cornersInside(const SurfaceCloud& part, const SurfaceCloud& whole) {
+    std::vector<Vec3> inside;
+    for (int c = 0; c < 8; ++c) {
+        Vec3 corner;
+        for (int axis = 0; axis < 3; ++axis)
+            corner[axis] = c >> axis & 1 ? part.cut_above[axis] : part.cut_below[axis];
+        if (corner.allFinite() && isWellInside(corner, whole)) inside.push_back(corner);
+    }
+    return inside;
+}
 
-    explicit Candidate(SolidPart cut_off)
-        : part(std::move(cut_off)),
-          air(roughHull(part.points, measuring_directions).volume - volumeOf(part)) {}
-};
+/// For each part of a solid the points whose hull is that of the part.
+std::vector<std::vector<Vec3>> pointsOfParts(const TriangleMesh& surface, double volume,
+                                             const DecompositionLimits& limits) {
+    const SurfaceCloud whole = cloudOf(surface);
+    std::vector<Part> parts;  // in the order of the leaves
+    parts.emplace_back(whole, volume);
+    CutTree tree(in_plane * whole.spacing);
+    while (tree.leafCount() < limits.most_parts) {
+        const auto airiest = std::max_element(parts.begin(), parts.end(),
+                                              [](const Part& a, const Part& b) { return a.air() < b.air(); });
+        if (airiest->air() <= limits.air_share * volume && tree.leafCount() > 1) break;
+        Cut cut = bestCut(*airiest);
+        if (cut.halves.empty()) break;
+        tree.cut(static_cast<int>(airiest - parts.begin()), cut.plane);
+        *airiest = std::move(cut.halves[0]);
+        parts.push_back(std::move(cut.halves[1]));
+    }
+    std::vector<std::vector<Vec3>> points = tree.pointsOfLeaves(surface);
+    for (std::size_t p = 0; p < parts.size(); ++p) {
+        const std::vector<Vec3> corners = cornersInside(parts[p].cloud, whole);
+        points[p].insert(points[p].end(), corners.begin(), corners.end());
+    }
+    return points;
+}
 
 }  // namespace
 
-std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double smallest_detail_m,
+std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double volume,
                                             const DecompositionLimits& limits) {
-    std::vector<Candidate> parts;
-    parts.emplace_back(simplifiedSolid(surface, smallest_detail_m));
-    const double enough = limits.air_share * volumeOf(parts.front().part);
-    while (static_cast<int>(parts.size()) < limits.most_parts) {
-        const auto airiest = std::max_element(
-            parts.begin(), parts.end(), [](const Candidate& a, const Candidate& b) { return a.air < b.air; });
-        if (airiest->air <= enough) break;
-        const AxisPlane cut = bestCut(airiest->part);
-        Candidate above(cutOff(airiest->part, cut, true));
-        *airiest = Candidate(cutOff(airiest->part, cut, false));
-        parts.push_back(std::move(above));
-    }
+    const double enough = (1 + limits.air_share_of_one_hull) * volume;
     std::vector<ConvexHull> hulls;
-    for (const Candidate& candidate : parts)
-        hulls.push_back(roughHull(candidate.part.points, limits.most_vertices));
+    if (limits.most_parts == 1 || roughHullVolume(surface.vertices) <= enough) {
+        hulls.push_back(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));
+        if (limits.most_parts == 1 || hulls.front().volume <= enough) return hulls;
+        hulls.clear();
+    }
+    for (const std::vector<Vec3>& points : pointsOfParts(surface, volume, limits))
+        hulls.push_back(simpleHull(points, limits.most_vertices, limits.tolerance_m));
     return hulls;
 }
 

@@ -87,12 +87,13 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const bool is_static = asset.solid()->isAnchored();
     if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
         return Error{"a body with supports is static, so its velocities must be 0"};
-    const Result<std::vector<Box>> boxes = collisionBoxes(*asset.solid());
-    if (!boxes) return Error{boxes.error()};
+    const auto sampling = asset.solid()->discretisation();
+    if (!sampling) return Error{sampling.error()};
     auto breakable = std::make_unique<Breakable>(
         asset, fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
-    breakable->owned =
-        makeRigidBody(*asset.solid(), breakable->fracture->collision_shape, boxes.value(), is_static ? 0 : 1);
+    const auto shape = shapes_.shapeOf(asset.solid(), ShapeChoice(*breakable->fracture));
+    if (!shape) return Error{shape.error()};
+    breakable->owned = makeRigidBody(*asset.solid(), shape.value(), is_static ? 0 : 1);
     breakable->body = breakable->owned.body.get();
     breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;
     breakable->filter = CollisionFilter::usual(is_static);

@@ -89,7 +89,7 @@ void FractureWorld::Impl::findNewContacts(const std::vector<btCollisionObject*>&
 void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies) {
     std::vector<btCollisionObject*> may_overlap;
     for (btCollisionObject* body : new_bodies)
-        if (!breakables_.find(body)->owned.shape.disjoint) may_overlap.push_back(body);
+        if (!breakables_.find(body)->owned.shape->disjoint) may_overlap.push_back(body);
     if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
     birth_overlaps_.applyAllowances(world_);
 }

@@ -13,6 +13,7 @@
 #include "bullet/event_queue.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
 #include "bullet/step_phase.h"
 #include "core/numerics/stopwatch.h"
@@ -121,6 +122,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
 
     btDiscreteDynamicsWorld& world_;
     BreakableRegistry breakables_;
+    ShapeStore shapes_;
     BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;

@@ -20,10 +20,11 @@ constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
 constexpr double margin_share =
     0.02;  // of the smallest half extent: Bullet's default of 4 cm exceeds a cup's wall
-constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
+constexpr int most_hull_vertices = 96;   // Bullet wants fewer than 100
+constexpr double tolerance_share = 0.1;  // of the particle spacing: how far vertices may lie outside hulls
 constexpr double smallest_relative_volume =
     1e-7;                              // volume over the cube of the length; a smaller hull counts as flat
-constexpr double detail_share = 0.25;  // of the wall thickness; convex parts ignore smaller details
+constexpr double nearly_convex = 0.5;  // of a solid's volume: air that a hull of an automatic shape may hold
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
 Mat3 nearestToIdentity(const Mat3& axes) {
@@ -58,16 +59,18 @@ TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_as
     return result;
 }
 
-std::unique_ptr<btCollisionShape> hullShape(const std::vector<Vec3>& vertices) {
-    auto hull = std::make_unique<btConvexHullShape>();
+/// The margin lies outside the vertices, so half of what lies outside the hull goes into it.
+std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull) {
+    auto shape = std::make_unique<btConvexHullShape>();
     Eigen::AlignedBox3d box;
-    for (const Vec3& vertex : vertices) {
+    for (const Vec3& vertex : hull.vertices) {
         box.extend(vertex);
-        hull->addPoint(toBullet(vertex), false);
+        shape->addPoint(toBullet(vertex), false);
     }
-    hull->setMargin(static_cast<btScalar>(margin_share * box.sizes().minCoeff() / 2));
-    hull->recalcLocalAabb();
-    return hull;
+    shape->setMargin(
+        static_cast<btScalar>(std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2));
+    shape->recalcLocalAabb();
+    return shape;
 }
 
 bool isSolid(const ConvexHull& hull) {
@@ -77,24 +80,31 @@ bool isSolid(const ConvexHull& hull) {
            hull.volume > smallest_relative_volume * std::pow(box.diagonal().norm(), 3);
 }
 
-/// One hull; nothing if it is flat.
-OwnedShape oneHull(const TriangleMesh& surface) {
-    const ConvexHull hull = roughHull(surface.vertices, most_hull_vertices);
-    OwnedShape owned;
-    if (isSolid(hull)) owned.shape = hullShape(hull.vertices);
-    return owned;
+DecompositionLimits limitsOf(const ShapeChoice& wanted, double spacing_m) {
+    DecompositionLimits limits;
+    limits.most_vertices = most_hull_vertices;
+    limits.tolerance_m = tolerance_share * spacing_m;
+    if (wanted.kind == CollisionShape::convex_parts) return limits;
+    limits.most_parts = wanted.kind == CollisionShape::automatic ? wanted.most_parts : 1;
+    limits.air_share_of_one_hull = nearly_convex;
+    limits.air_share = nearly_convex / 4;
+    return limits;
 }
 
-/// Hulls of the parts that are not flat; nothing if all are.
-OwnedShape hullsOfParts(const TriangleMesh& surface, double smallest_detail_m) {
+/// Hulls that are not flat; no shape if all are. One alone is no compound, unless convex parts are asked for.
+OwnedShape shapeOf(const std::vector<ConvexHull>& hulls, bool always_compound) {
     OwnedShape owned;
-    auto compound = std::make_unique<btCompoundShape>();
-    for (const ConvexHull& part : convexDecomposition(surface, smallest_detail_m)) {
-        if (!isSolid(part)) continue;
-        owned.children.push_back(hullShape(part.vertices));
-        compound->addChildShape(btTransform::getIdentity(), owned.children.back().get());
+    for (const ConvexHull& hull : hulls)
+        if (isSolid(hull)) owned.children.push_back(hullShape(hull));
+    if (owned.children.size() == 1 && !always_compound) {
+        owned.shape = std::move(owned.children.front());
+        owned.children.clear();
+    } else if (!owned.children.empty()) {
+        auto compound = std::make_unique<btCompoundShape>();
+        for (const auto& child : owned.children)
+            compound->addChildShape(btTransform::getIdentity(), child.get());
+        owned.shape = std::move(compound);
     }
-    if (!owned.children.empty()) owned.shape = std::move(compound);
     return owned;
 }
 
@@ -123,30 +133,36 @@ PrincipalFrame principalFrame(const Moments& moments) {
     return frame;
 }
 
-OwnedShape makeShape(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
                      const btTransform& body_from_asset) {
-    if (wanted == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
+    if (wanted.kind == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
     const TriangleMesh surface = placed(solid.surface(), body_from_asset);
-    OwnedShape owned = wanted == CollisionShape::convex_parts
-                           ? hullsOfParts(surface, detail_share * solid.wallThickness())
-                           : oneHull(surface);
+    const DecompositionLimits limits = limitsOf(wanted, solid.spacing());
+    OwnedShape owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits),
+                               wanted.kind == CollisionShape::convex_parts);
     if (owned.shape) return owned;
     if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
-    owned.shape = hullShape(roughHull(surface.vertices, most_hull_vertices).vertices);
+    owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));
     return owned;
 }
 
-OwnedBody makeRigidBody(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+OwnedBody makeRigidBody(const BreakableSolid& solid, std::shared_ptr<const OwnedShape> shape,
                         double mass_scale) {
-    const PrincipalFrame frame = principalFrame(solid.moments());
     const double density = mass_scale * solid.material().density_kg_m3;
     OwnedBody owned;
-    owned.shape = makeShape(solid, wanted, boxes, frame.body_from_asset);
-    const btRigidBody::btRigidBodyConstructionInfo info(static_cast<btScalar>(mass_scale * solid.mass()),
-                                                        nullptr, owned.shape.shape.get(),
-                                                        toBullet(Vec3(density * frame.inertia)));
+    owned.shape = std::move(shape);
+    const btRigidBody::btRigidBodyConstructionInfo info(
+        static_cast<btScalar>(mass_scale * solid.mass()), nullptr, owned.shape->shape.get(),
+        toBullet(Vec3(density * principalFrame(solid.moments()).inertia)));
     owned.body = std::make_unique<btRigidBody>(info);
     return owned;
+}
+
+OwnedBody makeRigidBody(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
+                        double mass_scale) {
+    const btTransform frame = principalFrame(solid.moments()).body_from_asset;
+    return makeRigidBody(solid, std::make_shared<OwnedShape>(makeShape(solid, wanted, boxes, frame)),
+                         mass_scale);
 }
 
 void placeBody(OwnedBody& owned, const btTransform& place, const btTransform& drawn,

@@ -22,7 +22,7 @@ struct OwnedShape {
 
 /// A rigid body with its shape and its motion state.
 struct OwnedBody {
-    OwnedShape shape;
+    std::shared_ptr<const OwnedShape> shape;  ///< perhaps with other bodies
     std::unique_ptr<btMotionState> motion_state;
     std::unique_ptr<btRigidBody> body;
 };
@@ -34,13 +34,31 @@ struct PrincipalFrame {
 };
 PrincipalFrame principalFrame(const Moments& moments);
 
+/// What is to stand for a body in collisions.
+struct ShapeChoice {
+    ShapeChoice(CollisionShape its_kind) : kind(its_kind) {}
+    explicit ShapeChoice(const FractureSettings& settings)
+        : kind(settings.collision_shape), most_parts(settings.largest_collision_part_count) {}
+
+    bool operator==(const ShapeChoice& other) const {
+        return kind == other.kind && most_parts == other.most_parts;
+    }
+
+    CollisionShape kind;
+    int most_parts = FractureSettings{}.largest_collision_part_count;  ///< of CollisionShape::automatic
+};
+
 /// The wanted shape, in the body's frame; `boxes` are in the asset's. Without boxes it falls back to the hull
 /// of the surface, and with a hull that is flat to the boxes.
-OwnedShape makeShape(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
                      const btTransform& body_from_asset);
 
-/// A rigid body of the solid's mass times `mass_scale`, at the world's origin, not in a world yet.
-OwnedBody makeRigidBody(const BreakableSolid& solid, CollisionShape wanted, const std::vector<Box>& boxes,
+/// A rigid body of the solid's mass times `mass_scale`, at the world's origin, not in a world yet. The shape
+/// is in its frame.
+OwnedBody makeRigidBody(const BreakableSolid& solid, std::shared_ptr<const OwnedShape> shape,
+                        double mass_scale = 1);
+/// The same with a shape of its own.
+OwnedBody makeRigidBody(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
                         double mass_scale = 1);
 
 /// Puts the body to `place` and gives it a motion state of its own, in which its centre of mass is drawn at

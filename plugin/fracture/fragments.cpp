@@ -7,11 +7,13 @@ namespace sherd {
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     const FragmentSurfaces& surfaces) {
     const Discretisation& sampling = struck.sampling;
-    const std::vector<int> owner = voxelOwners(sampling, labels, surfaces);
     std::vector<Fragment> fragments(surfaces.pieces.size());
+    for (std::size_t p = 0; p < fragments.size(); ++p)
+        fragments[p].solid = struck.solid.makeFragment(surfaces.pieces[p].mesh);
+    if (struck.fracture.collision_shape != CollisionShape::boxes) return fragments;
+    const std::vector<int> owner = voxelOwners(sampling, labels, surfaces);
     std::vector<char> wanted(sampling.voxels.size());
     for (std::size_t p = 0; p < fragments.size(); ++p) {
-        fragments[p].solid = struck.solid.makeFragment(surfaces.pieces[p].mesh);
         for (std::size_t v = 0; v < wanted.size(); ++v) wanted[v] = owner[v] == static_cast<int>(p);
         fragments[p].boxes = mergedBoxes(sampling, wanted);
     }

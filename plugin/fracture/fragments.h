@@ -15,11 +15,11 @@ namespace sherd {
 /// A piece of a broken solid, ready to become a rigid body. Frame of the parent's asset.
 struct Fragment {
     std::shared_ptr<const BreakableSolid> solid;
-    std::vector<Box> boxes;  ///< for the collision shape; empty: the hull of the surface stands in
+    std::vector<Box> boxes;  ///< for CollisionShape::boxes; empty: the hull of the surface stands in
     bool dropped = false;    ///< takes its share of the momentum, and leaves the world
 };
 
-/// Makes a solid of every cut surface, and the boxes that stand for it in collisions.
+/// Makes a solid of every cut surface, and the boxes that stand for it in collisions if they are asked for.
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     const FragmentSurfaces& surfaces);
 

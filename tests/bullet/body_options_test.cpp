@@ -100,17 +100,17 @@ TEST(BodyOptions, BodiesOfOneAssetBreakEachByItsOwnSettings) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
     const BreakableAsset asset = plate(crumbly());
-    BodyOptions few(at(0, 0, 0)), hulls(at(2, 0, 0)), as_the_asset(at(4, 0, 0));
-    few.fracture = hulls.fracture = asset.settings().fracture;
+    BodyOptions few(at(0, 0, 0)), boxed(at(2, 0, 0)), as_the_asset(at(4, 0, 0));
+    few.fracture = boxed.fracture = asset.settings().fracture;
     few.fracture->fragment_count = 2;
     few.fracture->rest_after_break_s = 0;
     few.fracture->smallest_fragment_m3 = 1e-6;
-    hulls.fracture->collision_shape = CollisionShape::hull;
+    boxed.fracture->collision_shape = CollisionShape::boxes;
 
     const BlowEvent two = struck(fracture, fracture.add(asset, few).value());
     EXPECT_EQ(two.fragments.size(), 2u);
-    const BlowEvent hull = struck(fracture, fracture.add(asset, hulls).value());
-    const BlowEvent boxes = struck(fracture, fracture.add(asset, as_the_asset).value());
+    const BlowEvent boxes = struck(fracture, fracture.add(asset, boxed).value());
+    const BlowEvent hull = struck(fracture, fracture.add(asset, as_the_asset).value());
     EXPECT_GT(hull.fragments.size(), 3u);
     EXPECT_EQ(hull.fragments.size(), boxes.fragments.size());
     EXPECT_TRUE(hull.fragments.front()->getCollisionShape()->isConvex());
@@ -118,7 +118,7 @@ TEST(BodyOptions, BodiesOfOneAssetBreakEachByItsOwnSettings) {
 
     // And so do their fragments: those of the others are debris by their settings.
     EXPECT_EQ(struck(fracture, two.fragments.front()).fragments.size(), 2u);
-    EXPECT_EQ(struck(fracture, boxes.fragments.front()).outcome, Outcome::held);
+    EXPECT_EQ(struck(fracture, hull.fragments.front()).outcome, Outcome::held);
 }
 
 TEST(BodyOptions, ASeedOfItsOwnMakesABodyBreakAlikeAnywhere) {

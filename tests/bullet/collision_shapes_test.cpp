@@ -12,8 +12,8 @@ using namespace sherd;
 using namespace sherd::bullet_tests;
 
 constexpr auto broke = Outcome::broke;
-constexpr CollisionShape all_collision_shapes[] = {CollisionShape::boxes, CollisionShape::hull,
-                                                   CollisionShape::convex_parts};
+constexpr CollisionShape all_collision_shapes[] = {CollisionShape::automatic, CollisionShape::boxes,
+                                                   CollisionShape::hull, CollisionShape::convex_parts};
 
 /// Breaks at the touch of something light.
 Material brittle() {
@@ -286,49 +286,53 @@ TEST(CollisionShapes, SameBlowGivesTheSameBits) {
     }
 }
 
+/// How many convex shapes stand for a body.
+int partsOf(const btRigidBody& body) {
+    const btCollisionShape& shape = *body.getCollisionShape();
+    return shape.isCompound() ? static_cast<const btCompoundShape&>(shape).getNumChildShapes() : 1;
+}
+
+TEST(AutomaticShape, FollowsThePiece) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto add = [&](const TriangleMesh& surface, int most_parts) {
+        const BreakableAsset asset = shaped(surface, CollisionShape::automatic, unbreakable());
+        BodyOptions options(at(0, 0, 0));
+        options.fracture = asset.settings().fracture;
+        options.fracture->largest_collision_part_count = most_parts;
+        return fracture.add(asset, options).value();
+    };
+    EXPECT_TRUE(add(shapes::slab(Vec3(0.3, 0.2, 0.1)), 8)->getCollisionShape()->isConvex());
+    const int parts = partsOf(*add(cup(), 8));
+    EXPECT_GT(parts, 3);
+    EXPECT_LE(parts, 8);
+    EXPECT_EQ(partsOf(*add(cup(), 3)), 3);
+    EXPECT_TRUE(add(cup(), 1)->getCollisionShape()->isConvex());
+}
+
+TEST(AutomaticShape, IsSharedByTheBodiesOfAnAsset) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const BreakableAsset asset = shaped(cup(), CollisionShape::automatic);
+    BodyOptions other(at(2, 0, 0));
+    other.fracture = asset.settings().fracture;
+    other.fracture->collision_shape = CollisionShape::hull;
+    btRigidBody* const first = fracture.add(asset, at(0, 0, 0)).value();
+    const btCollisionShape* const shape = first->getCollisionShape();
+    EXPECT_EQ(fracture.add(asset, at(1, 0, 0)).value()->getCollisionShape(), shape);
+    EXPECT_NE(fracture.add(asset, other).value()->getCollisionShape(), shape);
+    fracture.remove(first);
+    scene.step(2);
+    EXPECT_EQ(fracture.add(asset, at(0, 0, 0)).value()->getCollisionShape(), shape);
+    scene.step(2);
+}
+
 TEST(MakeShape, FlatHullsGiveWayToBoxes) {
     const auto sheet = shaped(shapes::slab(Vec3(1, 1, 1e-8)), CollisionShape::hull, unbreakable(), 0.5);
     const OwnedShape owned = makeShape(*sheet.solid(), CollisionShape::hull,
                                        {{Vec3::Zero(), Vec3(0.5, 0.5, 0.01)}}, btTransform::getIdentity());
     EXPECT_TRUE(owned.disjoint);
     EXPECT_TRUE(owned.shape->isCompound());
-}
-
-TEST(ConvexHull, HasTheVerticesAndTheVolumeOfTheSolid) {
-    const ConvexHull box = convexHull(shapes::slab(Vec3(1, 2, 3), 4, 4, 4).vertices);
-    EXPECT_EQ(box.vertices.size(), 8u);
-    EXPECT_NEAR(box.volume, 6, 1e-5);
-    EXPECT_EQ(convexHull({}).volume, 0);
-    EXPECT_EQ(convexHull(std::vector<Vec3>(5, Vec3::Ones())).volume, 0);
-}
-
-TEST(ConvexHull, RoughOneKeepsTheOutermostPoints) {
-    const std::vector<Vec3> sphere = shapes::icosphere(0.05, 4).vertices;
-    const ConvexHull few = roughHull(sphere, 96);
-    EXPECT_LE(few.vertices.size(), 96u);
-    EXPECT_GT(few.volume, 0.9 * convexHull(sphere).volume);
-    const ConvexHull plate = roughHull(shapes::slab(Vec3(1, 2, 0.01), 9, 9, 2).vertices, 42);
-    EXPECT_EQ(plate.vertices.size(), 8u);
-    EXPECT_NEAR(plate.volume, 0.02, 1e-5);
-}
-
-TEST(ConvexDecomposition, LeavesConvexSolidsWhole) {
-    EXPECT_EQ(convexDecomposition(shapes::slab(Vec3(1, 2, 3), 4, 4, 4), 0.01).size(), 1u);
-    EXPECT_EQ(convexDecomposition(shapes::icosphere(1, 3), 0.01).size(), 1u);
-}
-
-TEST(ConvexDecomposition, FollowsHollows) {
-    const TriangleMesh solids[] = {cup(), shapes::tube(0.2, 0.16, 0.1, 48),
-                                   shapes::uShape(0.05, 0.2, 0.3, 0.2),
-                                   shapes::moved(shapes::uShape(0.05, 0.2, 0.3, 0.2), shapes::tilt())};
-    for (const TriangleMesh& solid : solids) {
-        double volume = 0;
-        const auto parts = convexDecomposition(solid, 0.01);
-        for (const ConvexHull& part : parts) volume += part.volume;
-        const double true_volume = solidMoments(solid).volume;
-        EXPECT_GT(volume, 0.97 * true_volume);
-        EXPECT_LT(volume, 1.3 * true_volume);
-    }
 }
 
 }  // namespace

@@ -41,7 +41,7 @@ struct Shot {
     friend void PrintTo(const Shot& self, std::ostream* out) { *out << nameOf(self); }
     static std::string nameOf(const Shot& self) {
         static constexpr const char* targets[] = {"pane", "wall", "cups"};
-        static constexpr const char* shape_names[] = {"boxes", "hull", "convex_parts"};
+        static constexpr const char* shape_names[] = {"automatic", "boxes", "hull", "convex_parts"};
         return std::string(targets[static_cast<int>(self.target)]) + "_" +
                std::to_string(static_cast<int>(self.speed_m_s)) + "_" +
                shape_names[static_cast<int>(self.shape)];

@@ -105,7 +105,7 @@ struct Case {
     friend void PrintTo(const Case& self, std::ostream* out) { *out << nameOf(self); }
     static std::string nameOf(const Case& self) {
         static constexpr const char* grounds[] = {"two_triangles", "hills", "height_field"};
-        static constexpr const char* shape_names[] = {"boxes", "hull", "convex_parts"};
+        static constexpr const char* shape_names[] = {"automatic", "boxes", "hull", "convex_parts"};
         return std::string(grounds[int(self.ground)]) + "_" + shape_names[int(self.shape)] + "_" +
                std::to_string(self.hz);
     }
@@ -183,15 +183,15 @@ TEST_P(Sunk, FragmentsComeOutOnTheSideOfTheirCentres) {
     }
 }
 INSTANTIATE_TEST_SUITE_P(Ground, Sunk,
-                         testing::Values(CollisionShape::boxes, CollisionShape::hull,
-                                         CollisionShape::convex_parts),
+                         testing::Values(CollisionShape::automatic, CollisionShape::boxes,
+                                         CollisionShape::hull, CollisionShape::convex_parts),
                          [](const auto& info) { return std::string(nameOf(info.param)); });
 
 std::vector<Case> cases() {
     std::vector<Case> all;
     for (const Surface ground : {Surface::two_triangles, Surface::hills, Surface::height_field})
-        for (const CollisionShape shape :
-             {CollisionShape::boxes, CollisionShape::hull, CollisionShape::convex_parts})
+        for (const CollisionShape shape : {CollisionShape::automatic, CollisionShape::boxes,
+                                           CollisionShape::hull, CollisionShape::convex_parts})
             for (const int hz : {60, 240}) all.push_back({ground, shape, hz});
     return all;
 }

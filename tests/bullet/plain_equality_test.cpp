@@ -37,9 +37,7 @@ class PlainEquality : public testing::TestWithParam<Case> {
         FractureWorld fracture(hooked.world.get());
         btRigidBody* body = fracture.add(asset, standing).value();
 
-        const auto boxes = collisionBoxes(*asset.solid());
-        ASSERT_TRUE(boxes.ok());
-        OwnedBody twin = makeRigidBody(*asset.solid(), CollisionShape::boxes, boxes.value());
+        OwnedBody twin = makeRigidBody(*asset.solid(), ShapeChoice(asset.settings().fracture), {});
         twin.body->setCenterOfMassTransform(
             standing * principalFrame(asset.solid()->moments()).body_from_asset.inverse());
         plain.world->addRigidBody(twin.body.get());

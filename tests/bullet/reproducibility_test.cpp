@@ -99,13 +99,13 @@ TEST_P(Reproducibility, SameBitsWhereverContactsGetTheirMemory) {
 }
 
 std::string nameOf(const testing::TestParamInfo<CollisionShape>& info) {
-    static constexpr const char* names[] = {"boxes", "hull", "convex_parts"};
+    static constexpr const char* names[] = {"automatic", "boxes", "hull", "convex_parts"};
     return names[static_cast<int>(info.param)];
 }
 
 INSTANTIATE_TEST_SUITE_P(Shapes, Reproducibility,
-                         testing::Values(CollisionShape::boxes, CollisionShape::hull,
-                                         CollisionShape::convex_parts),
+                         testing::Values(CollisionShape::automatic, CollisionShape::boxes,
+                                         CollisionShape::hull, CollisionShape::convex_parts),
                          nameOf);
 
 }  // namespace

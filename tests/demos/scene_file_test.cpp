@@ -120,9 +120,9 @@ TEST(SceneFiles, MisspeltKeysNameThoseThereAre) {
               "bodies[0].look.colour is not a key; choose one of: outside, crack, gloss.");
     EXPECT_EQ(fault(scene("", body(R"(, "settings": {"fracture": {"guide": {"kind": "spiral"}}})"))),
               "bodies[0].settings.fracture.guide.kind is \"spiral\"; choose one of: none, constant, radial.");
-    EXPECT_EQ(
-        fault(scene("", body(R"(, "settings": {"fracture": {"collision_shape": "mesh"}})"))),
-        "bodies[0].settings.fracture.collision_shape is \"mesh\"; choose one of: boxes, hull, convex_parts.");
+    EXPECT_EQ(fault(scene("", body(R"(, "settings": {"fracture": {"collision_shape": "mesh"}})"))),
+              "bodies[0].settings.fracture.collision_shape is \"mesh\"; choose one of: automatic, boxes, "
+              "hull, convex_parts.");
     EXPECT_EQ(fault(scene("", R"({"shape": {"generator": "teapot"}, "material": "ice"})")),
               "bodies[0].shape.generator is \"teapot\"; choose one of: coffee_cup, coffee_plate, plane.");
     EXPECT_EQ(

@@ -6,6 +6,8 @@
 //   cups_reproducibility SHAPE RUNS         several processes; fails at the first step that differs
 //   cups_reproducibility SHAPE RUNS STEPS   with another number of steps than 480
 
+#include <sherd/enum_names.h>
+
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -35,15 +37,12 @@ void mixBody(std::uint64_t& hash, const btRigidBody& body) {
 }
 
 bool shapeOf(const std::string& name, sherd::CollisionShape& shape) {
-    if (name == "boxes")
-        shape = sherd::CollisionShape::boxes;
-    else if (name == "hull")
-        shape = sherd::CollisionShape::hull;
-    else if (name == "convex_parts")
-        shape = sherd::CollisionShape::convex_parts;
-    else
-        return false;
-    return true;
+    for (const auto& known : sherd::enum_names<sherd::CollisionShape>) {
+        if (name != known.name) continue;
+        shape = known.value;
+        return true;
+    }
+    return false;
 }
 
 int runOnce(sherd::CollisionShape shape, int steps) {
@@ -117,7 +116,7 @@ int main(int count, char** arguments) {
     const int runs = count > 2 ? std::atoi(arguments[2]) : 1,
               steps = count > 3 ? std::atoi(arguments[3]) : 480;
     if (count < 2 || !shapeOf(arguments[1], shape) || runs < 1 || steps < 1) {
-        std::puts("usage: cups_reproducibility boxes|hull|convex_parts [RUNS [STEPS]]");
+        std::puts("usage: cups_reproducibility automatic|boxes|hull|convex_parts [RUNS [STEPS]]");
         return 2;
     }
     return runs == 1 ? runOnce(shape, steps) : compare(arguments[0], arguments[1], runs, steps);

@@ -1,0 +1,216 @@
+#include "bullet/surface_cloud.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/mesh_measures.h"
+#include "core/numerics/pi.h"
+#include "core/numerics/plane_crossing.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double spacings_across = 16;    // between points of large triangles, across the box
+constexpr int most_divisions = 16;        // of a triangle's sides
+constexpr std::size_t most_points = 600;  // about; vertices beyond are taken together
+constexpr int cells_across = 16;          // in which vertices are taken together, across the box
+constexpr double just_inside = 1e-6;      // of the spacing
+constexpr double facing = 0.99;           // cosine, from which on a face lies across an axis
+constexpr int places = 1024;              // along the box at which the areas of steps are added up
+constexpr double smallest_step = 0.02;    // of the section of the box
+
+/// Which points of a cloud stand for the vertices of a surface.
+class Representatives {
+  public:
+    Representatives(const TriangleMesh& surface, const Eigen::AlignedBox3d& box, SurfaceCloud& cloud)
+        : surface_(surface), low_(box.min()), cloud_(cloud), of_vertex_(surface.vertices.size(), -1) {
+        if (surface.vertices.size() <= most_points) return;
+        cell_ = box.sizes().maxCoeff() / cells_across;
+        of_cell_.assign((cells_across + 1) * (cells_across + 1) * (cells_across + 1), -1);
+    }
+    int of(int vertex) {
+        int& known = of_vertex_[vertex];
+        if (known >= 0) return known;
+        const Vec3& x = surface_.vertices[vertex];
+        if (of_cell_.empty()) return known = add(x);
+        const Eigen::Vector3i i = ((x - low_) / cell_).cast<int>();
+        int& place = of_cell_[(i.z() * (cells_across + 1) + i.y()) * (cells_across + 1) + i.x()];
+        if (place < 0) place = add(x);
+        return known = place;
+    }
+    int add(const Vec3& x) {
+        cloud_.points.push_back(x);
+        cloud_.areas.push_back(Vec3::Zero());
+        return static_cast<int>(cloud_.points.size()) - 1;
+    }
+
+  private:
+    const TriangleMesh& surface_;
+    Vec3 low_;
+    SurfaceCloud& cloud_;
+    double cell_ = 0;
+    std::vector<int> of_vertex_, of_cell_;
+};
+
+/// Adds up the areas of flat faces across the axes.
+class Steps {
+  public:
+    explicit Steps(const Eigen::AlignedBox3d& box) : box_(box) {
+        for (auto& sums : sums_) sums.resize(places + 1);
+    }
+    void add(const TriangleCorners& x, const Vec3& area) {
+        int axis;
+        const double across = area.cwiseAbs().maxCoeff(&axis);
+        if (across <= facing * area.norm()) return;
+        const double offset = (x[0][axis] + x[1][axis] + x[2][axis]) / 3;
+        const double place = (offset - box_.min()[axis]) / box_.sizes()[axis];
+        if (!(place >= 0 && place <= 1)) return;
+        Sum& sum = sums_[axis][static_cast<int>(std::lround(place * places))];
+        sum.area += across;
+        sum.moment += across * offset;
+    }
+    std::vector<SurfaceCloud::Step> along(int axis) const {
+        const double enough = smallest_step * box_.volume() / box_.sizes()[axis];
+        std::vector<SurfaceCloud::Step> steps;
+        for (const Sum& sum : sums_[axis])
+            if (sum.area > enough) steps.push_back({sum.moment / sum.area, sum.area});
+        return steps;
+    }
+
+  private:
+    struct Sum {
+        double area = 0, moment = 0;
+    };
+    Eigen::AlignedBox3d box_;
+    std::array<std::vector<Sum>, 3> sums_;
+};
+
+double longestSide(const TriangleCorners& x) {
+    return std::sqrt(
+        std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()}));
+}
+
+void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, SurfaceCloud& cloud) {
+    const int count = (divisions + 1) * (divisions + 2) / 2;
+    for (int i = 0; i <= divisions; ++i)
+        for (int j = 0; i + j <= divisions; ++j) {
+            cloud.points.emplace_back(x[0] + (i * (x[1] - x[0]) + j * (x[2] - x[0])) / divisions);
+            cloud.areas.emplace_back(area / count);
+        }
+}
+
+/// Whether the surface at a point lies across an axis, so that it need not meet a plane that is near.
+bool liesAcross(const Vec3& area, int axis) {
+    return area[axis] * area[axis] > facing * facing * area.squaredNorm();
+}
+
+/// The points within a spacing of a plane, below and above it, where the surface may meet it.
+std::array<std::vector<Vec3>, 2> pointsNear(const AxisPlane& plane, const SurfaceCloud& cloud) {
+    std::array<std::vector<Vec3>, 2> near;
+    for (std::size_t p = 0; p < cloud.points.size(); ++p) {
+        const double height = plane.height(cloud.points[p]);
+        if (std::abs(height) <= cloud.spacing && !liesAcross(cloud.areas[p], plane.axis))
+            near[height >= 0].push_back(cloud.points[p]);
+    }
+    return near;
+}
+
+/// Where the surface crosses a plane: between each point close below it and the nearest one above. None where
+/// the surface ends at the plane.
+std::vector<Vec3> sectionOf(const SurfaceCloud& cloud, const AxisPlane& plane) {
+    const double furthest = 2 * cloud.spacing;
+    const std::array<std::vector<Vec3>, 2> near = pointsNear(plane, cloud);
+    std::vector<Vec3> section;
+    for (const Vec3& x : near[0]) {
+        double least = furthest * furthest;
+        const Vec3* partner = nullptr;
+        for (const Vec3& y : near[1]) {
+            const double distance = (y - x).squaredNorm();
+            if (distance >= least) continue;
+            least = distance;
+            partner = &y;
+        }
+        if (partner) section.push_back(planeCrossing(x, plane.height(x), *partner, plane.height(*partner)));
+    }
+    return section;
+}
+
+}  // namespace
+
+SurfaceCloud cloudOf(const TriangleMesh& surface) {
+    SurfaceCloud cloud;
+    const Eigen::AlignedBox3d box = boundingBox(surface);
+    cloud.spacing = box.diagonal().norm() / spacings_across;
+    Representatives points(surface, box, cloud);
+    Steps steps(box);
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+        const TriangleCorners x = cornersOf(surface, t);
+        const Vec3 area = areaVector(x);
+        steps.add(x, area);
+        const int divisions =
+            std::clamp(static_cast<int>(longestSide(x) / cloud.spacing) + 1, 1, most_divisions);
+        if (divisions == 1)
+            for (const int corner : surface.triangles[t]) cloud.areas[points.of(corner)] += area / 3;
+        else
+            addEvenly(x, area, divisions, cloud);
+    }
+    // So a plane in a face has the face on the side where the solid is.
+    for (std::size_t p = 0; p < cloud.points.size(); ++p)
+        cloud.points[p] -= just_inside * cloud.spacing * cloud.areas[p].normalized();
+    for (int axis = 0; axis < 3; ++axis) cloud.steps[axis] = steps.along(axis);
+    return cloud;
+}
+
+std::array<SurfaceCloud, 2> parted(const SurfaceCloud& cloud, const AxisPlane& plane) {
+    std::array<SurfaceCloud, 2> parts;
+    for (SurfaceCloud& part : parts) {
+        part.spacing = cloud.spacing;
+        part.steps = cloud.steps;
+        part.cut_below = cloud.cut_below;
+        part.cut_above = cloud.cut_above;
+    }
+    parts[0].cut_above[plane.axis] = parts[1].cut_below[plane.axis] = plane.offset;
+    for (std::size_t p = 0; p < cloud.points.size(); ++p) {
+        SurfaceCloud& part = parts[plane.height(cloud.points[p]) >= 0];
+        part.points.push_back(cloud.points[p]);
+        part.areas.push_back(cloud.areas[p]);
+    }
+    const std::vector<Vec3> section = sectionOf(cloud, plane);
+    for (SurfaceCloud& part : parts) {
+        part.points.insert(part.points.end(), section.begin(), section.end());
+        part.areas.resize(part.points.size(), Vec3::Zero());
+    }
+    return parts;
+}
+
+/// The flux through the surface of the field that points along an axis and grows along it from 0 at the only
+/// section across that axis: none goes through the sections.
+double solidVolume(const SurfaceCloud& cloud) {
+    if (cloud.points.empty()) return 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool below = std::isfinite(cloud.cut_below[axis]), above = std::isfinite(cloud.cut_above[axis]);
+        if (below && above) continue;
+        const double zero =
+            below ? cloud.cut_below[axis] : (above ? cloud.cut_above[axis] : cloud.points.front()[axis]);
+        double volume = 0;
+        for (std::size_t p = 0; p < cloud.points.size(); ++p)
+            volume += (cloud.points[p][axis] - zero) * cloud.areas[p][axis];
+        return std::max(volume, 0.0);
+    }
+    return -1;
+}
+
+bool isWellInside(const Vec3& x, const SurfaceCloud& whole) {
+    const double nearest = whole.spacing / 2;
+    double solid_angle = 0;
+    for (std::size_t p = 0; p < whole.points.size(); ++p) {
+        const Vec3 way = whole.points[p] - x;
+        const double distance = way.norm();
+        if (distance < nearest) return false;
+        solid_angle += whole.areas[p].dot(way) / (distance * distance * distance);
+    }
+    return solid_angle > 2 * pi;
+}
+
+}  // namespace sherd
