@@ -13,8 +13,9 @@ namespace sherd {
 /// A fragment inherits from the body that broke
 /// - friction, rolling and spinning friction, anisotropic friction (the factors of its axes, turned to those
 ///   of the fragment), restitution, contact stiffness and damping, contact processing
-///   threshold, collision flags, damping, sleeping thresholds, linear and angular factor, flags, gravity,
-///   threshold and (as far as it fits) radius of continuous collision, DISABLE_DEACTIVATION;
+///   threshold, collision flags, damping, sleeping thresholds (the angular one is larger
+///   for small fragments: a quarter of the linear one at their surface), linear and angular factor, flags,
+///   gravity, threshold and (as far as it fits) radius of continuous collision, DISABLE_DEACTIVATION;
 /// - collision group and mask, objects that it does not collide with, user pointer, the three user indices,
 ///   custom debug colour, the name and the FractureSettings;
 /// - its share of the momentum and of the forces that wait for the solver. Where the world holds it on a

@@ -13,6 +13,9 @@ namespace sherd {
 
 namespace {
 
+constexpr btScalar slow_surface =
+    btScalar(0.25);  // of the linear threshold, at the surface of a piece at rest
+
 /// The factors hold along the axes of a body, and a piece has axes of its own: those of the whole, seen along
 /// them. Exact where the axes are parallel.
 void inheritAnisotropicFriction(const btRigidBody& parent, btRigidBody& piece) {
@@ -48,7 +51,6 @@ void inheritSurface(const btRigidBody& parent, btRigidBody& piece) {
 
 void inheritMotionRules(const btRigidBody& parent, const btVector3& world_gravity, btRigidBody& piece) {
     piece.setDamping(parent.getLinearDamping(), parent.getAngularDamping());
-    piece.setSleepingThresholds(parent.getLinearSleepingThreshold(), parent.getAngularSleepingThreshold());
     piece.setFlags(parent.getFlags());
     piece.setLinearFactor(parent.getLinearFactor());
     piece.setAngularFactor(parent.getAngularFactor());
@@ -58,6 +60,11 @@ void inheritMotionRules(const btRigidBody& parent, const btVector3& world_gravit
     btScalar radius;
     piece.getCollisionShape()->getBoundingSphere(centre, radius);
     piece.setCcdSweptSphereRadius(std::min(parent.getCcdSweptSphereRadius(), radius));
+    // Bullet's angular threshold suits bodies of about a metre. Contacts come and go while a small piece
+    // rocks on them, so that it never stops; a part of the linear threshold at its surface counts as rest.
+    const btScalar slow_turn = slow_surface * parent.getLinearSleepingThreshold() / radius;
+    piece.setSleepingThresholds(parent.getLinearSleepingThreshold(),
+                                std::max(parent.getAngularSleepingThreshold(), slow_turn));
     if (parent.getActivationState() == DISABLE_DEACTIVATION) piece.setActivationState(DISABLE_DEACTIVATION);
 }
 

@@ -10,6 +10,7 @@
 #include "bullet/collision_exceptions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
+#include "bullet/steady_contacts.h"
 #include "core/numerics/split_mix.h"
 
 namespace sherd {
@@ -92,6 +93,7 @@ void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObje
         if (!breakables_.find(body)->owned.shape->disjoint) may_overlap.push_back(body);
     if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
     birth_overlaps_.applyAllowances(world_);
+    steadyContacts(world_, breakables_);
 }
 
 /// Returns the fragments, now in the world; none if their bodies could not be made.

@@ -6,6 +6,7 @@
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
+#include "bullet/steady_contacts.h"
 #include "core/numerics/split_mix.h"
 #include "fracture/decide_blow.h"
 
@@ -100,7 +101,10 @@ void FractureWorld::Impl::prepareSolve() {
             std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
     });
     if (!any_breakable_) return;
-    timed(ms.overlaps, [&] { birth_overlaps_.applyAllowances(world_); });
+    timed(ms.overlaps, [&] {
+        birth_overlaps_.applyAllowances(world_);
+        steadyContacts(world_, breakables_);
+    });
     timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
     timed(ms.snapshot, [&] {
         before_.take(world_);

@@ -35,14 +35,15 @@ btScalar marginAround(const btPolyhedralConvexShape& shape) {
 class VerticesOf {
   public:
     VerticesOf(const btPersistentManifold& manifold, bool of_a, const btTransform& own_stood,
-               const btTransform& other_stood)
+               const btTransform& other_stood, btScalar reach)
         : manifold_(manifold),
           of_a_(of_a),
           own_(of_a ? *manifold.getBody0() : *manifold.getBody1()),
           other_(of_a ? *manifold.getBody1() : *manifold.getBody0()),
           own_stood_(own_stood),
           other_stood_(other_stood),
-          threshold_(manifold.getContactBreakingThreshold()) {}
+          threshold_(manifold.getContactBreakingThreshold()),
+          reach_(reach) {}
 
     void addMissed(std::vector<btManifoldPoint>& points) const {
         const btManifoldPoint& first = manifold_.getContactPoint(0);
@@ -54,16 +55,22 @@ class VerticesOf {
             btVector3 vertex;
             part.shape->getVertex(i, vertex);
             vertex = part.transform * vertex;
-            const btManifoldPoint* near = nearestPoint(vertex, isInside(other, vertex));
+            const btVector3 within = vertex - outwardAt(first) * reach_;
+            const btManifoldPoint* near = nearestPoint(vertex, isInside(other, within));
             if (!near) continue;
             const btManifoldPoint point = contactAt(*near, vertex, margin);
-            if (point.getDistance() < 0) points.push_back(point);
+            if (point.getDistance() < reach_) points.push_back(point);
         }
     }
 
   private:
     const btVector3& onOwn(const btManifoldPoint& point) const {
         return of_a_ ? point.m_positionWorldOnA : point.m_positionWorldOnB;
+    }
+
+    /// Out of the other body.
+    btVector3 outwardAt(const btManifoldPoint& point) const {
+        return of_a_ ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
     }
 
     /// Whether a point lies in a plane's half-space or in a box, as far as that is known.
@@ -90,7 +97,7 @@ class VerticesOf {
     }
 
     btManifoldPoint contactAt(const btManifoldPoint& near, const btVector3& vertex, btScalar margin) const {
-        const btVector3 outward = of_a_ ? near.m_normalWorldOnB : -near.m_normalWorldOnB;
+        const btVector3 outward = outwardAt(near);
         const btVector3 own = vertex - margin * outward;
         const btVector3& plane = of_a_ ? near.m_positionWorldOnB : near.m_positionWorldOnA;
         const btScalar distance = outward.dot(own - plane);
@@ -107,17 +114,17 @@ class VerticesOf {
     const bool of_a_;
     const btCollisionObject &own_, &other_;
     const btTransform &own_stood_, &other_stood_;
-    const btScalar threshold_;
+    const btScalar threshold_, reach_;
 };
 
 }  // namespace
 
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b) {
+                                            const btTransform& stood_b, btScalar reach) {
     std::vector<btManifoldPoint> points;
     if (manifold.getNumContacts() == 0) return points;
-    VerticesOf(manifold, true, stood_a, stood_b).addMissed(points);
-    VerticesOf(manifold, false, stood_b, stood_a).addMissed(points);
+    VerticesOf(manifold, true, stood_a, stood_b, reach).addMissed(points);
+    VerticesOf(manifold, false, stood_b, stood_a, reach).addMissed(points);
     return points;
 }
 

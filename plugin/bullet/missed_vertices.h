@@ -11,8 +11,9 @@ namespace sherd {
 /// gets one point a step, a body on a plane the deepest vertex and some of those around it. Of vertices that
 /// touch at the same time some may be missing, and which ones depends on the step. Looked for are those in a
 /// plane or a box, and those near a point that there is. `stood_a` and `stood_b`: where the bodies stood when
-/// the manifold was made; the solver may have moved them since (split impulses).
+/// the manifold was made; the solver may have moved them since (split impulses). `reach`: vertices that are
+/// no further than that outside the other body count as well, m.
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b);
+                                            const btTransform& stood_b, btScalar reach = 0);
 
 }  // namespace sherd

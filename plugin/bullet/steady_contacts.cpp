@@ -1,0 +1,106 @@
+#include "bullet/steady_contacts.h"
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/missed_vertices.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr btScalar fastest_push_m_s = btScalar(0.1);
+constexpr btScalar largest_reach = btScalar(0.5);  // of the fragment's radius
+
+bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
+    const Breakable* breakable = breakables.find(&object);
+    return breakable && breakable->is_fragment;
+}
+
+/// A fragment that moves, on something that does not; nullptr for other pairs.
+const btRigidBody* fragmentOnGround(const btPersistentManifold& manifold,
+                                    const BreakableRegistry& breakables) {
+    const bool is_b = manifold.getBody0()->isStaticObject();
+    if (is_b == manifold.getBody1()->isStaticObject()) return nullptr;
+    const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
+    if (!moving.isActive()) return nullptr;
+    return isFragment(moving, breakables) ? btRigidBody::upcast(&moving) : nullptr;
+}
+
+btScalar radiusOf(const btRigidBody& body) {
+    btVector3 centre;
+    btScalar radius;
+    body.getCollisionShape()->getBoundingSphere(centre, radius);
+    return radius;
+}
+
+/// The one that is furthest from all contacts there are: support on a wide base.
+const btManifoldPoint& mostDistant(const std::vector<btManifoldPoint>& points,
+                                   const btPersistentManifold& manifold) {
+    const btManifoldPoint* best = &points.front();
+    btScalar furthest = -1;
+    for (const btManifoldPoint& point : points) {
+        btScalar nearest = BT_LARGE_FLOAT;
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+            const btVector3 way = manifold.getContactPoint(p).m_positionWorldOnA - point.m_positionWorldOnA;
+            nearest = std::min(nearest, way.length2());
+        }
+        if (nearest <= furthest) continue;
+        furthest = nearest;
+        best = &point;
+    }
+    return *best;
+}
+
+void addMissedVertices(btPersistentManifold& manifold, btScalar reach) {
+    const btTransform &of_a = manifold.getBody0()->getWorldTransform(),
+                      &of_b = manifold.getBody1()->getWorldTransform();
+    while (manifold.getNumContacts() < MANIFOLD_CACHE_SIZE) {
+        const std::vector<btManifoldPoint> missed = missedVertices(manifold, of_a, of_b, reach);
+        if (missed.empty()) break;
+        btManifoldPoint point = mostDistant(missed, manifold);
+        point.m_localPointA = of_a.invXform(point.m_positionWorldOnA);
+        point.m_localPointB = of_b.invXform(point.m_positionWorldOnB);
+        point.m_userPersistentData = nullptr;  // the other point's
+        point.m_lifeTime = 0;
+        manifold.addManifoldPoint(point);
+    }
+}
+
+bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
+    for (int p = 0; p < manifold.getNumContacts(); ++p)
+        if (manifold.getContactPoint(p).getDistance() < -depth) return true;
+    return false;
+}
+
+void limitDepth(btPersistentManifold& manifold, btScalar deepest) {
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        btManifoldPoint& point = manifold.getContactPoint(p);
+        point.setDistance(std::max(point.getDistance(), -deepest));
+    }
+}
+
+}  // namespace
+
+void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
+    const btContactSolverInfo& info = world.getSolverInfo();
+    const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0) continue;
+        if (const btRigidBody* fragment = fragmentOnGround(manifold, breakables)) {
+            const btScalar radius = radiusOf(*fragment);
+            const btScalar speed =
+                fragment->getLinearVelocity().length() + radius * fragment->getAngularVelocity().length();
+            addMissedVertices(manifold, std::min(speed * info.m_timeStep, largest_reach * radius));
+        }
+        if (isDeeperThan(deepest, manifold) &&
+            (isFragment(*manifold.getBody0(), breakables) || isFragment(*manifold.getBody1(), breakables)))
+            limitDepth(manifold, deepest);
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,19 @@
+#pragma once
+
+#include "bullet/breakable.h"
+
+class btDiscreteDynamicsWorld;
+
+namespace sherd {
+
+/// Makes the contacts of fragments such that they come to rest. Splinters are small for what they move in a
+/// step. Bullet finds one vertex of a hull a step, when it is in the floor already, and takes a fifth of the
+/// depth back in each, as a velocity that stays: a splinter that rocks on its vertices is thrown up again and
+/// again, and one that has flown into the floor by more than its own size spins. So vertices that a manifold
+/// with a static body lacks, and that may be in that body by the end of the step, are added to it: the solver
+/// stops them there. And deep contacts count as less deep, such that nothing is pushed out of a fragment, or
+/// a fragment out of anything, at more than 0.1 m/s. To be called just before a solve; calling it twice has
+/// no further effect.
+void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables);
+
+}  // namespace sherd
