@@ -1,6 +1,7 @@
 // How the pieces of broken bodies come to rest, for each collision shape: bodies fall on a floor in five
 // orientations, and are watched for six seconds. Usage:
-//   drops [--shapes NAME,NAME] [--height M] [--quality NAME] [--once] [--plain] [--each] [FILE.obj ...]
+//   drops [--shapes NAME,NAME] [--height M] [--quality NAME] [--seed N] [--once] [--plain] [--each] [FILE.obj
+//   ...]
 // Without files: slab, cup, plate, aeroplane and a trough; files are repaired and scaled to 0.3 m. --once:
 // pieces do not break again. --plain: the same pieces once more from where they were born, in a world without
 // Sherd.
@@ -22,36 +23,28 @@
 #include <string>
 #include <vector>
 
-#include "bullet/rigid_body_factory.h"
+#include "benchmark/drop_worlds.h"
+#include "benchmark/value_or_exit.h"
 #include "core/numerics/stopwatch.h"
-#include "fracture/breakable_solid.h"
 #include "generators/generators.h"
 #include "support/shapes.h"
 
 namespace {
 
 using namespace sherd;
+using namespace sherd::benchmarks;
 
-constexpr double gravity_m_s2 = 9.81;
-constexpr double time_step_s = 1.0 / 240;
 constexpr int steps = 1440;
-constexpr int orientations = 5;
 constexpr double file_size_m = 0.3;
 
 struct Options {
     std::vector<CollisionShape> shapes;
     double height_m = 1;
     Quality quality = Quality::preview;
+    std::uint64_t seed = 1;
     bool once = false, plain = false, each = false;
     std::vector<std::string> files;
 };
-
-template <class T>
-T valueOrExit(Result<T> result) {
-    if (result) return std::move(result).value();
-    std::fprintf(stderr, "%s\n", result.error().c_str());
-    std::exit(1);
-}
 
 template <class Enum>
 Enum named(const std::string& name) {
@@ -80,6 +73,8 @@ Options optionsOf(int argc, char** argv) {
             options.height_m = std::atof(argv[++i]);
         else if (word == "--quality" && has_value)
             options.quality = named<Quality>(argv[++i]);
+        else if (word == "--seed" && has_value)
+            options.seed = std::strtoull(argv[++i], nullptr, 10);
         else if (word == "--once")
             options.once = true;
         else if (word == "--plain")
@@ -113,58 +108,9 @@ std::vector<Body> bodiesOf(const Options& options) {
     if (!bodies.empty()) return bodies;
     bodies.push_back({"slab", shapes::slab(Vec3(0.3, 0.2, 0.02), 12, 8, 1)});
     for (const char* name : {"coffee_cup", "coffee_plate", "plane"})
-
         bodies.push_back({name, valueOrExit(generators::generate(name, 20000))});
     bodies.push_back({"trough", shapes::uShape(0.02, 0.1, 0.12, 0.15)});
     return bodies;
-}
-
-/// A world with a stone floor at z = 0.
-struct World {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    btBoxShape floor_shape{btVector3(5, 5, 0.5)};
-    btRigidBody floor{0, nullptr, &floor_shape};
-
-    World() {
-        floor.setFriction(1);
-        floor.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -0.5)));
-        world.addRigidBody(&floor);
-        world.setGravity(btVector3(0, 0, btScalar(-gravity_m_s2)));
-    }
-    ~World() { world.removeRigidBody(&floor); }
-    void step() { world.stepSimulation(btScalar(time_step_s), 0); }
-};
-
-double kineticEnergy(const btRigidBody& body) {
-    const btVector3 v = body.getLinearVelocity(), w = body.getAngularVelocity();
-    return 0.5 * (v.length2() / body.getInvMass() + w.dot(body.getInvInertiaTensorWorld().inverse() * w));
-}
-
-double energy(const std::vector<btRigidBody*>& bodies) {
-    double sum = 0;
-    for (const btRigidBody* body : bodies)
-        sum += kineticEnergy(*body) +
-               gravity_m_s2 * body->getWorldTransform().getOrigin().z() / body->getInvMass();
-    return sum;
-}
-
-btVector3 toBt(const Vec3& x) {
-    return {btScalar(x.x()), btScalar(x.y()), btScalar(x.z())};
-}
-
-btTransform startOf(const TriangleMesh& surface, int orientation) {
-    const Vec3 axes[orientations] = {{1, 0, 0}, {0.8, 0.6, 0}, {0, 1, 0.3}, {1, 1, 1}, {0, 0.2, 1}};
-    const double angles[orientations] = {0.1, 0.7, 1.5, 2.4, 3.0};
-    const Eigen::Quaterniond turn(Eigen::AngleAxisd(angles[orientation], axes[orientation].normalized()));
-    Eigen::AlignedBox3d box;
-    for (const Vec3& v : surface.vertices) box.extend(turn * v);
-    return btTransform(
-        btQuaternion(btScalar(turn.x()), btScalar(turn.y()), btScalar(turn.z()), btScalar(turn.w())),
-        toBt(Vec3(-box.center().x(), -box.center().y(), 0.01 - box.min().z())));
 }
 
 int partsOf(const btCollisionShape& shape) {
@@ -180,57 +126,6 @@ struct Drop {
     int plain_awake = 0;
 };
 
-/// Of the surface of a body, in metres below the floor.
-double depthOf(const TriangleMesh& surface, const btTransform& place) {
-    double lowest = 0;
-    for (const Vec3& v : surface.vertices) lowest = std::min(lowest, double((place * toBt(v)).z()));
-    return -lowest;
-}
-
-/// The pieces where they are, with the shapes that they have, in a world of Bullet's alone.
-class PlainTwin {
-  public:
-    PlainTwin(FractureWorld& fracture, CollisionShape shape) {
-        for (const btRigidBody* piece : fracture.bodies()) {
-            const BreakableSolid& solid = *fracture.asset(piece)->solid();
-            solids_.push_back(fracture.asset(piece)->solid());
-            pieces_.push_back(makeRigidBody(solid, shape, {}));
-            from_asset_.push_back(principalFrame(solid.moments()).body_from_asset);
-            btRigidBody& twin = *pieces_.back().body;
-            twin.setCenterOfMassTransform(piece->getWorldTransform());
-            twin.setLinearVelocity(piece->getLinearVelocity());
-            twin.setAngularVelocity(piece->getAngularVelocity());
-            world_.world.addRigidBody(&twin);
-        }
-    }
-    ~PlainTwin() {
-        for (OwnedBody& piece : pieces_) world_.world.removeRigidBody(piece.body.get());
-    }
-    void run(int count, double scale, double spacing, Drop& drop) {
-        std::vector<btRigidBody*> bodies;
-        for (OwnedBody& piece : pieces_) bodies.push_back(piece.body.get());
-        double before = energy(bodies);
-        for (int i = 0; i < count; ++i) {
-            world_.step();
-            const double now = energy(bodies);
-            drop.plain_rise = std::max(drop.plain_rise, (now - before) / scale);
-            before = now;
-        }
-        for (std::size_t p = 0; p < bodies.size(); ++p) {
-            drop.plain_awake += bodies[p]->isActive();
-            const double depth =
-                depthOf(solids_[p]->surface(), bodies[p]->getWorldTransform() * from_asset_[p]);
-            drop.plain_depth = std::max(drop.plain_depth, depth / spacing);
-        }
-    }
-
-  private:
-    World world_;
-    std::vector<std::shared_ptr<const BreakableSolid>> solids_;
-    std::vector<btTransform> from_asset_;
-    std::vector<OwnedBody> pieces_;
-};
-
 Drop dropOnFloor(const BreakableAsset& asset, CollisionShape shape, int orientation, const Options& options) {
     World bullet;
     FractureWorld fracture(&bullet.world);
@@ -238,6 +133,7 @@ Drop dropOnFloor(const BreakableAsset& asset, CollisionShape shape, int orientat
     body_options.velocity = btVector3(0, 0, btScalar(-std::sqrt(2 * gravity_m_s2 * options.height_m)));
     body_options.fracture = asset.settings().fracture;
     body_options.fracture->collision_shape = shape;
+    body_options.fracture->seed = options.seed;
     if (options.once) body_options.fracture->rest_after_break_s = 1e9;
     valueOrExit(fracture.add(asset, body_options));
     Drop drop;
@@ -285,7 +181,12 @@ Drop dropOnFloor(const BreakableAsset& asset, CollisionShape shape, int orientat
         std::nth_element(plain_ms.begin(), plain_ms.begin() + plain_ms.size() / 2, plain_ms.end());
         drop.step_ms = plain_ms[plain_ms.size() / 2];
     }
-    if (twin) twin->run(twin_steps, scale, spacing, drop);
+    if (twin) {
+        const PlainTwin::Rest rest = twin->run(twin_steps);
+        drop.plain_awake = rest.awake;
+        drop.plain_depth = rest.depth / spacing;
+        drop.plain_rise = rest.rise / scale;
+    }
     return drop;
 }
 
