@@ -93,9 +93,12 @@ double longestSide(const TriangleCorners& x) {
 
 void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, SurfaceCloud& cloud) {
     const int count = (divisions + 1) * (divisions + 2) / 2;
+    const Vec3 centre = (x[0] + x[1] + x[2]) / 3;
     for (int i = 0; i <= divisions; ++i)
         for (int j = 0; i + j <= divisions; ++j) {
-            cloud.points.emplace_back(x[0] + (i * (x[1] - x[0]) + j * (x[2] - x[0])) / divisions);
+            const Vec3 even = x[0] + (i * (x[1] - x[0]) + j * (x[2] - x[0])) / divisions;
+            // Not on the sides, which may lie in a plane that cuts.
+            cloud.points.emplace_back(even + just_inside * (centre - even));
             cloud.areas.emplace_back(area / count);
         }
 }
