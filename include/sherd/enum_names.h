@@ -95,6 +95,7 @@ inline constexpr NamedValue<Outcome> enum_names<Outcome>[] = {
     {"broke", Outcome::broke},
     {"held", Outcome::held},
     {"failed", Outcome::failed},
+    {"dropped", Outcome::dropped},
 };
 
 template <>

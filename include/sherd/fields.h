@@ -255,6 +255,9 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
           s.largest_collision_part_count);
     visit(Field{"rest_after_break_s", "how long new fragments cannot break", Range::atLeast(0, "s")},
           s.rest_after_break_s);
+    visit(Field{"largest_generation", "how often a body may break in turn",
+                Range::atLeast(1).orSpecial(0, "no limit")},
+          s.largest_generation);
     visit(Field{"use_reduced_model", "whether the reduced model of a prepared asset decides blows"},
           s.use_reduced_model);
     visit(Field{"use_coarse_model", "whether a coarse solve looks at blows on fragments first"},

@@ -3,7 +3,9 @@
 #include <LinearMath/btTransform.h>
 #include <sherd/body_options.h>
 #include <sherd/breakable_asset.h>
+#include <sherd/budget.h>
 #include <sherd/events.h>
+#include <sherd/executor.h>
 #include <sherd/fragment_birth.h>
 #include <sherd/push.h>
 
@@ -39,9 +41,9 @@ Result<int> explode(FractureWorld& world, const Explosion& explosion);
 /// no other thread steps or calls. Several worlds may be stepped on several threads, also with bodies of one
 /// asset. Assets and stress models belong to no thread: `BreakableAsset::fromObj`, `fromMesh`, `prepare` and
 /// all their other members may be called on any thread while worlds are stepped. An event that was taken is a
-/// value and may go to any thread; what its pointers lead to stays with the stepping thread. The functions
-/// of the settings (strength field, guide) are called in blows, on the thread that steps: with several worlds
-/// perhaps on several threads at once.
+/// value and may go to any thread; what its pointers lead to stays with the stepping thread. The functions of
+/// the settings (strength field, guide) are called in blows, on the thread that steps, also in those that
+/// wait: with several worlds perhaps on several threads at once.
 ///
 /// Inside a step, that is from a callback of Bullet's between the start of its collision detection and the
 /// end of its solver, and inside a FragmentCallback: `add` and `makeBreakable` are refused, `remove` and
@@ -106,6 +108,15 @@ class FractureWorld {
     /// wait to be taken, up to 1000 of them, and with them the bodies that broke; then the oldest are
     /// dropped, and counted in `BlowCounts::events_dropped`.
     std::vector<BlowEvent> takeEvents();
+
+    /// What breaking may cost a step, from the next blow on. The error says which field is out of range.
+    Status setBudget(const Budget& budget);
+    const Budget& budget() const;
+
+    /// Who works on blows beside the thread that steps; an empty one: nobody, and no thread is made. By
+    /// default it is `workerThreads()`, made when there is work for them. They run Bullet's allocator, too:
+    /// an app that sets one of its own gives one that serves several threads.
+    void setExecutor(Executor executor);
 
     BlowCounts counts() const;
 

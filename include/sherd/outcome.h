@@ -14,6 +14,8 @@ enum class Outcome {
     /// The body stays whole: nothing failed, the energy pays for no crack, or no piece came loose.
     held,
     failed,  ///< the blow could not be worked out; the body stays whole, and `message` says why
+    /// The budget (Budget) left no room for the blow: it was not decided, and the body stays whole.
+    dropped,
 };
 
 /// What decided a blow: the first of these that could.
@@ -37,6 +39,8 @@ struct BlowFigures {
     double mass_error_rel = 0;    ///< of all fragments together, relative to the body
     double volume_error_rel = 0;  ///< the same of the volume
     double residual_rel = 0;      ///< of the linear solve
+    /// How long the blow waited until it was decided, s of simulated time: Budget says which blows wait.
+    double waited_s = 0;
     StageTimes ms;
     /// What a full solve says of a blow that another level decided, and its largest stress: only with
     /// FractureSettings::check_with_full_solve.
@@ -50,9 +54,15 @@ struct BlowFigures {
 
 /// Counts since the FractureWorld was made.
 struct BlowCounts {
-    long long seen = 0;  ///< blows: a breakable body in contact in one step
+    /// Blows: a breakable body in contact in one step. Steps in which nothing moves fast enough to break
+    /// anything are left out.
+    long long seen = 0;
     // Of these, by what decided them: gate + coarse + reduced + full = seen.
     long long gate = 0, coarse = 0, reduced = 0, full = 0;
+    // What the budget did with blows that the gate let through, beside those that were decided at once.
+    long long waited = 0;   ///< decided later; they count as `seen` when they are
+    long long merged = 0;   ///< on a body for which a harder one waited, or that broke before its turn came
+    long long dropped = 0;  ///< never decided: Outcome::dropped
     long long events_dropped = 0;  ///< since nobody took them, see FractureWorld::takeEvents
 
     long long solved() const { return reduced + full; }  ///< blows whose stress was solved

@@ -206,6 +206,9 @@ struct FractureSettings {
     /// Fragments cannot break for this time after they were made: they still fly apart from the same blow. A
     /// very large value lets them never break.
     double rest_after_break_s = 0.05;
+    /// How often a body may break in turn: at 1 its fragments never break, at 2 theirs never do. At 0 there
+    /// is no limit.
+    int largest_generation = 0;
     /// Whether blows on a prepared asset are decided by its reduced model (BreakableAsset::prepare), which
     /// takes milliseconds, or fully.
     bool use_reduced_model = true;

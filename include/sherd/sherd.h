@@ -2,8 +2,10 @@
 
 #include <sherd/body_options.h>
 #include <sherd/breakable_asset.h>
+#include <sherd/budget.h>
 #include <sherd/enum_names.h>
 #include <sherd/events.h>
+#include <sherd/executor.h>
 #include <sherd/explosion.h>
 #include <sherd/fields.h>
 #include <sherd/fracture_world.h>

@@ -27,6 +27,7 @@ struct StageTimes {
     double check = 0;      ///< the full solve of FractureSettings::check_with_full_solve
 
     StageTimes& operator+=(const StageTimes& more);
+    StageTimes& operator-=(const StageTimes& less);
 };
 
 /// What belongs to no single blow, over all steps.
@@ -40,11 +41,13 @@ struct StepTimes {
     double contacts = 0;  ///< gathering the contacts of breakable bodies, vertices that Bullet lacks included
     double restore = 0;   ///< finding the islands of broken bodies, and setting them back to before the solve
     double resolve = 0;   ///< contacts of the fragments, and solving their islands once more, by Bullet
+    double waiting = 0;   ///< choosing the blows that wait (Budget), and waiting for other threads
 };
 
 /// What a FractureWorld took since it was made, in steps and in applyBlow.
 struct WorldTimes {
-    StageTimes blows;  ///< of all blows, those without an event included
+    StageTimes blows;    ///< of all blows, those without an event included, on the thread that steps
+    StageTimes workers;  ///< the same on other threads; no part of `whole`
     StepTimes steps;
     /// Everything, by a stopwatch of its own: `stages()`, and the little between the stages. What a step
     /// takes beyond the growth of this is Bullet's own part of it.
@@ -85,6 +88,7 @@ inline constexpr TimeField<StepTimes> time_fields<StepTimes>[] = {
     {"sync", &StepTimes::sync},         {"release", &StepTimes::release}, {"snapshot", &StepTimes::snapshot},
     {"overlaps", &StepTimes::overlaps}, {"ground", &StepTimes::ground},   {"sweep", &StepTimes::sweep},
     {"contacts", &StepTimes::contacts}, {"restore", &StepTimes::restore}, {"resolve", &StepTimes::resolve},
+    {"waiting", &StepTimes::waiting},
 };
 
 /// Whether each field of a struct of times has its line.
@@ -104,6 +108,12 @@ double sumOf(const Times& times) {
 inline StageTimes& StageTimes::operator+=(const StageTimes& more) {
     for (const TimeField<StageTimes>& field : time_fields<StageTimes>)
         this->*field.value += more.*field.value;
+    return *this;
+}
+
+inline StageTimes& StageTimes::operator-=(const StageTimes& less) {
+    for (const TimeField<StageTimes>& field : time_fields<StageTimes>)
+        this->*field.value -= less.*field.value;
     return *this;
 }
 

@@ -93,7 +93,7 @@ bool isHeld(const std::unique_ptr<Breakable>& piece) {
 }  // namespace
 
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
-                                                           const std::vector<Fragment>& fragments,
+                                                           const DecidedBlow& decided,
                                                            const btVector3& world_gravity, bool inside_step) {
     btRigidBody& whole = *parent.body;
     const bool was_static = whole.getInvMass() == 0;
@@ -102,12 +102,13 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
     const btTransform drawn_from_asset = parent.placed(renderedTransform(whole));
     std::vector<std::unique_ptr<Breakable>> pieces;
     std::vector<btRigidBody*> moving;
-    for (const Fragment& fragment : fragments) {
-        auto piece = std::make_unique<Breakable>(BreakableAsset(fragment.solid), parent.fracture);
-        piece->owned = makeRigidBody(*fragment.solid, ShapeChoice(*parent.fracture), fragment.boxes,
-                                     fragment.solid->isAnchored() ? 0 : mass_scale);
+    const std::vector<Fragment>& fragments = decided.outcome.fragments;
+    for (std::size_t i = 0; i < fragments.size(); ++i) {
+        const BreakableSolid& solid = *fragments[i].solid;
+        auto piece = std::make_unique<Breakable>(BreakableAsset(fragments[i].solid), parent.fracture);
+        piece->owned = makeRigidBody(solid, decided.shapes.at(i), solid.isAnchored() ? 0 : mass_scale);
         piece->body = piece->owned.body.get();
-        piece->body_from_asset = principalFrame(fragment.solid->moments()).body_from_asset;
+        piece->body_from_asset = principalFrame(solid.moments()).body_from_asset;
         const btTransform asset_from_body = piece->body_from_asset.inverse();
         placeBody(piece->owned, world_from_asset * asset_from_body, drawn_from_asset * asset_from_body,
                   piece->body_from_asset);

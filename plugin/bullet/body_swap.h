@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bullet/breakable.h"
+#include "bullet/decided_blow.h"
 #include "bullet/island_state.h"
 #include "fracture/pipeline.h"
 
@@ -13,15 +14,15 @@ class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
-/// The fragments of `parent` as rigid bodies, not in a world yet. They are placed where the parent's material
-/// is, move with the rigid motion that has the parent's linear and angular momentum, and inherit everything
-/// that an app may have set on the parent: friction, restitution, damping, factors, flags, user pointer,
-/// sleeping thresholds, their share of the forces. Fragments that a support holds are static, and the others
-/// of such a body move as it did. The parent must have its state from before the solve. `world_gravity`,
-/// m/s^2, is for what comes off a static body. `inside_step`: the forces of this step were given to the
-/// parent already.
+/// The fragments that `parent` broke into as rigid bodies, not in a world yet. They are placed where the
+/// parent's material is, move with the rigid motion that has the parent's linear and angular momentum, and
+/// inherit everything that an app may have set on the parent: friction, restitution, damping, factors, flags,
+/// user pointer, sleeping thresholds, their share of the forces. Fragments that a support holds are static,
+/// and the others of such a body move as it did. The parent must have its state from before the solve.
+/// `world_gravity`, m/s^2, is for what comes off a static body. `inside_step`: the forces of this step were
+/// given to the parent already.
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
-                                                           const std::vector<Fragment>& fragments,
+                                                           const DecidedBlow& decided,
                                                            const btVector3& world_gravity, bool inside_step);
 
 /// Difference between the momentum of a body and of its fragments, linear and angular (about the body's

@@ -18,7 +18,9 @@ bool isAnother(const btCollisionObject& object, const Breakable& breakable) {
 }  // namespace
 
 bool Breakable::breaksAt(double time_s) const {
-    return time_s >= unbreakable_until_s && asset.solid()->moments().volume >= fracture->smallest_fragment_m3;
+    return time_s >= unbreakable_until_s &&
+           asset.solid()->moments().volume >= fracture->smallest_fragment_m3 &&
+           (fracture->largest_generation == 0 || generation < fracture->largest_generation);
 }
 
 std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset& asset,

@@ -50,17 +50,19 @@ struct Breakable {
     OwnedBody owned;                    ///< empty when the app owns the body
     std::uint64_t serial =
         0;  ///< counts the bodies of this world in the order in which they became breakable
-    double unbreakable_until_s = 0;                       ///< simulated time
-    bool in_world = true;                                 ///< at the last syncWithWorld
-    bool warned = false;                                  ///< an event has said what the asset warns of
-    BodyToken token = no_token;                           ///< tells `body` from a new one at its address
-    bool is_fragment = false;                             ///< made by a break in this world
-    InnerBall inner_ball;                                 ///< of a fragment
+    double unbreakable_until_s = 0;  ///< simulated time
+    bool in_world = true;            ///< at the last syncWithWorld
+    bool warned = false;             ///< an event has said what the asset warns of
+    BodyToken token = no_token;      ///< tells `body` from a new one at its address
+    int generation = 0;              ///< how many breaks in this world made it
+    double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known
+    InnerBall inner_ball;            ///< of a fragment
     btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
     btTransform moved_to = btTransform::getIdentity();    ///< and after it
     bool being_born = false;                              ///< a fragment that is about to enter the world
 
     bool ownedHere() const { return owned.body != nullptr; }
+    bool isFragment() const { return generation > 0; }
     /// The map from the asset's frame to the world, for a body that stands at `world_transform`.
     btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
     /// An app may make a body static at any time.

@@ -13,7 +13,8 @@ namespace sherd {
 /// An event with the body that broke in it, if one did. The body is kept alive for the app to read.
 struct QueuedEvent {
     BlowEvent event;
-    std::unique_ptr<Breakable> broken;
+    StageTimes elsewhere;  ///< the part of `event.ms` that other threads did
+    std::unique_ptr<Breakable> broken = nullptr;
 };
 
 /// The events that the app has not taken yet, in order. Holds a limited number; the oldest are dropped.

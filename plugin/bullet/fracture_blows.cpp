@@ -46,6 +46,7 @@ Result<int> FractureWorld::Impl::applyBlows(
 void FractureWorld::Impl::finish(btScalar time_step_s) {
     const InsideStep guard(world_);
     timed(times_.steps.sync, [&] { removeRequested(); });
+    if (time_step_s > 0) answerWaiting(time_step_s);
     while (!blows_.empty()) {
         const QueuedBlow blow = std::move(blows_.front());
         blows_.pop_front();
@@ -55,6 +56,8 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
     const AddedTime time(times_.steps.sync);
     for (QueuedEvent& queued : current_) {
         times_.blows += queued.event.ms;
+        times_.blows -= queued.elsewhere;
+        times_.workers += queued.elsewhere;
         events_.push(std::move(queued));
     }
     current_.clear();
@@ -80,7 +83,7 @@ void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s)
     const bool held = target->asset.solid()->isAnchored();
     if (!held) push(*target->body, blow.pushes);
     std::vector<Break> breaks;
-    if (target->breaksAt(time_s_)) breaks = evaluateBlows({struck});
+    if (target->breaksAt(time_s_)) breaks = evaluateBlows({struck}, 0);
     std::vector<btCollisionObject*> fragments;
     if (!breaks.empty()) {
         if (held) breaks.front().pushes = &blow.pushes;

@@ -8,6 +8,7 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
+#include "fracture/can_break.h"
 #include "geometry/mass_properties.h"
 #include "geometry/solid_union.h"
 
@@ -72,6 +73,8 @@ Status FractureWorld::Impl::checkHook() const {
 
 Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> breakable) {
     breakable->serial = next_serial_++;
+    const bool says_all = breakable->fracture->check_with_full_solve || !breakable->asset.warnings().empty();
+    if (!says_all) breakable->least_energy_j = leastEnergy(*breakable->asset.solid(), *breakable->fracture);
     return breakables_.add(std::move(breakable));
 }
 

@@ -110,7 +110,7 @@ std::vector<std::unique_ptr<Breakable>> FractureWorld::Impl::makePieces(const Br
                                                                         const Breakable& parent,
                                                                         bool inside_step) {
     try {
-        return makeFragmentBodies(parent, broken.outcome.fragments, world_.getGravity(), inside_step);
+        return makeFragmentBodies(parent, *broken.decided, world_.getGravity(), inside_step);
     } catch (const std::exception& trouble) {
         BlowEvent& event = current_[broken.event].event;
         event.outcome = Outcome::failed;
@@ -127,7 +127,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     BlowEvent& event = current_[broken.event].event;
     if (broken.pushes) pushLoose(pieces, *broken.pushes);
     event.momentum_error_rel = momentumError(*broken.body, pieces);
-    event.dropped_mass_kg = dropDebris(broken.outcome.fragments, pieces);
+    event.dropped_mass_kg = dropDebris(broken.decided->outcome.fragments, pieces);
     if (time_step_s > 0) setBackOnGround(world_, parent, pieces);
     inheritCollisionExceptions(world_, parent, pieces);
     const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces));
@@ -141,6 +141,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     event.removed_multi_body_constraints = std::move(joints.multi_body_constraints);
     addToWorld(world_, born, time_step_s);
     for (Breakable* fragment : born) fragment->being_born = false;
+    new_fragments_ += static_cast<int>(born.size());
     current_[broken.event].broken = breakables_.take(parent.token);
     return {event.fragments.begin(), event.fragments.end()};
 }
@@ -152,7 +153,8 @@ std::vector<Breakable*> FractureWorld::Impl::registerFragments(
         Breakable& fragment = registerBreakable(std::move(pieces[i]));
         if (parent.seed) fragment.seed = splitMix64(*parent.seed + golden_step * (i + 1));
         fragment.unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
-        fragment.is_fragment = fragment.being_born = true;
+        fragment.generation = parent.generation + 1;
+        fragment.being_born = true;
         fragments.push_back(&fragment);
     }
     return fragments;

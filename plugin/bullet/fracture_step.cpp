@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
+#include "bullet/quiet_step.h"
 #include "bullet/steady_contacts.h"
-#include "core/numerics/split_mix.h"
-#include "fracture/decide_blow.h"
 
 namespace sherd {
 
@@ -16,31 +14,13 @@ namespace {
 
 constexpr int most_rounds = 8;  // of breaks in one step
 
-/// What the asset warns of, with the first blow on its body.
-std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
-    if (std::exchange(breakable.warned, true)) return {};
-    return breakable.asset.warnings();
-}
-
-BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
-    BlowEvent event(struck.breakable->asset);
-    static_cast<BlowFigures&>(event) = figures;
-    event.name = struck.breakable->name;
-    event.asset_transform = struck.breakable->placed(struck.before.transform);
-    event.velocity = fromBullet(struck.before.linear);
-    event.angular_velocity = fromBullet(struck.before.angular);
-    event.body = struck.breakable->body;
-    event.position = struck.position;
-    event.normal = struck.normal;
-    return event;
-}
-
 }  // namespace
 
 // `times_.whole` is measured here, and in `finishBetweenSteps`: these are all the ways in from outside.
 
 void FractureWorld::Impl::beforeSolve() {
     timed(times_.whole, [&] { prepareSolve(); });
+    new_fragments_ = 0;
     solve_watch_ = {};
 }
 
@@ -57,6 +37,7 @@ void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDr
 void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
     timed(times_.whole, [&] {
         finish(info.m_timeStep);
+        if (!awake_) return;
         const AddedTime time(times_.steps.sweep);
         sweep_exceptions_.begin(
             world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
@@ -70,7 +51,7 @@ void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
 
 void FractureWorld::Impl::afterIntegration() {
     timed(times_.whole, [&] {
-        timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+        if (awake_) timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
         endIntegration();
     });
     markBetweenSteps(world_);
@@ -93,6 +74,12 @@ void FractureWorld::Impl::prepareSolve() {
         world_calls_actions_ = false;
         endIntegration();
     }
+    awake_ = anythingAwake(world_);
+    any_breakable_ = false;
+    if (!awake_) {
+        before_.clear();
+        return;
+    }
     timed(ms.sync, [&] {
         breakables_.dropReplaced(world_.getCollisionObjectArray());
         breakables_.syncWithWorld(world_.getCollisionObjectArray());
@@ -106,10 +93,14 @@ void FractureWorld::Impl::prepareSolve() {
         steadyContacts(world_, breakables_);
     });
     timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
-    timed(ms.snapshot, [&] {
+    const AddedTime time(ms.snapshot);
+    any_breakable_ = !nothingCanBreak(world_, breakables_, world_.getSolverInfo().m_timeStep);
+    if (any_breakable_) {
         before_.take(world_);
         write_back_.begin(world_);
-    });
+    } else {
+        before_.takeBodies(world_);
+    }
 }
 
 /// What breaks in the step, and what is struck through it: a body with continuous collision may go through
@@ -120,7 +111,7 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
         return sweptInto(world_, [&](const auto& object) { return isFragmentOfAny(object); });
     });
     if (!swept.empty()) resolveIslands(breaks, swept, false, info, drawer);
-    breaks = evaluateBlows(struck(info));
+    breaks = evaluateBlows(struck(info), info.m_timeStep);
     for (int round = 1; !breaks.empty(); ++round) {
         const auto is_broken = [&](const auto& object) {
             return std::any_of(breaks.begin(), breaks.end(),
@@ -133,7 +124,7 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
             for (StruckBreakable& blow : struck(info))
                 if (std::find(next.begin(), next.end(), blow.breakable->body) != next.end())
                     blows.push_back(std::move(blow));
-        breaks = evaluateBlows(blows);
+        breaks = evaluateBlows(blows, info.m_timeStep);
     }
 }
 
@@ -154,13 +145,13 @@ bool FractureWorld::Impl::isBreakable(const btCollisionObject& object) const {
 
 bool FractureWorld::Impl::isFragment(const btCollisionObject& object) const {
     const Breakable* breakable = breakables_.find(&object);
-    return breakable && breakable->is_fragment;
+    return breakable && breakable->isFragment();
 }
 
 std::vector<const Breakable*> FractureWorld::Impl::fragments() const {
     std::vector<const Breakable*> fragments;
     for (const auto& breakable : breakables_.all())
-        if (breakable->is_fragment && breakable->in_world) fragments.push_back(breakable.get());
+        if (breakable->isFragment() && breakable->in_world) fragments.push_back(breakable.get());
     return fragments;
 }
 
@@ -168,33 +159,6 @@ bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const
     bool found = false;
     decorator_.forEachListener([&](const StepListener& hook) { found = found || hook.isFragment(object); });
     return found;
-}
-
-std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
-    const std::vector<StruckBreakable>& struck) {
-    std::vector<Break> breaks;
-    for (const StruckBreakable& body : struck) {
-        if (isToBeRemoved(*body.breakable)) continue;
-        const std::vector<std::string> warnings = warningsAtFirstBlow(*body.breakable);
-        BlowOutcome outcome = decideBlow(*body.breakable->asset.solid(), body.blow, *body.breakable->fracture,
-                                         seedOf(*body.breakable));
-        ++counts_.seen;
-        ++counts_.at(outcome.level);
-        if (outcome.level == Level::gate && warnings.empty() && !outcome.full_solve_outcome) {
-            times_.blows += outcome.ms;  // those of the others are added with their events
-            continue;
-        }
-        outcome.warnings.insert(outcome.warnings.begin(), warnings.begin(), warnings.end());
-        current_.push_back({eventOf(body, outcome), nullptr});
-        if (outcome.outcome == Outcome::broke)
-            breaks.push_back({body.breakable->body, std::move(outcome), current_.size() - 1});
-    }
-    return breaks;
-}
-
-std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {
-    return breakable.seed ? *breakable.seed
-                          : splitMix64(breakable.fracture->seed + golden_step * breakable.serial);
 }
 
 }  // namespace sherd

@@ -46,6 +46,18 @@ void FractureWorld::onFragment(FragmentCallback callback) {
 std::vector<BlowEvent> FractureWorld::takeEvents() {
     return impl_->takeEvents();
 }
+Status FractureWorld::setBudget(const Budget& budget) {
+    return impl_->setBudget(budget);
+}
+
+const Budget& FractureWorld::budget() const {
+    return impl_->budget();
+}
+
+void FractureWorld::setExecutor(Executor executor) {
+    impl_->setExecutor(std::move(executor));
+}
+
 BlowCounts FractureWorld::counts() const {
     return impl_->counts();
 }

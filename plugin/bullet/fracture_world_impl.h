@@ -4,6 +4,7 @@
 #include <sherd/fracture_world.h>
 
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "bullet/birth_overlaps.h"
@@ -16,6 +17,7 @@
 #include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
 #include "bullet/step_phase.h"
+#include "bullet/waiting_blows.h"
 #include "core/numerics/stopwatch.h"
 #include "fracture/blow_outcome.h"
 
@@ -44,6 +46,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         on_fragment_ = std::make_shared<const FragmentCallback>(std::move(callback));
     }
     std::vector<BlowEvent> takeEvents() { return events_.take(insideStep()); }
+    Status setBudget(const Budget& budget);
+    const Budget& budget() const { return budget_; }
+    void setExecutor(Executor executor);
     std::vector<btRigidBody*> bodies();
     const BreakableRegistry& breakables() const { return breakables_; }
     BlowCounts counts() const;
@@ -65,7 +70,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     /// A body that broke, to be swapped for its fragments.
     struct Break {
         btRigidBody* body = nullptr;
-        BlowOutcome outcome;
+        std::shared_ptr<const DecidedBlow> decided;
         std::size_t event = 0;                      // in current_
         const std::vector<Push>* pushes = nullptr;  // that its loose fragments are still to be given
     };
@@ -83,7 +88,17 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
 
     void prepareSolve();
     void endIntegration();
-    std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck);
+    std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
+    std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
+    void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
+    std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
+                              const std::shared_ptr<DecidedBlow>& decided);
+    void tellDropped(const StruckBreakable& struck);
+    bool mayWait(const StruckBreakable& struck) const;
+    BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
+    void answerWaiting(btScalar time_step_s);
+    int roomForFragments() const;
+    const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<const Breakable*> fragments() const;
@@ -127,13 +142,18 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
     SweepExceptions sweep_exceptions_;
-    bool any_breakable_ = false;  // a breakable body is in the world; set before each solve
+    bool awake_ = false;          // something in the world moves; set before each solve
+    bool any_breakable_ = false;  // something may break in the step
     double time_s_ = 0;           // simulated since the hook was set
     std::uint64_t next_serial_ = 0;
     std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
     EventQueue events_;
     BlowCounts counts_;
     WorldTimes times_;
+    Budget budget_;
+    std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
+    WaitingBlows waiting_;
+    int new_fragments_ = 0;  // in this step
     Stopwatch solve_watch_;  // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end

@@ -135,7 +135,7 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& break
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
         breakable->moved_from = start->transform;
-        if (has_ground && breakable->is_fragment && breakable->isDynamic()) stopAtGround(world, *breakable);
+        if (has_ground && breakable->isFragment() && breakable->isDynamic()) stopAtGround(world, *breakable);
         breakable->moved_to = breakable->body->getWorldTransform();
     }
 }

@@ -31,13 +31,22 @@ bool samePlace(const btVector3& a, const btVector3& b) {
 
 }  // namespace
 
-void StepSnapshot::take(btDiscreteDynamicsWorld& world) {
+void StepSnapshot::clear() {
     bodies_.clear();
     proxies_.clear();
-    const auto& objects = world.getCollisionObjectArray();
-    for (int i = 0; i < objects.size(); ++i) addBody(*objects[i]);
     manifolds_.clear();
     points_.clear();
+    constraints_.clear();
+}
+
+void StepSnapshot::takeBodies(const btDiscreteDynamicsWorld& world) {
+    clear();
+    const auto& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i) addBody(*objects[i]);
+}
+
+void StepSnapshot::take(btDiscreteDynamicsWorld& world) {
+    takeBodies(world);
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
@@ -49,7 +58,6 @@ void StepSnapshot::take(btDiscreteDynamicsWorld& world) {
                                point.m_appliedImpulseLateral1, point.m_appliedImpulseLateral2});
         }
     }
-    constraints_.clear();
     for (int i = 0; i < world.getNumConstraints(); ++i) {
         btTypedConstraint* constraint = world.getConstraint(i);
         constraints_.push_back(

@@ -42,6 +42,9 @@ struct Island {
 class StepSnapshot {
   public:
     void take(btDiscreteDynamicsWorld& world);
+    /// Of the objects only: for steps in which nothing is restored.
+    void takeBodies(const btDiscreteDynamicsWorld& world);
+    void clear();
     /// Adds bodies that came into the world since, as they stand and move now.
     void add(const std::vector<btCollisionObject*>& objects);
     /// nullptr for objects that were not in the world then, nor added.

@@ -16,7 +16,7 @@ constexpr btScalar largest_reach = btScalar(0.5);  // of the fragment's radius
 
 bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
     const Breakable* breakable = breakables.find(&object);
-    return breakable && breakable->is_fragment;
+    return breakable && breakable->isFragment();
 }
 
 /// A fragment that moves, on something that does not; nullptr for other pairs.

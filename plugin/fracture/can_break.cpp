@@ -35,11 +35,15 @@ class Needed {
 
 }  // namespace
 
+double leastEnergy(const BreakableSolid& solid, const FractureSettings& fracture) {
+    return std::max(smallestCrackEnergy(solid, fracture), solid.smallestFailureEnergy());
+}
+
 // From the bound that costs least to the one that costs most: the energy that the blow brings at most, which
 // the solid cannot store more of; what the table of a prepared solid says of the contacts; then those of the
 // strikes as the surface has them.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
-    const double needed = std::max(smallestCrackEnergy(solid, fracture), solid.smallestFailureEnergy());
+    const double needed = leastEnergy(solid, fracture);
     if (!(blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed)) return false;
 
     const ReducedStress* reduced = fracture.use_reduced_model ? solid.reducedStress() : nullptr;

@@ -12,4 +12,7 @@ namespace sherd {
 /// (`quickBound`, `closeBound`): false when they are below its weakest strength, or the smallest crack.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture);
 
+/// Energy that a blow brings at least if it is worth a solve, J.
+double leastEnergy(const BreakableSolid& solid, const FractureSettings& fracture);
+
 }  // namespace sherd

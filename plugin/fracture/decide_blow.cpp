@@ -7,19 +7,44 @@
 
 namespace sherd {
 
-BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
-                       std::uint64_t seed) {
-    BlowOutcome out;  // held, by the gate
+namespace {
+
+/// The figures that do not depend on what decided, and the check by a full solve if that is asked for.
+BlowOutcome completed(BlowOutcome out, const BreakableSolid& solid, const Blow& blow,
+                      const FractureSettings& fracture, std::uint64_t seed) {
     out.impulse_n_s = normalImpulse(blow);
-    StageTimes before;
-    if (timed(before.gate, [&] { return canBreak(solid, blow, fracture); })) {
-        std::optional<BlowOutcome> held = coarseLook(solid, blow, fracture, before);
-        out = held ? std::move(*held) : strike(solid, blow, fracture, seed);
-        out.impulse_n_s = normalImpulse(blow);
-    }
-    out.ms += before;
     if (fracture.check_with_full_solve && out.level != Level::full)
         checkWithFullSolve(solid, blow, fracture, seed, out);
+    return out;
+}
+
+}  // namespace
+
+std::optional<BlowOutcome> heldByGate(const BreakableSolid& solid, const Blow& blow,
+                                      const FractureSettings& fracture, std::uint64_t seed, double& gate_ms) {
+    BlowOutcome held;  // by the gate
+    if (timed(held.ms.gate, [&] { return canBreak(solid, blow, fracture); })) {
+        gate_ms += held.ms.gate;
+        return std::nullopt;
+    }
+    return completed(std::move(held), solid, blow, fracture, seed);
+}
+
+BlowOutcome solveBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                      std::uint64_t seed) {
+    StageTimes before;
+    std::optional<BlowOutcome> held = coarseLook(solid, blow, fracture, before);
+    BlowOutcome out = held ? std::move(*held) : strike(solid, blow, fracture, seed);
+    out.ms += before;
+    return completed(std::move(out), solid, blow, fracture, seed);
+}
+
+BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                       std::uint64_t seed) {
+    StageTimes before;
+    if (auto held = heldByGate(solid, blow, fracture, seed, before.gate)) return std::move(*held);
+    BlowOutcome out = solveBlow(solid, blow, fracture, seed);
+    out.ms += before;
     return out;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/loads/blow.h"
 #include "fracture/blow_outcome.h"
@@ -12,6 +13,14 @@ namespace sherd {
 /// is worth a solve, `coarseLook` whether a fragment withstands it by far, `strike` solves it.
 BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
                        std::uint64_t seed);
+
+/// The two parts of it. What comes of a blow that `canBreak` says is not worth a solve; nothing for others.
+/// What asking took is added to `gate_ms` if it is not in the outcome.
+std::optional<BlowOutcome> heldByGate(const BreakableSolid& solid, const Blow& blow,
+                                      const FractureSettings& fracture, std::uint64_t seed, double& gate_ms);
+/// What comes of a blow that is worth a solve.
+BlowOutcome solveBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
+                      std::uint64_t seed);
 
 /// Notes in the figures of a decided blow what a full solve says of it, and what asking took. Of the solid it
 /// changes only what is made once and kept.

@@ -45,10 +45,14 @@ double residentMegabytes() {
 
 struct Blows {
     BlowCounts by;
-    long missed = 0, broke = 0, held = 0, failed = 0;
+    long missed = 0, broke = 0, held = 0, failed = 0, dropped = 0;
     std::vector<double> ms;
 
     void add(const BlowEvent& event) {
+        if (event.outcome == Outcome::dropped) {
+            ++dropped;
+            return;
+        }
         ++by.at(event.level);
         ++(event.outcome == Outcome::broke ? broke : event.outcome == Outcome::held ? held : failed);
         missed += event.full_solve_outcome == Outcome::broke;
@@ -58,9 +62,10 @@ struct Blows {
     }
     void print(const char* what) const {
         std::printf(
-            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed, %ld missed\n"
+            "%-14s %5lld coarse %5lld reduced %5lld full: %5ld broke %5ld held %3ld failed %3ld dropped, %ld "
+            "missed\n"
             "                 ms: median %.2f, 90 %% %.2f, longest %.1f\n",
-            what, by.coarse, by.reduced, by.full, broke, held, failed, missed, quantile(ms, 0.5),
+            what, by.coarse, by.reduced, by.full, broke, held, failed, dropped, missed, quantile(ms, 0.5),
             quantile(ms, 0.9), quantile(ms, 1));
     }
 };
@@ -140,6 +145,8 @@ void run(const Options& options) {
         on_fragments.print("  on fragments");
         std::printf("blows, ms:");
         printTimes(times.blows);
+        std::printf("on other threads, ms:");
+        printTimes(times.workers);
         std::printf("steps, ms:");
         printTimes(times.steps);
     }

@@ -339,6 +339,8 @@ TEST_P(EveryCallback, TakesEveryCall) {
             ask();
             break;
         case Call::destroy:
+            if (std::get<0>(GetParam()) == Callback::drawer)
+                GTEST_SKIP() << "the header rules it out: Bullet goes on drawing the shape that is gone";
             destroy();
             break;
     }

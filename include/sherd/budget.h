@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sherd/result.h>
+#include <sherd/types.h>
+
+namespace sherd {
+
+/// Which of the blows that wait are decided first. The others wait longer, and are the first to be dropped.
+enum class Priority {
+    hardest,  ///< the largest normal impulse
+    nearest,  ///< the shortest way to `Budget::viewpoint`
+    largest,  ///< the largest body
+};
+
+/// What breaking may cost a step. A blow on a body that is whole is decided in its step, and so is every blow
+/// that something lighter than the body strikes, or that falls on a body that is held: what breaks there lets
+/// the striker through. All other blows on fragments wait: they are solved beside the steps that follow, by
+/// the world's executor, and the fragment breaks some steps later where it is by then. How many steps that
+/// are follows from the simulated time and from how large the bodies are, never from the clock: a run repeats
+/// bit for bit on any machine. Events tell (BlowEvent::waited_s, Outcome::dropped), and so do BlowCounts.
+struct Budget {
+    /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
+    /// its step, however long that takes.
+    double shortest_wait_s = 0.05;
+    /// A blow that would wait longer is dropped.
+    double longest_wait_s = 0.5;
+    /// Computing time for the blows that wait, ms a step: of one core of about 2020, estimated from the size
+    /// of the bodies. At 0 it is half of the step's own length.
+    double milliseconds_per_step = 0;
+    /// Blows that wait, decided a step at most; a blow takes its share of the step's computing time at least.
+    int solves_per_step = 4;
+    Priority priority = Priority::hardest;
+    Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m
+    /// Fragments that one step brings into the world, about: bodies that break at once share them, and are
+    /// made into fewer pieces, two at least; those that waited break a step later.
+    int fragments_per_step = 200;
+    /// Fragments in the world at most: bodies are made into fewer pieces, and where there is no room for two
+    /// they stay whole (Outcome::dropped).
+    int fragments_alive = 1000;
+
+    /// No blow waits, and nothing is limited.
+    static Budget none();
+
+    /// The error says which field is out of range, and which values are possible.
+    Status validate() const;
+};
+
+}  // namespace sherd

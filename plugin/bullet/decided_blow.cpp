@@ -1,0 +1,71 @@
+#include "bullet/decided_blow.h"
+
+#include <exception>
+#include <string>
+#include <utility>
+
+#include "core/numerics/stopwatch.h"
+#include "fracture/decide_blow.h"
+#include "fracture/failed_if_thrown.h"
+
+namespace sherd {
+
+namespace {
+
+std::vector<std::shared_ptr<const OwnedShape>> shapesOf(const std::vector<Fragment>& fragments,
+                                                        const ShapeChoice& choice) {
+    std::vector<std::shared_ptr<const OwnedShape>> shapes;
+    for (const Fragment& fragment : fragments) {
+        const btTransform frame = principalFrame(fragment.solid->moments()).body_from_asset;
+        shapes.push_back(
+            std::make_shared<const OwnedShape>(makeShape(*fragment.solid, choice, fragment.boxes, frame)));
+    }
+    return shapes;
+}
+
+}  // namespace
+
+bool BlowToDecide::mayRunElsewhere() const {
+    return !solid->settings().strength.field && !fracture->guide.custom;
+}
+
+std::shared_ptr<DecidedBlow> DecidedBlow::make(BlowToDecide blow) {
+    const std::shared_ptr<DecidedBlow> decided(new DecidedBlow);
+    decided->may_run_elsewhere_ = blow.mayRunElsewhere();
+    // An executor may keep the job for longer than anybody wants to know what comes of the blow.
+    const std::weak_ptr<DecidedBlow> into = decided;
+    decided->job_ = Job::make([blow = std::move(blow), into] {
+        if (const auto wanted = into.lock()) decide(blow, *wanted);
+    });
+    return decided;
+}
+
+void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
+    BlowOutcome outcome = failedIfThrown(
+        [&](BlowOutcome& out) { out = solveBlow(*blow.solid, blow.blow, *blow.fracture, blow.seed); });
+    outcome.ms += blow.before;
+    try {
+        const AddedTime time(outcome.ms.bodies);
+        decided.shapes = shapesOf(outcome.fragments, ShapeChoice(*blow.fracture));
+    } catch (const std::exception& trouble) {
+        outcome.outcome = Outcome::failed;
+        outcome.fragments.clear();
+        outcome.message = std::string("the fragments' collision shapes could not be made (") +
+                          trouble.what() + "); the body stays whole";
+    }
+    decided.outcome = std::move(outcome);
+}
+
+void DecidedBlow::submit(const Executor& executor) {
+    if (!may_run_elsewhere_ || !executor || std::exchange(submitted_, true)) return;
+    job_->submit(executor);
+}
+
+void DecidedBlow::finish(double& waiting_ms) {
+    if (std::exchange(finished_, true)) return;
+    const Stopwatch watch;
+    job_->finish();
+    if (doneElsewhere()) waiting_ms += watch.milliseconds();
+}
+
+}  // namespace sherd

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <sherd/executor.h>
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bullet/rigid_body_factory.h"
+#include "core/loads/blow.h"
+#include "core/numerics/job.h"
+#include "fracture/blow_outcome.h"
+
+namespace sherd {
+
+/// A blow with all that decides it.
+struct BlowToDecide {
+    std::shared_ptr<const BreakableSolid> solid;
+    Blow blow;
+    std::shared_ptr<const FractureSettings> fracture;
+    std::uint64_t seed = 0;
+    StageTimes before;  ///< what was done of it already
+
+    /// Whether it calls no function of the app's: those are called on the thread that steps.
+    bool mayRunElsewhere() const;
+};
+
+/// What comes of a blow, as a job that any thread may do.
+class DecidedBlow {
+  public:
+    static std::shared_ptr<DecidedBlow> make(BlowToDecide blow);
+
+    /// Has it done elsewhere, if it may be.
+    void submit(const Executor& executor);
+    bool isSubmitted() const { return submitted_; }
+    /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
+    void finish(double& waiting_ms);
+
+    // After `finish`.
+    bool doneElsewhere() const { return !job_->doneByFinish(); }
+    BlowOutcome outcome;
+    /// What is to stand for each fragment in collisions.
+    std::vector<std::shared_ptr<const OwnedShape>> shapes;
+
+  private:
+    DecidedBlow() = default;
+    static void decide(const BlowToDecide& blow, DecidedBlow& decided);
+
+    std::shared_ptr<Job> job_;
+    bool may_run_elsewhere_ = false, submitted_ = false, finished_ = false;
+};
+
+}  // namespace sherd

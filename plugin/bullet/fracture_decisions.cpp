@@ -1,0 +1,272 @@
+// Which blows break their bodies: at once, or when it is their turn.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "bullet/conversions.h"
+#include "bullet/fracture_world_impl.h"
+#include "bullet/world_internals.h"
+#include "core/numerics/parallel_chunks.h"
+#include "core/numerics/split_mix.h"
+#include "fracture/decide_blow.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr int fewest_fragments = 2;
+constexpr const char* no_room = "the budget left no room for this blow; the body stays whole";
+
+/// What the asset warns of, with the first blow on its body.
+std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
+    if (std::exchange(breakable.warned, true)) return {};
+    return breakable.asset.warnings();
+}
+
+BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
+    BlowEvent event(struck.breakable->asset);
+    static_cast<BlowFigures&>(event) = figures;
+    event.name = struck.breakable->name;
+    event.asset_transform = struck.breakable->placed(struck.before.transform);
+    event.velocity = fromBullet(struck.before.linear);
+    event.angular_velocity = fromBullet(struck.before.angular);
+    event.body = struck.breakable->body;
+    event.position = struck.position;
+    event.normal = struck.normal;
+    return event;
+}
+
+/// The blow on a body that has moved on meanwhile.
+StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) {
+    StruckBreakable struck;
+    struck.breakable = &breakable;
+    struck.before = stateOf(*breakable.body);
+    const btTransform placed = breakable.placed(struck.before.transform);
+    struck.position = fromBullet(placed * toBullet(blow.position));
+    struck.normal = fromBullet(placed.getBasis() * toBullet(blow.normal));
+    return struck;
+}
+
+/// The larger, the sooner.
+double urgency(const StruckBreakable& struck, const Budget& budget) {
+    switch (budget.priority) {
+        case Priority::nearest:
+            return -(struck.position - budget.viewpoint).norm();
+        case Priority::largest:
+            return struck.breakable->asset.mass();
+        case Priority::hardest:
+            break;
+    }
+    return normalImpulse(struck.blow);
+}
+
+}  // namespace
+
+Status FractureWorld::Impl::setBudget(const Budget& budget) {
+    if (const Status valid = budget.validate(); !valid) return valid;
+    budget_ = budget;
+    return success();
+}
+
+void FractureWorld::Impl::setExecutor(Executor executor) {
+    executor_ = std::move(executor);
+}
+
+const Executor& FractureWorld::Impl::executor() {
+    if (!executor_) executor_ = workerThreads();
+    return *executor_;
+}
+
+/// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
+/// back by what is broken in truth.
+bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
+    const Breakable& breakable = *struck.breakable;
+    if (budget_.shortest_wait_s == 0 || !breakable.isFragment()) return false;
+    const double mass =
+        breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
+        if (!partner || partner->getInvMass() == 0 || isFragmentOfAny(*partner)) continue;
+        if (struck.blow.isStruckBy(static_cast<int>(p)) && 1 / partner->getInvMass() < mass) return false;
+    }
+    return true;
+}
+
+/// How many more fragments may be in the world.
+int FractureWorld::Impl::roomForFragments() const {
+    const auto alive =
+        std::count_if(breakables_.all().begin(), breakables_.all().end(),
+                      [](const auto& breakable) { return breakable->isFragment() && breakable->in_world; });
+    return budget_.fragments_alive - static_cast<int>(alive);
+}
+
+BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int most_fragments) const {
+    const Breakable& breakable = *struck.breakable;
+    BlowToDecide blow{breakable.asset.solid(), struck.blow, breakable.fracture, seedOf(breakable), {}};
+    if (most_fragments < breakable.fracture->largest_fragment_count) {
+        auto fewer = std::make_shared<FractureSettings>(*breakable.fracture);
+        fewer->largest_fragment_count = std::max(fewest_fragments, most_fragments);
+        fewer->fragment_count = std::min(fewer->fragment_count, fewer->largest_fragment_count);
+        blow.fracture = std::move(fewer);
+    }
+    return blow;
+}
+
+/// What came of blows that must not wait, on all threads there are.
+std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
+    const std::vector<BlowToDecide>& blows) {
+    std::vector<std::shared_ptr<DecidedBlow>> decided;
+    for (const BlowToDecide& blow : blows) decided.push_back(DecidedBlow::make(blow));
+    for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executor());
+    for (const auto& one : decided) one->finish(times_.steps.waiting);
+    return decided;
+}
+
+void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
+    std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
+        return urgency(*a, budget_) > urgency(*b, budget_);
+    });
+    const int room = std::min(roomForFragments(), budget_.fragments_per_step);
+    for (const StruckBreakable* struck : blows) {
+        if (room < fewest_fragments) {
+            tellDropped(*struck);
+            continue;
+        }
+        const Breakable& breakable = *struck->breakable;
+        const btTransform from_world = breakable.placed(struck->before.transform).inverse();
+        WaitingBlow blow;
+        blow.serial = breakable.serial;
+        blow.impulse_n_s = normalImpulse(struck->blow);
+        blow.position = fromBullet(from_world * toBullet(struck->position));
+        blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
+        blow.decided = DecidedBlow::make(toDecide(*struck, room));
+        const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
+        switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
+            case WaitingBlows::Fate::waits:
+                break;
+            case WaitingBlows::Fate::merged:
+                ++counts_.merged;
+                break;
+            case WaitingBlows::Fate::dropped:
+                tellDropped(*struck);
+                break;
+        }
+    }
+}
+
+void FractureWorld::Impl::tellDropped(const StruckBreakable& struck) {
+    ++counts_.dropped;
+    BlowFigures figures;
+    figures.outcome = Outcome::dropped;
+    figures.impulse_n_s = normalImpulse(struck.blow);
+    figures.message = no_room;
+    current_.push_back({eventOf(struck, figures), {}});
+}
+
+/// Counts a decided blow and makes its event, unless the gate decided it and has nothing to say.
+std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
+    const StruckBreakable& struck, const BlowOutcome& outcome, const std::shared_ptr<DecidedBlow>& decided) {
+    const std::vector<std::string> warnings = warningsAtFirstBlow(*struck.breakable);
+    ++counts_.seen;
+    ++counts_.at(outcome.level);
+    if (outcome.level == Level::gate && warnings.empty() && !outcome.full_solve_outcome) {
+        times_.blows += outcome.ms;  // those of the others are added with their events
+        return std::nullopt;
+    }
+    BlowEvent event = eventOf(struck, outcome);
+    event.warnings.insert(event.warnings.begin(), warnings.begin(), warnings.end());
+    const bool elsewhere = decided && decided->doneElsewhere();
+    current_.push_back({std::move(event), elsewhere ? outcome.ms : StageTimes{}});
+    if (outcome.outcome != Outcome::broke) return std::nullopt;
+    return Break{struck.breakable->body, decided, current_.size() - 1};
+}
+
+std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
+    const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
+    std::optional<OnThisThreadAlone> alone;
+    if (executor_ && !*executor_) alone.emplace();
+    std::vector<std::optional<BlowOutcome>> held(struck.size());
+    std::vector<StageTimes> gates(struck.size());
+    std::vector<const StruckBreakable*> to_wait;
+    std::vector<std::size_t> now;
+    for (std::size_t i = 0; i < struck.size(); ++i) {
+        const StruckBreakable& body = struck[i];
+        if (isToBeRemoved(*body.breakable)) continue;
+        held[i] = heldByGate(*body.breakable->asset.solid(), body.blow, *body.breakable->fracture,
+                             seedOf(*body.breakable), gates[i].gate);
+        if (held[i]) continue;
+        if (time_step_s > 0 && mayWait(body)) {
+            times_.blows += gates[i];
+            to_wait.push_back(&body);
+        } else {
+            now.push_back(i);
+        }
+    }
+
+    std::vector<BlowToDecide> blows;
+    const int room = std::min(roomForFragments(), budget_.fragments_per_step - new_fragments_);
+    const int share = now.empty() ? 0 : room / static_cast<int>(now.size());
+    for (const std::size_t i : now) {
+        waiting_.settle(struck[i].breakable->serial, times_.steps.waiting);
+        blows.push_back(toDecide(struck[i], share));
+        blows.back().before = gates[i];
+    }
+    const auto decided = decideNow(blows);
+    std::vector<Break> breaks;
+    for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
+        const bool is_now = k < now.size() && now[k] == i;
+        if (!is_now && !held[i]) continue;
+        const auto broken =
+            is_now ? tell(struck[i], decided[k]->outcome, decided[k]) : tell(struck[i], *held[i], nullptr);
+        k += is_now;
+        if (broken) breaks.push_back(*broken);
+    }
+    if (!to_wait.empty()) timed(times_.steps.waiting, [&] { letWait(to_wait, time_step_s); });
+    return breaks;
+}
+
+/// The blows whose turn it is: their bodies break where they are by now.
+void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
+    if (executor_ && !*executor_) {
+        const OnThisThreadAlone no_threads;
+        waiting_.workUntil(time_s_);
+    } else if (!waiting_.empty()) {
+        waiting_.submit(executor());
+    }
+    while (const WaitingBlow* due = waiting_.due(time_s_)) {
+        due->decided->finish(times_.steps.waiting);
+        const auto& all = breakables_.all();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& breakable) {
+            return breakable->serial == due->serial && isInWorld(world_, breakable->body);
+        });
+        const int count = static_cast<int>(due->decided->outcome.fragments.size());
+        if (new_fragments_ > 0 && count > budget_.fragments_per_step - new_fragments_)
+            return;  // the next step has room
+        const WaitingBlow blow = waiting_.takeFirst();
+        if (found == all.end() || isToBeRemoved(**found) || !(*found)->canBeStruck()) {
+            ++counts_.merged;
+            continue;
+        }
+        BlowOutcome& outcome = blow.decided->outcome;
+        outcome.waited_s = time_s_ - blow.struck_at_s;
+        ++counts_.waited;
+        if (count > roomForFragments()) {
+            ++counts_.dropped;
+            outcome.outcome = Outcome::dropped;
+            outcome.message = no_room;
+        }
+        const auto broken = tell(struckNow(**found, blow), outcome, blow.decided);
+        if (!broken) continue;
+        Break due_break = *broken;
+        const auto fragments = swap(due_break, time_step_s);
+        if (!fragments.empty()) findNewContacts(fragments);
+    }
+}
+
+std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {
+    return breakable.seed ? *breakable.seed
+                          : splitMix64(breakable.fracture->seed + golden_step * breakable.serial);
+}
+
+}  // namespace sherd

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <sherd/budget.h>
+#include <sherd/executor.h>
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+
+#include "bullet/decided_blow.h"
+
+namespace sherd {
+
+/// A blow that is decided some time after it fell.
+struct WaitingBlow {
+    std::uint64_t serial = 0;  ///< of the body
+    double impulse_n_s = 0;
+    Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
+    double struck_at_s = 0, worked_by_s = 0, due_s = 0;   ///< simulated time
+    std::shared_ptr<DecidedBlow> decided;
+};
+
+/// What a blow on a solid that is not prepared takes about, ms of one core; of the solid's size alone.
+double estimatedMilliseconds(const BreakableSolid& solid);
+
+/// The blows that wait, in the order of their turns. When it is a blow's turn follows from the estimates, as
+/// if one worker did the blows one after the other: so it is the same on every machine.
+class WaitingBlows {
+  public:
+    enum class Fate { waits, merged, dropped };
+
+    bool empty() const { return blows_.empty(); }
+
+    /// `work_ms`: what the blow is estimated to take; `time_step_s`: of the step in which it fell. Merged is
+    /// a blow on a body for which a harder one waits.
+    Fate add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s, double time_step_s);
+    /// Has blows worked on: those of bodies that have no earlier one.
+    void submit(const Executor& executor);
+    /// Does here what the one worker would have done by then: for worlds without an executor.
+    void workUntil(double time_s);
+    /// The next blow, if it is its turn.
+    const WaitingBlow* due(double time_s) const;
+    WaitingBlow takeFirst();
+    /// The blow that the body's next one has to wait for is decided when this returns: what a solid keeps of
+    /// a blow must not depend on which thread was faster.
+    void settle(std::uint64_t serial, double& waiting_ms);
+
+  private:
+    bool isFirstOfItsBody(std::size_t number) const;
+
+    std::deque<WaitingBlow> blows_;
+    double busy_until_s_ = 0;  ///< the one worker, simulated time
+};
+
+}  // namespace sherd

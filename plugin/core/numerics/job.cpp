@@ -1,0 +1,56 @@
+#include "core/numerics/job.h"
+
+#include <utility>
+
+#include "core/numerics/parallel_chunks.h"
+
+namespace sherd {
+
+std::shared_ptr<Job> Job::make(std::function<void()> work) {
+    return std::shared_ptr<Job>(new Job(std::move(work)));
+}
+
+Job::Job(std::function<void()> work) : work_(std::move(work)) {
+    std::fegetenv(&rounding_);
+}
+
+void Job::submit(const Executor& executor) {
+    if (!executor) return;
+    try {
+        executor([job = shared_from_this()] {
+            if (!job->begin()) return;
+            const OnThisThreadAlone others_have_work;
+            job->run();
+        });
+    } catch (...) {
+    }
+}
+
+void Job::finish() {
+    if (begin()) {
+        run();
+        done_by_finish_ = true;
+        return;
+    }
+    std::unique_lock<std::mutex> lock(mutex_);
+    ended_.wait(lock, [this] { return done_; });
+}
+
+bool Job::begin() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return !std::exchange(begun_, true);
+}
+
+void Job::run() {
+    std::fenv_t own;
+    std::fegetenv(&own);
+    std::fesetenv(&rounding_);
+    std::exchange(work_, nullptr)();
+    std::fesetenv(&own);
+    // The lock is held while others are told: one that waits may delete the job right after.
+    const std::lock_guard<std::mutex> lock(mutex_);
+    done_ = true;
+    ended_.notify_all();
+}
+
+}  // namespace sherd

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <sherd/executor.h>
+
+#include <cfenv>
+#include <condition_variable>
+#include <functional>
+#include <memory>
+#include <mutex>
+
+namespace sherd {
+
+/// Work that any thread may do, and one does: the first that comes. It throws nothing. It is done with the
+/// rounding of the thread that made it, so that it comes to the same wherever it is done.
+class Job : public std::enable_shared_from_this<Job> {
+  public:
+    static std::shared_ptr<Job> make(std::function<void()> work);
+
+    /// Has it done by the executor, if there is one, some time. What that throws is ignored: the job is then
+    /// done where it is needed.
+    void submit(const Executor& executor);
+    /// Returns when the work is done; does it here if nobody has begun.
+    void finish();
+    /// After `finish`: whether the thread that called it did the work.
+    bool doneByFinish() const { return done_by_finish_; }
+
+  private:
+    explicit Job(std::function<void()> work);
+    bool begin();
+    void run();
+
+    std::function<void()> work_;
+    std::fenv_t rounding_;
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool begun_ = false, done_ = false, done_by_finish_ = false;
+};
+
+}  // namespace sherd

@@ -1,0 +1,261 @@
+// Blows that wait, and limits of what a step brings.
+
+#include <deque>
+#include <set>
+#include <thread>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+/// A plate that breaks at a touch, again and again, and what it falls on.
+struct FallingPlate {
+    explicit FallingPlate(const Budget& budget = {}, const Settings& settings = brittle()) {
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        scene.addFloor();
+        fracture = std::make_unique<FractureWorld>(scene.world.get());
+        EXPECT_TRUE(fracture->setBudget(budget).ok());
+        const auto asset = BreakableAsset::fromMesh(
+            shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(), settings);
+        mass_kg = asset.value().mass();
+        BodyOptions options;
+        options.start = at(0, 0, 0.1f);
+        options.velocity = btVector3(0, 0, -5);
+        EXPECT_TRUE(fracture->add(asset.value(), options).ok());
+    }
+    ~FallingPlate() { fracture.reset(); }
+
+    static Settings brittle() {
+        Settings settings = coarse(0.06);
+        settings.fracture.smallest_fragment_m3 = 3e-4;
+        settings.fracture.rest_after_break_s = 0;
+        settings.fracture.fragment_count = 4;
+        return settings;
+    }
+    std::vector<BlowEvent> run(int steps, double dt = 1.0 / 60) {
+        std::vector<BlowEvent> events;
+        for (int i = 0; i < steps; ++i) {
+            scene.step(1, dt);
+            for (BlowEvent& event : fracture->takeEvents()) events.push_back(std::move(event));
+        }
+        return events;
+    }
+    int fragmentCount() const { return static_cast<int>(fracture->bodies().size()); }
+    double massInWorld() const {
+        double mass = 0;
+        for (const btRigidBody* body : fracture->bodies()) mass += 1 / double(body->getInvMass());
+        return mass;
+    }
+    std::vector<btScalar> numbers() const {
+        std::vector<btScalar> all;
+        for (const btRigidBody* body : fracture->bodies()) {
+            btScalar matrix[16];
+            body->getWorldTransform().getOpenGLMatrix(matrix);
+            all.insert(all.end(), matrix, matrix + 16);
+            for (int axis = 0; axis < 3; ++axis) all.push_back(body->getLinearVelocity()[axis]);
+        }
+        return all;
+    }
+
+    TestWorld scene;
+    std::unique_ptr<FractureWorld> fracture;
+    double mass_kg = 0;
+};
+
+int count(const std::vector<BlowEvent>& events, Outcome outcome) {
+    return static_cast<int>(std::count_if(events.begin(), events.end(),
+                                          [&](const BlowEvent& event) { return event.outcome == outcome; }));
+}
+
+/// Runs jobs in the reverse order, and not before the next was handed in.
+struct LateExecutor {
+    std::deque<std::function<void()>> jobs;
+    Executor executor() {
+        return [this](std::function<void()> job) {
+            jobs.push_front(std::move(job));
+            if (jobs.size() < 3) return;
+            std::thread([&] { jobs.front()(); }).join();
+            jobs.pop_front();
+        };
+    }
+};
+
+TEST(Budget, BlowsOnFragmentsAreDecidedLater) {
+    FallingPlate fall;
+    const auto events = fall.run(40);
+    ASSERT_FALSE(events.empty());
+    EXPECT_EQ(events.front().outcome, Outcome::broke);
+    EXPECT_EQ(events.front().waited_s, 0) << "the whole body breaks at once";
+    int later = 0;
+    for (std::size_t i = 1; i < events.size(); ++i) {
+        EXPECT_GE(events[i].waited_s, fall.fracture->budget().shortest_wait_s - 1e-9);
+        later += events[i].outcome == Outcome::broke;
+    }
+    EXPECT_GT(later, 1);
+    EXPECT_GE(fall.fracture->counts().waited, later);
+    EXPECT_NEAR(fall.massInWorld(), fall.mass_kg, 1e-4 * fall.mass_kg);
+}
+
+TEST(Budget, NoBlowWaitsWithoutOne) {
+    FallingPlate fall(Budget::none());
+    const auto events = fall.run(20);
+    EXPECT_GT(count(events, Outcome::broke), 1);
+    for (const BlowEvent& event : events) EXPECT_EQ(event.waited_s, 0);
+    EXPECT_EQ(fall.fracture->counts().waited, 0);
+}
+
+TEST(Budget, ThreadsDoNotDecide) {
+    const auto run = [](Executor executor) {
+        FallingPlate fall;
+        fall.fracture->setExecutor(std::move(executor));
+        const auto events = fall.run(40);
+        EXPECT_GT(count(events, Outcome::broke), 2);
+        return fall.numbers();
+    };
+    const auto alone = run(nullptr);
+    for (const int threads : {1, 2, 4}) EXPECT_EQ(run(workerThreads(threads)), alone) << threads;
+    LateExecutor late;
+    EXPECT_EQ(run(late.executor()), alone) << "late and out of order";
+    EXPECT_EQ(run([](std::function<void()>) {}), alone) << "loses all jobs";
+    EXPECT_EQ(run([](std::function<void()>) { throw std::runtime_error("full"); }), alone);
+    EXPECT_EQ(run([](std::function<void()> job) { job(); }), alone) << "at once";
+}
+
+TEST(Budget, WhatWouldWaitTooLongIsDropped) {
+    Budget budget;
+    budget.milliseconds_per_step = 1e-3;
+    budget.longest_wait_s = 0.1;
+    FallingPlate fall(budget);
+    const auto events = fall.run(20);
+    const int dropped = count(events, Outcome::dropped);
+    EXPECT_GT(dropped, 0);
+    EXPECT_EQ(fall.fracture->counts().dropped, dropped);
+    for (const BlowEvent& event : events)
+        if (event.outcome == Outcome::dropped) {
+            EXPECT_NE(event.message.find("budget"), std::string::npos);
+            EXPECT_TRUE(event.fragments.empty());
+        }
+    EXPECT_NEAR(fall.massInWorld(), fall.mass_kg, 1e-4 * fall.mass_kg);
+}
+
+TEST(Budget, BreaksMakeFewerPiecesWhereThereIsLittleRoom) {
+    Budget budget;
+    budget.fragments_per_step = 3;
+    FallingPlate few(budget);
+    std::size_t most = 0;
+    for (int i = 0; i < 40; ++i) {
+        std::size_t born = 0;
+        for (const BlowEvent& event : few.run(1)) born += event.fragments.size();
+        most = std::max(most, born);
+    }
+    EXPECT_GE(most, 2u);
+    EXPECT_LE(most, 3u);
+
+    budget = Budget();
+    budget.fragments_alive = 6;
+    FallingPlate full(budget);
+    const auto events = full.run(60);
+    EXPECT_LE(full.fragmentCount(), 6);
+    EXPECT_GT(count(events, Outcome::dropped), 0);
+    EXPECT_NEAR(full.massInWorld(), full.mass_kg, 1e-4 * full.mass_kg);
+}
+
+TEST(Budget, WhatAStrikerFliesThroughNeverWaits) {
+    for (const bool is_light : {true, false}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        Settings settings = FallingPlate::brittle();
+        settings.fracture.fragment_count = 2;
+        const auto asset = BreakableAsset::fromMesh(
+            shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(), settings);
+        const auto body = fracture.add(asset.value(), at(0, 0, 0));
+        ASSERT_TRUE(
+            fracture.applyBlow(body.value(), {btVector3(0, 0, 0.03f), btVector3(0, 0, -30), 0.02f}).ok());
+        ASSERT_GT(fracture.bodies().size(), 1u);
+        btRigidBody* fragment = fracture.bodies().front();
+        for (btRigidBody* other : fracture.bodies()) {
+            other->setLinearVelocity(btVector3(0, 0, 0));
+            other->setAngularVelocity(btVector3(0, 0, 0));
+        }
+        fracture.takeEvents();
+        scene.addBall(is_light ? 0.5 : 500, 0.05,
+                      fragment->getWorldTransform().getOrigin() + btVector3(0, 0, 0.12f),
+                      btVector3(0, 0, -10));
+        const BlowEvent event = stepUntilBreak(scene, fracture);
+        ASSERT_EQ(event.outcome, Outcome::broke);
+        EXPECT_EQ(event.waited_s == 0, is_light) << "a heavy one goes on whether it breaks or not";
+    }
+}
+
+TEST(Budget, FunctionsOfTheAppAreCalledOnTheSteppingThread) {
+    Settings settings = FallingPlate::brittle();
+    std::set<std::thread::id> threads;
+    settings.fracture.guide.kind = GuideField::Kind::custom;
+    settings.fracture.guide.custom = [&](const Vec3&, const Vec3&) {
+        threads.insert(std::this_thread::get_id());
+        return Vec3(1, 0, 0);
+    };
+    FallingPlate fall({}, settings);
+    EXPECT_GT(count(fall.run(40), Outcome::broke), 1);
+    EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
+}
+
+TEST(Budget, MomentumIsKeptWhenBodiesBreakLater) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), FallingPlate::brittle());
+    for (const btScalar side : {btScalar(-1), btScalar(1)}) {
+        BodyOptions options;
+        options.start = at(0.1f * side, 0, 0.1f * side);
+        options.velocity = btVector3(0, 0, -3 * side);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    const auto momentum = [&] {
+        btVector3 sum(0, 0, 0);
+        for (const btRigidBody* body : fracture.bodies())
+            sum += body->getLinearVelocity() / body->getInvMass();
+        return sum;
+    };
+    scene.step(120);
+    EXPECT_GT(fracture.counts().waited, 0);
+    EXPECT_GT(fracture.bodies().size(), 8u);
+    EXPECT_LT(momentum().length(), 1e-3 * 6 * asset.value().mass());
+}
+
+TEST(Budget, OddOnesAreRefused) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto refused = [&](auto set, const char* field) {
+        Budget budget;
+        set(budget);
+        const Status status = fracture.setBudget(budget);
+        EXPECT_FALSE(status.ok()) << field;
+        EXPECT_NE(status.error().find(field), std::string::npos) << status.error();
+    };
+    refused([](Budget& b) { b.shortest_wait_s = -1; }, "shortest_wait_s");
+    refused([](Budget& b) { b.shortest_wait_s = NAN; }, "shortest_wait_s");
+    refused([](Budget& b) { b.longest_wait_s = 0.01; }, "longest_wait_s");
+    refused([](Budget& b) { b.milliseconds_per_step = -1; }, "milliseconds_per_step");
+    refused([](Budget& b) { b.solves_per_step = 0; }, "solves_per_step");
+    refused([](Budget& b) { b.viewpoint.x() = INFINITY; }, "viewpoint");
+    refused([](Budget& b) { b.fragments_per_step = 1; }, "fragments_per_step");
+    refused([](Budget& b) { b.fragments_alive = 0; }, "fragments_alive");
+    EXPECT_EQ(fracture.budget().solves_per_step, Budget().solves_per_step);
+    EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+}
+
+TEST(Generations, FragmentsBreakAsOftenAsTheyMay) {
+    Settings settings = FallingPlate::brittle();
+    settings.fracture.largest_generation = 1;
+    FallingPlate once(Budget::none(), settings);
+    EXPECT_EQ(count(once.run(40), Outcome::broke), 1);
+    settings.fracture.largest_generation = 2;
+    FallingPlate twice(Budget::none(), settings);
+    EXPECT_GT(count(twice.run(40), Outcome::broke), 1);
+}
+
+}  // namespace
