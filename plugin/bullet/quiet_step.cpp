@@ -1,0 +1,59 @@
+#include "bullet/quiet_step.h"
+
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "bullet/breakable.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double of_one_step = 4;  // a strike is faster by up to half its speed, which comes from gravity
+
+/// At most, J, with what the app's forces bring in the step. Gravity brings nothing to what rests.
+double energyOf(const btRigidBody& body, btScalar time_step_s) {
+    const btVector3 pushed = body.getTotalForce() * body.getInvMass() - body.getGravity(),
+                    turned = body.getInvInertiaTensorWorld() * body.getTotalTorque();
+    const btScalar speed = body.getLinearVelocity().length() + time_step_s * pushed.length(),
+                   spin = body.getAngularVelocity().length() + time_step_s * turned.length();
+    const btVector3 inertia = body.getLocalInertia();
+    const double largest = inertia[inertia.maxAxis()];
+    return 0.5 * (double(speed) * speed / body.getInvMass() + largest * spin * spin);
+}
+
+bool moves(const btCollisionObject& object) {
+    return !object.getInterpolationLinearVelocity().isZero() ||
+           !object.getInterpolationAngularVelocity().isZero();
+}
+
+}  // namespace
+
+bool anythingAwake(const btDiscreteDynamicsWorld& world) {
+    const auto& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i)
+        if (!objects[i]->isStaticObject() && objects[i]->isActive()) return true;
+    return false;
+}
+
+bool nothingCanBreak(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                     double time_step_s) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& breakable : breakables.all())
+        if (breakable->in_world) least = std::min(least, breakable->least_energy_j);
+    double sum = 0;
+    const auto& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i) {
+        const btCollisionObject& object = *objects[i];
+        if (!object.isActive() || object.isStaticObject()) continue;
+        const btRigidBody* body = btRigidBody::upcast(&object);
+        if (object.isKinematicObject() ? moves(object) : !body) return false;
+        if (body && body->getInvMass() > 0) sum += energyOf(*body, static_cast<btScalar>(time_step_s));
+        if (!(of_one_step * sum < least)) return false;
+    }
+    return true;
+}
+
+}  // namespace sherd
