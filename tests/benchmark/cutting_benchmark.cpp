@@ -1,0 +1,167 @@
+// Time from labels to fragments: surfaces cut, solids and boxes made of them, volumes summed; one thread,
+// smallest of the repeats, processor time. Usage: cutting_benchmark [REPEATS [BODY]]
+//   cup: 19,406 triangles of the demo, 17 clusters; wall: 154,660 triangles, 968 particles, 33 clusters, as
+//   the paper's. The others are there for the hash over all that comes out, which tells whether a change of
+//   the code left the fragments alone.
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "benchmark/value_or_exit.h"
+#include "core/clustering/clusters.h"
+#include "core/numerics/mesh_measures.h"
+#include "fracture/conservation.h"
+#include "fracture/cut_within_limit.h"
+#include "fracture/fragments.h"
+#include "support/shapes.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::benchmarks;
+
+/// FNV-1a over the bits of whatever is added.
+class Hash {
+  public:
+    void addBytes(const void* data, std::size_t size) {
+        const auto* bytes = static_cast<const unsigned char*>(data);
+        for (std::size_t i = 0; i < size; ++i) value_ = (value_ ^ bytes[i]) * 0x100000001b3ULL;
+    }
+    template <class T>
+    void add(const std::vector<T>& values) {
+        const std::size_t count = values.size();
+        addBytes(&count, sizeof count);
+        addBytes(values.data(), count * sizeof(T));
+    }
+    void add(const TriangleMesh& mesh) {
+        add(mesh.vertices), add(mesh.triangles), add(mesh.kinds), add(mesh.texture_coordinates);
+        add(mesh.normals), add(mesh.material), add(mesh.colours);
+        for (const std::string& name : mesh.materials) addBytes(name.data(), name.size());
+    }
+    unsigned long long value() const { return value_; }
+
+  private:
+    unsigned long long value_ = 0xcbf29ce484222325ULL;
+};
+
+unsigned long long hashOf(const FragmentSurfaces& surfaces, const std::vector<Fragment>& fragments) {
+    Hash hash;
+    for (const FragmentSurface& piece : surfaces.pieces) {
+        hash.add(piece.mesh), hash.add(piece.parents), hash.add(piece.across);
+        hash.addBytes(&piece.label, sizeof piece.label);
+    }
+    for (const std::string& note : surfaces.notes) hash.addBytes(note.data(), note.size());
+    for (const Fragment& fragment : fragments) {
+        const double figures[] = {fragment.solid->mass(), fragment.solid->boundingRadius(),
+                                  fragment.solid->spacing(), fragment.solid->wallThickness()};
+        hash.add(fragment.boxes), hash.addBytes(figures, sizeof figures);
+        hash.addBytes(fragment.solid->moments().second.data(), sizeof(Mat3));
+        hash.add(fragment.solid->surface());
+    }
+    return hash.value();
+}
+
+/// Of this program, since `start`, ms.
+double millisecondsSince(std::clock_t start) {
+    return 1e3 * static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
+}
+
+struct Case {
+    std::string name;
+    TriangleMesh surface;
+    int clusters = 17;
+    double spacing_m = 0;
+    double roughness = 0;
+    GuideField guide = {};
+    std::uint64_t seed = 1;
+    bool supported = false;
+};
+
+void measure(const Case& c, int repeats) {
+    Settings settings = Settings::forQuality(Quality::game);
+    settings.sampling.spacing_m = c.spacing_m;
+    settings.fracture.crack_roughness = c.roughness;
+    settings.fracture.largest_fragment_count = 100;
+    const auto solid = valueOrExit(BreakableSolid::make(c.surface, Material::ceramic(), settings));
+    const auto sampling = valueOrExit(solid->discretisation());
+    Damage damage;
+    damage.damaged.assign(sampling->particles.size(), 1);
+    damage.overstress.assign(sampling->particles.size(), 1.0);
+    damage.count = static_cast<int>(sampling->particles.size());
+    const BlowAxis axis{boundingBox(c.surface).center(), Vec3::UnitX()};
+    const FragmentLabels labels =
+        clusterParticles(*sampling, damage, c.clusters, solid->wallThickness(), c.seed, c.guide, axis);
+    const StrikeContext struck{*solid, *sampling, settings.fracture, c.seed};
+
+    double cut_ms = std::numeric_limits<double>::infinity(), make_ms = cut_ms, sum_ms = cut_ms;
+    unsigned long long hash = 0;
+    std::size_t pieces = 0, triangles = 0, notes = 0;
+    for (int repeat = 0; repeat < repeats; ++repeat) {
+        FragmentLabels own = labels;
+        std::clock_t start = std::clock();
+        const FragmentSurfaces surfaces = valueOrExit(cutWithinLimit(struck, own));
+        cut_ms = std::min(cut_ms, millisecondsSince(start));
+        FragmentSurfaces kept = surfaces;
+        start = std::clock();
+        const std::vector<Fragment> fragments = makeFragments(struck, own, std::move(kept));
+        make_ms = std::min(make_ms, millisecondsSince(start));
+        start = std::clock();
+        const ConservationErrors errors = conservationErrors(*solid, fragments);
+        sum_ms = std::min(sum_ms, millisecondsSince(start));
+        if (!(errors.volume_rel < 1e-9)) std::printf("the volumes do not add up\n");
+        hash = hashOf(surfaces, fragments);
+        pieces = surfaces.pieces.size(), notes = surfaces.notes.size(), triangles = 0;
+        for (const FragmentSurface& piece : surfaces.pieces) triangles += piece.mesh.triangles.size();
+    }
+    std::printf("| %-14s | %6zu | %5zu | %3zu | %6zu | %7.2f | %7.2f | %6.3f | %016llx | %zu\n",
+                c.name.c_str(), c.surface.triangles.size(), sampling->particles.size(), pieces, triangles,
+                cut_ms, make_ms, sum_ms, hash, notes);
+    std::fflush(stdout);
+}
+
+/// All that a mesh may carry along to its fragments.
+TriangleMesh decorated(TriangleMesh mesh) {
+    for (const Vec3& v : mesh.vertices) mesh.colours.push_back((0.5 + v.array() * 3).min(1).max(0));
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+        const TriangleCorners corners = cornersOf(mesh, t);
+        const Vec3 normal = areaVector(corners).normalized();
+        mesh.normals.push_back({normal, normal, normal});
+        mesh.texture_coordinates.push_back(
+            {corners[0].head<2>(), corners[1].head<2>(), corners[2].head<2>()});
+    }
+    return mesh;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    const int repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 15;
+    const TriangleMesh cup = valueOrExit(readObj(SHERD_ASSETS "/coffee_cup.obj"));
+    const TriangleMesh wall = shapes::slab({1, 1, 0.09}, 185, 185, 12);
+    GuideField radial;
+    radial.kind = GuideField::Kind::radial;
+    std::vector<Case> cases = {{"cup", cup},
+                               {"wall", wall, 33, 1 / 22.0},
+                               {"cup, seed 2", cup, 17, 0, 0, {}, 2},
+                               {"cup, 5 mm", cup, 9, 0.005, 0, {}, 3},
+                               {"cup, rough", cup, 25, 0, 0.3, {}, 4},
+                               {"cup, decorated", decorated(cup), 17, 0, 0, {}, 5},
+                               {"wall, radial", wall, 20, 0.05, 0, radial, 6},
+                               {"hollow ball", shapes::hollowSphere(0.5, 0.4, 4), 40, 0.08, 0, {}, 7},
+                               {"box", shapes::slab({1, 1, 1}), 30, 0.1, 0.2, {}, 8},
+                               {"two legs", shapes::uShape(0.1, 0.03, 0.6, 0.4), 12, 0.05, 0, {}, 9},
+                               {"plate", shapes::slab({1, 1, 0.09}, 24, 24, 3), 60, 1 / 22.0, 0, {}, 10},
+                               {"fine cup", shapes::cup(0.04, 0.09, 0.004, 250, 100), 37, 0.004, 0, {}, 11}};
+    for (std::uint64_t seed = 20; seed < 26; ++seed)
+        cases.push_back({"ball", shapes::icosphere(0.5, 3), 15, 0.1, 0, {}, seed});
+    std::printf(
+        "| body | triangles | particles | pieces | their triangles | cut ms | make ms | sum ms | hash |\n");
+    for (const Case& c : cases)
+        if (argc < 3 || c.name == argv[2]) measure(c, repeats);
+}
