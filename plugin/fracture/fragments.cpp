@@ -1,22 +1,21 @@
 #include "fracture/fragments.h"
 
+#include <utility>
+
 #include "fracture/voxel_owners.h"
 
 namespace sherd {
 
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
-                                    const FragmentSurfaces& surfaces) {
+                                    FragmentSurfaces surfaces) {
     const Discretisation& sampling = struck.sampling;
-    std::vector<Fragment> fragments(surfaces.pieces.size());
-    for (std::size_t p = 0; p < fragments.size(); ++p)
-        fragments[p].solid = struck.solid.makeFragment(surfaces.pieces[p].mesh);
-    if (struck.fracture.collision_shape != CollisionShape::boxes) return fragments;
-    const std::vector<int> owner = voxelOwners(sampling, labels, surfaces);
-    std::vector<char> wanted(sampling.voxels.size());
-    for (std::size_t p = 0; p < fragments.size(); ++p) {
-        for (std::size_t v = 0; v < wanted.size(); ++v) wanted[v] = owner[v] == static_cast<int>(p);
-        fragments[p].boxes = mergedBoxes(sampling, wanted);
-    }
+    const int count = static_cast<int>(surfaces.pieces.size());
+    std::vector<std::vector<Box>> boxes(count);
+    if (struck.fracture.collision_shape == CollisionShape::boxes)
+        boxes = boxesOfPieces(sampling, voxelOwners(sampling, labels, surfaces), count);
+    std::vector<Fragment> fragments(count);
+    for (int p = 0; p < count; ++p)
+        fragments[p] = {struck.solid.makeFragment(std::move(surfaces.pieces[p].mesh)), std::move(boxes[p])};
     return fragments;
 }
 

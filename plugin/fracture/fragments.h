@@ -21,7 +21,7 @@ struct Fragment {
 
 /// Makes a solid of every cut surface, and the boxes that stand for it in collisions if they are asked for.
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
-                                    const FragmentSurfaces& surfaces);
+                                    FragmentSurfaces surfaces);
 
 /// Boxes that stand for the whole solid in collisions: filled voxels, merged.
 Result<std::vector<Box>> collisionBoxes(const BreakableSolid& solid);

@@ -1,6 +1,6 @@
 #include "fracture/pipeline.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "core/damage/damage.h"
 #include "core/loads/contact_loads.h"
@@ -72,13 +72,13 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     });
     if (labels.count < 2) return;
 
-    const FragmentSurfaces surfaces =
+    FragmentSurfaces surfaces =
         valueOrFail(timed(out.ms.surface, [&] { return cutWithinLimit(struck, labels); }));
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 
     const AddedTime making(out.ms.fragments);
-    out.fragments = makeFragments(struck, labels, surfaces);
+    out.fragments = makeFragments(struck, labels, std::move(surfaces));
     if (fracture.debris == Debris::dropped) markDropped(smallestFragment(solid, fracture), out.fragments);
     const ConservationErrors errors = conservationErrors(solid, out.fragments);
     out.mass_error_rel = errors.mass_rel;

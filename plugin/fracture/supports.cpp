@@ -60,6 +60,7 @@ std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
     constexpr double smallest_area = 0.5;    // of a particle's face
     constexpr double smallest_width = 0.05;  // of spacing or wall; standard deviation across the line
     std::vector<SurfaceRegion> holding;
+    if (regions.empty()) return holding;
     std::vector<SupportPoint> points;
     const TriangleMesh original = withoutCrackFaces(piece);
     for (const SurfaceRegion& region : regions) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 
 namespace sherd {
 
@@ -12,21 +11,12 @@ using Index = Eigen::Vector3i;
 
 constexpr double next_to_nothing = 0.01;  // of a layer; less is no layer of its own
 
-int voxelAt(const Discretisation& solid, const Index& i) {
-    const auto key = [](const Index& j) { return std::make_tuple(j.z(), j.y(), j.x()); };
-    const auto found =
-        std::lower_bound(solid.voxels.begin(), solid.voxels.end(), i,
-                         [&](const auto& voxel, const Index& j) { return key(voxel.index) < key(j); });
-    if (found == solid.voxels.end() || found->index != i) return -1;
-    return static_cast<int>(found - solid.voxels.begin());
-}
-
 template <class Visit>
-void forVoxels(const Discretisation& solid, const Index& low, const Index& high, const Visit& visit) {
+void forVoxels(const VoxelIndex& index, const Index& low, const Index& high, const Visit& visit) {
     for (int z = low.z(); z <= high.z(); ++z)
         for (int y = low.y(); y <= high.y(); ++y)
             for (int x = low.x(); x <= high.x(); ++x)
-                if (const int v = voxelAt(solid, {x, y, z}); v >= 0) visit(v);
+                if (const int v = index.at({x, y, z}); v >= 0) visit(v);
 }
 
 double areaAcross(const Index& low, const Index& high, int axis) {
@@ -45,14 +35,14 @@ double BoxFit::layerBeside(Index low, Index high, int axis, int layer, bool& fre
     const double area = areaAcross(low, high, axis);
     low[axis] = high[axis] = layer;
     double fill = 0;
-    forVoxels(solid_, low, high, [&](int v) {
-        if (covered_[v]) free = false;
+    forVoxels(index_, low, high, [&](int v) {
+        if (isCovered(v)) free = false;
         fill += solid_.voxels[v].fill;
     });
     // What another piece has nearby it may grow into as well: pieces must not overlap.
     const Index around = Index::Ones() - Index::Unit(axis);
-    forVoxels(solid_, low - around, high + around, [&](int v) {
-        if (!wanted_[v]) free = false;
+    forVoxels(index_, low - around, high + around, [&](int v) {
+        if (!isWanted(v)) free = false;
     });
     return free ? fill / area : 0;
 }
@@ -64,7 +54,7 @@ BoxFit::Profile BoxFit::profileOf(const Index& low, const Index& high, int axis)
         Index from = low, to = high;
         from[axis] = to[axis] = layer;
         double fill = 0;
-        forVoxels(solid_, from, to, [&](int v) { fill += solid_.voxels[v].fill; });
+        forVoxels(index_, from, to, [&](int v) { fill += solid_.voxels[v].fill; });
         profile.fill.push_back(fill / area);
     }
     profile.below = layerBeside(low, high, axis, low[axis] - 1, profile.free_below);
@@ -84,7 +74,7 @@ BoxFit::Faces BoxFit::facesFromMoments(const Profile& profile, Index low, Index 
     low[axis] -= profile.below > 0;
     high[axis] += profile.above > 0;
     double weight = 0, mean = 0, square = 0;
-    forVoxels(solid_, low, high, [&](int v) {
+    forVoxels(index_, low, high, [&](int v) {
         const Discretisation::Voxel& voxel = solid_.voxels[v];
         const Moments& moments = solid_.cells[voxel.cell].moments;
         const double cell = solid_.cell_size[axis];
@@ -122,7 +112,7 @@ Box BoxFit::fit(const Index& low, const Index& high) const {
         upper[axis] = low[axis] + faces.upper;
     }
     double volume = 0;
-    forVoxels(solid_, from, to, [&](int v) { volume += solid_.voxels[v].fill; });
+    forVoxels(index_, from, to, [&](int v) { volume += solid_.voxels[v].fill; });
     const bool is_box = std::abs((upper - lower).prod() / volume - 1) < as_large;
     if (!is_box) {  // the solid lies across the grid there
         lower = low.cast<double>();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "core/sampling/voxel_boxes.h"
+#include "core/sampling/voxel_index.h"
 
 namespace sherd {
 
@@ -12,15 +13,23 @@ namespace sherd {
 /// stay.
 class BoxFit {
   public:
-    /// `wanted` (#voxels): whose boxes these are. `covered` (#voxels): which voxels blocks cover.
-    BoxFit(const Discretisation& solid, const std::vector<char>& wanted, const std::vector<char>& covered)
-        : solid_(solid), wanted_(wanted), covered_(covered) {}
+    /// Whose boxes these are.
+    struct Piece {
+        const std::vector<int>& owner;        ///< #voxels, the piece that each belongs to
+        const std::vector<char>& is_covered;  ///< #voxels, 1 for those of the piece that blocks cover
+        int number;
+    };
+    BoxFit(const Discretisation& solid, const VoxelIndex& index, const Piece& piece)
+        : solid_(solid), index_(index), piece_(piece) {}
 
     /// The box of the block from voxel `low` to voxel `high`, both in it. A face stays on the grid where the
     /// solid goes on behind it, in another block or in a piece that is not wanted.
     Box fit(const Eigen::Vector3i& low, const Eigen::Vector3i& high) const;
 
   private:
+    bool isWanted(int v) const { return piece_.owner[v] == piece_.number; }
+    bool isCovered(int v) const { return isWanted(v) && piece_.is_covered[v]; }
+
     /// Along one axis: how full the block's layers and those on both sides are, relative to its fullest.
     struct Profile {
         std::vector<double> fill;
@@ -40,8 +49,8 @@ class BoxFit {
                   int axis) const;
 
     const Discretisation& solid_;
-    const std::vector<char>& wanted_;
-    const std::vector<char>& covered_;
+    const VoxelIndex& index_;
+    Piece piece_;
 };
 
 }  // namespace sherd

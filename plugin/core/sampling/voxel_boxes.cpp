@@ -1,9 +1,6 @@
 #include "core/sampling/voxel_boxes.h"
 
 #include <algorithm>
-#include <set>
-#include <tuple>
-#include <utility>
 
 #include "core/sampling/box_fit.h"
 
@@ -13,58 +10,42 @@ namespace {
 
 using Index = Eigen::Vector3i;
 
-/// The wanted voxels that no box covers yet, in ascending order of (z, y, x).
-class Uncovered {
-  public:
-    void add(const Index& i) { voxels_.insert(key(i)); }
-    bool empty() const { return voxels_.empty(); }
-    Index first() const {
-        const auto& [z, y, x] = *voxels_.begin();
-        return {x, y, z};
-    }
-    /// Whether all voxels of the block [low, high] are uncovered.
-    bool holds(const Index& low, const Index& high) const {
-        return visit(low, high, [&](const Index& i) { return voxels_.count(key(i)) > 0; });
-    }
-    void take(const Index& low, const Index& high) {
-        visit(low, high, [&](const Index& i) { return voxels_.erase(key(i)) > 0; });
-    }
-
-  private:
-    using Key = std::tuple<int, int, int>;
-    static Key key(const Index& i) { return {i.z(), i.y(), i.x()}; }
-
-    template <class Test>
-    static bool visit(const Index& low, const Index& high, const Test& test) {
-        for (int z = low.z(); z <= high.z(); ++z)
-            for (int y = low.y(); y <= high.y(); ++y)
-                for (int x = low.x(); x <= high.x(); ++x)
-                    if (!test({x, y, z})) return false;
-        return true;
-    }
-
-    std::set<Key> voxels_;
-};
-
 /// A block of voxels, from one corner to the other, both in it.
 struct Block {
     Index low, high;
 };
 
-std::vector<Block> mergedBlocks(Uncovered rest) {
+/// Calls visit(v) for the voxels of a block, -1 where there is none, as long as it returns true.
+template <class Visit>
+bool visitBlock(const VoxelIndex& index, const Index& low, const Index& high, const Visit& visit) {
+    for (int z = low.z(); z <= high.z(); ++z)
+        for (int y = low.y(); y <= high.y(); ++y)
+            for (int x = low.x(); x <= high.x(); ++x)
+                if (!visit(index.at({x, y, z}))) return false;
+    return true;
+}
+
+/// Merges voxels (`voxels`: ascending; `uncovered`: 1 for these, all 0 after).
+std::vector<Block> mergedBlocks(const Discretisation& solid, const VoxelIndex& index,
+                                const std::vector<int>& voxels, std::vector<char>& uncovered) {
+    const auto is_uncovered = [&](int v) { return v >= 0 && uncovered[v]; };
     std::vector<Block> blocks;
-    while (!rest.empty()) {
-        const Index low = rest.first();
+    for (const int first : voxels) {
+        if (!uncovered[first]) continue;
+        const Index low = solid.voxels[first].index;
         Index high = low;
         for (int axis = 0; axis < 3; ++axis) {
             while (true) {
                 Index slice_low = low, slice_high = high;
                 slice_low[axis] = slice_high[axis] = high[axis] + 1;
-                if (!rest.holds(slice_low, slice_high)) break;
+                if (!visitBlock(index, slice_low, slice_high, is_uncovered)) break;
                 ++high[axis];
             }
         }
-        rest.take(low, high);
+        visitBlock(index, low, high, [&](int v) {
+            uncovered[v] = 0;
+            return true;
+        });
         blocks.push_back({low, high});
     }
     return blocks;
@@ -72,22 +53,31 @@ std::vector<Block> mergedBlocks(Uncovered rest) {
 
 }  // namespace
 
-std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted) {
+std::vector<std::vector<Box>> boxesOfPieces(const Discretisation& solid, const std::vector<int>& owner,
+                                            int count) {
     constexpr double half_solid = 0.5;
-    double fullest = 0;
-    for (std::size_t v = 0; v < wanted.size(); ++v)
-        if (wanted[v]) fullest = std::max(fullest, solid.voxels[v].fill);
-    const double least = half_solid * fullest;  // no voxel of a thin wall may be half solid
-    std::vector<char> covered(wanted.size());
-    Uncovered rest;
-    for (std::size_t v = 0; v < wanted.size(); ++v) {
-        covered[v] = wanted[v] && solid.voxels[v].fill >= least;
-        if (covered[v]) rest.add(solid.voxels[v].index);
+    std::vector<std::vector<int>> wanted(count);
+    for (std::size_t v = 0; v < owner.size(); ++v)
+        if (owner[v] >= 0) wanted[owner[v]].push_back(static_cast<int>(v));
+    const VoxelIndex index(solid);
+    std::vector<char> is_covered(owner.size(), 0), uncovered(owner.size(), 0);
+    std::vector<std::vector<Box>> boxes(count);
+    for (int piece = 0; piece < count; ++piece) {
+        double fullest = 0;
+        for (const int v : wanted[piece]) fullest = std::max(fullest, solid.voxels[v].fill);
+        const double least = half_solid * fullest;  // no voxel of a thin wall may be half solid
+        for (const int v : wanted[piece]) is_covered[v] = uncovered[v] = solid.voxels[v].fill >= least;
+        const BoxFit fit(solid, index, {owner, is_covered, piece});
+        for (const Block& block : mergedBlocks(solid, index, wanted[piece], uncovered))
+            boxes[piece].push_back(fit.fit(block.low, block.high));
     }
-    const BoxFit fit(solid, wanted, covered);
-    std::vector<Box> boxes;
-    for (const Block& block : mergedBlocks(std::move(rest))) boxes.push_back(fit.fit(block.low, block.high));
     return boxes;
+}
+
+std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted) {
+    std::vector<int> owner(wanted.size());
+    std::transform(wanted.begin(), wanted.end(), owner.begin(), [](char is_wanted) { return is_wanted - 1; });
+    return boxesOfPieces(solid, owner, 1).front();
 }
 
 }  // namespace sherd

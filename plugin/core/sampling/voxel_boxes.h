@@ -19,4 +19,8 @@ struct Box {
 /// (BoxFit).
 std::vector<Box> mergedBoxes(const Discretisation& solid, const std::vector<char>& wanted);
 
+/// The same for each of `count` pieces. `owner` (#voxels): the piece that each voxel belongs to, or -1.
+std::vector<std::vector<Box>> boxesOfPieces(const Discretisation& solid, const std::vector<int>& owner,
+                                            int count);
+
 }  // namespace sherd
