@@ -31,7 +31,8 @@ struct CrackComplex {
     std::vector<CrackPoint> origins;  ///< #points, where on the lattice each is
     std::vector<Vec3> points;         ///< m
     std::vector<Triangle> triangles;
-    std::vector<Sides> sides;  ///< #triangles
+    std::vector<Sides> sides;        ///< #triangles
+    std::vector<int> first_of_cell;  ///< #nodes + 1, offsets: the triangles made in each lattice cell
 };
 
 /// Points on lattice edges keep at least this far from both ends, as a fraction of the edge: so there are no

@@ -71,7 +71,7 @@ CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const
                     const CrackComplex& crack) {
     CutAttempt attempt;
     const EdgeTable crack_edges = buildEdgeTable(crack.triangles, static_cast<int>(crack.points.size()));
-    SurfaceCrossing crossing = crossSurfaces(body, body_edges, crack, crack_edges);
+    SurfaceCrossing crossing = crossSurfaces(body, body_edges, lattice, crack, crack_edges);
     attempt.troubled = crossing.degenerate;
     if (!attempt.troubled.empty()) return attempt;
 

@@ -14,6 +14,7 @@ constexpr int lattice_margin = 3;  ///< cells of air around the solid's box
 /// (i, j, k) has index i + size.x (j + size.y k); cell (i, j, k) has the index of its lowest node.
 struct LabelLattice {
     double spacing = 0;  ///< m
+    double jitter = 0;   ///< by how much nodes are moved at most along each axis, of the spacing
     Vec3 origin = Vec3::Zero();
     Eigen::Vector3i size = Eigen::Vector3i::Zero();  ///< nodes along each axis
     std::vector<Vec3> nodes;                         ///< m

@@ -18,6 +18,7 @@ LabelLattice placeNodes(const TriangleMesh& surface, const LatticeSettings& sett
     const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     LabelLattice lattice;
     lattice.spacing = settings.spacing;
+    lattice.jitter = settings.jitter;
     lattice.origin = box.min() - Vec3::Constant(lattice_margin * settings.spacing);
     lattice.size =
         ((box.max() - box.min()) / settings.spacing).array().ceil().cast<int>() + 2 * lattice_margin + 1;

@@ -42,7 +42,12 @@ class Marching {
         addThreeLabels(n[2], n[3], n[0], n[1]);
     }
 
-    CrackComplex take() { return std::move(complex_); }
+    int triangleCount() const { return static_cast<int>(complex_.triangles.size()); }
+
+    CrackComplex take(std::vector<int> first_of_cell) {
+        complex_.first_of_cell = std::move(first_of_cell);
+        return std::move(complex_);
+    }
 
   private:
     int label(int node) const { return lattice_.labels[node]; }
@@ -154,11 +159,19 @@ bool isUniform(const LabelLattice& lattice, int i, int j, int k) {
 
 CrackComplex buildCrackComplex(const LabelLattice& lattice) {
     Marching marching(lattice);
+    int numbered = 0;  // nodes
+    std::vector<int> first_of_cell(lattice.nodes.size() + 1);
+    const auto number = [&](int until) {
+        while (numbered < until) first_of_cell[numbered++] = marching.triangleCount();
+    };
     lattice.forEachCell([&](int i, int j, int k) {
-        if (lattice.active_cells[lattice.index(i, j, k)] && !isUniform(lattice, i, j, k))
-            addCell(marching, lattice, i, j, k);
+        const int cell = lattice.index(i, j, k);
+        if (!lattice.active_cells[cell] || isUniform(lattice, i, j, k)) return;
+        number(cell + 1);
+        addCell(marching, lattice, i, j, k);
     });
-    return marching.take();
+    number(static_cast<int>(first_of_cell.size()));
+    return marching.take(std::move(first_of_cell));
 }
 
 }  // namespace sherd

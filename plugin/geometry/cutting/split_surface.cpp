@@ -12,14 +12,13 @@ namespace {
 /// Corners of a triangle and crossings along its edges, counter-clockwise.
 std::vector<int> boundaryLoop(const CrossedSurface& surface, int triangle) {
     std::vector<int> loop;
+    std::vector<EdgeCrossing> crossings;
     for (int i = 0; i < 3; ++i) {
         const int edge = surface.edges.of_triangle[triangle][i];
-        const auto [begin, end] =
-            std::equal_range(surface.on_edges.begin(), surface.on_edges.end(), EdgeCrossing{edge, 0, 0, 0},
-                             [](const EdgeCrossing& a, const EdgeCrossing& b) { return a.edge < b.edge; });
+        surface.on_edges.collect(edge, crossings);
         loop.push_back(surface.triangles[triangle][i]);
         const auto first = static_cast<long>(loop.size());
-        for (auto crossing = begin; crossing != end; ++crossing) loop.push_back(crossing->point);
+        for (const EdgeCrossing& crossing : crossings) loop.push_back(crossing.point);
         const bool from_lower = surface.triangles[triangle][i] < surface.triangles[triangle][(i + 1) % 3];
         if (!from_lower) std::reverse(loop.begin() + first, loop.end());
     }

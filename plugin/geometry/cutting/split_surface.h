@@ -22,7 +22,7 @@ SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegm
 struct CrossedSurface {
     std::vector<Triangle> triangles;
     const EdgeTable& edges;
-    const std::vector<EdgeCrossing>& on_edges;
+    const EdgeCrossings& on_edges;
     SegmentGroups groups;
 };
 

@@ -5,16 +5,9 @@
 #include <vector>
 
 #include "geometry/cutting/crack_complex.h"
+#include "geometry/cutting/edge_crossings.h"
 
 namespace sherd {
-
-/// Where an edge of one surface goes through a triangle of the other.
-struct EdgeCrossing {
-    int edge;   ///< in the edge table of the surface that the edge belongs to
-    double t;   ///< place on the edge, from its lower vertex
-    int point;  ///< in `SurfaceCrossing::points`
-    int crack_triangle;
-};
 
 /// The line in which a body triangle and a crack triangle cross, directed along (body normal) x (crack
 /// normal): in the body triangle the label below the crack lies on its left, in the crack triangle the
@@ -29,12 +22,14 @@ struct CutSegment {
 struct SurfaceCrossing {
     std::vector<Vec3> points;  ///< the body's vertices, then the crack's points, then the crossings, m
     int first_crack_point = 0;
-    std::vector<EdgeCrossing> on_body_edges, on_crack_edges;  ///< by edge and place
-    std::vector<CutSegment> segments;                         ///< by body triangle
-    std::vector<int> degenerate;  ///< crack triangles that touch a vertex or an edge, or nearly so
+    EdgeCrossings on_body_edges, on_crack_edges;
+    std::vector<CutSegment> segments;  ///< by body triangle
+    std::vector<int> degenerate;       ///< crack triangles that touch a vertex or an edge, or nearly so
 };
 
+/// The crack is the lattice's.
 SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges,
-                              const CrackComplex& crack, const EdgeTable& crack_edges);
+                              const LabelLattice& lattice, const CrackComplex& crack,
+                              const EdgeTable& crack_edges);
 
 }  // namespace sherd
