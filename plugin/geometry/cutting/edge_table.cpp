@@ -37,6 +37,18 @@ std::vector<HalfEdge> groupByLowerVertex(const std::vector<Triangle>& triangles,
     return grouped;
 }
 
+// Insertion sort: most vertices have about six half-edges.
+void sortFew(HalfEdge* begin, HalfEdge* end) {
+    constexpr long few = 32;
+    if (end - begin > few) return std::sort(begin, end);
+    for (HalfEdge* place = begin; place < end; ++place) {
+        const HalfEdge moved = *place;
+        HalfEdge* to = place;
+        for (; to > begin && *(to - 1) > moved; --to) *to = *(to - 1);
+        *to = moved;
+    }
+}
+
 }  // namespace
 
 int EdgeTable::find(int a, int b) const {
@@ -53,11 +65,11 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
     table.edges.reserve(grouped.size() / 2);
     table.first_use.reserve(grouped.size() / 2 + 1);
     table.of_triangle.resize(triangles.size());
-    table.uses.reserve(grouped.size());
+    table.uses.resize(grouped.size());
     table.first_edge.resize(vertex_count + 1);
     for (int v = 0; v < vertex_count; ++v) {
         table.first_edge[v] = static_cast<int>(table.edges.size());
-        std::sort(grouped.begin() + offset[v], grouped.begin() + offset[v + 1]);
+        sortFew(grouped.data() + offset[v], grouped.data() + offset[v + 1]);
         for (int k = offset[v]; k < offset[v + 1]; ++k) {
             const int other = otherOf(grouped[k]), id = idOf(grouped[k]);
             if (k == offset[v] || other != otherOf(grouped[k - 1])) {
@@ -65,7 +77,7 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
                 table.first_use.push_back(k);
             }
             table.of_triangle[id / 3][id % 3] = static_cast<int>(table.edges.size()) - 1;
-            table.uses.push_back(id);
+            table.uses[k] = id;
         }
     }
     table.first_edge[vertex_count] = static_cast<int>(table.edges.size());

@@ -21,8 +21,9 @@ void spreadParticle(const LabelLattice& lattice, const Particle& particle, int l
             for (int i = first.x(); i <= last.x(); ++i) {
                 const int node = lattice.index(i, j, k);
                 if (lattice.labels[node] == -1) continue;
-                const double value =
-                    kernel((lattice.nodes[node] - particle.position).squaredNorm() / (radius * radius));
+                const double squared = (lattice.nodes[node] - particle.position).squaredNorm();
+                if (squared >= radius * radius) continue;
+                const double value = kernel(squared / (radius * radius));
                 if (!(value > 0)) continue;
                 densities.add(node, label, (1 - runner_up.share) * weight * value);
                 if (runner_up.share > 0)

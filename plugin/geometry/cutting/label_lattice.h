@@ -17,7 +17,7 @@ struct LabelLattice {
     double jitter = 0;   ///< by how much nodes are moved at most along each axis, of the spacing
     Vec3 origin = Vec3::Zero();
     Eigen::Vector3i size = Eigen::Vector3i::Zero();  ///< nodes along each axis
-    std::vector<Vec3> nodes;                         ///< m
+    std::vector<Vec3> nodes;                         ///< m; those with a label
     std::vector<int> labels;                         ///< #nodes; -1 on nodes of no active cell
     std::vector<char> active_cells;                  ///< #nodes; 1: the solid may reach into the cell
     NodeDensities densities;                         ///< from which the labels were chosen

@@ -14,7 +14,7 @@ namespace {
 constexpr int without_label = -1;  // nodes of no active cell
 constexpr int label_wanted = -2;
 
-LabelLattice placeNodes(const TriangleMesh& surface, const LatticeSettings& settings) {
+LabelLattice layLattice(const TriangleMesh& surface, const LatticeSettings& settings) {
     const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     LabelLattice lattice;
     lattice.spacing = settings.spacing;
@@ -22,17 +22,22 @@ LabelLattice placeNodes(const TriangleMesh& surface, const LatticeSettings& sett
     lattice.origin = box.min() - Vec3::Constant(lattice_margin * settings.spacing);
     lattice.size =
         ((box.max() - box.min()) / settings.spacing).array().ceil().cast<int>() + 2 * lattice_margin + 1;
-    lattice.nodes.reserve(static_cast<std::size_t>(lattice.size.cast<double>().prod()));
+    lattice.nodes.resize(static_cast<std::size_t>(lattice.size.cast<double>().prod()), Vec3::Zero());
+    return lattice;
+}
+
+// Those that are to get a label.
+void placeNodes(LabelLattice& lattice, std::uint64_t seed) {
+    std::uint64_t node = 0;
     for (int k = 0; k < lattice.size.z(); ++k)
         for (int j = 0; j < lattice.size.y(); ++j)
-            for (int i = 0; i < lattice.size.x(); ++i) {
-                const std::uint64_t node = lattice.nodes.size();
-                const Vec3 jitter(hashedRandom(settings.seed, node, 0), hashedRandom(settings.seed, node, 1),
-                                  hashedRandom(settings.seed, node, 2));
-                lattice.nodes.push_back(lattice.origin +
-                                        settings.spacing * (Vec3(i, j, k) + settings.jitter * jitter));
+            for (int i = 0; i < lattice.size.x(); ++i, ++node) {
+                if (lattice.labels[node] != label_wanted) continue;
+                const Vec3 jitter(hashedRandom(seed, node, 0), hashedRandom(seed, node, 1),
+                                  hashedRandom(seed, node, 2));
+                lattice.nodes[node] =
+                    lattice.origin + lattice.spacing * (Vec3(i, j, k) + lattice.jitter * jitter);
             }
-    return lattice;
 }
 
 // Which nodes are to get a label: those of active cells.
@@ -108,9 +113,10 @@ void labelUnreached(LabelLattice& lattice, const Discretisation& solid, const Fr
 
 LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
                                const FragmentLabels& labels, const LatticeSettings& settings) {
-    LabelLattice lattice = placeNodes(surface, settings);
+    LabelLattice lattice = layLattice(surface, settings);
     lattice.active_cells = findActiveCells(surface, lattice);
     lattice.labels = markNodes(lattice);
+    placeNodes(lattice, settings.seed);
     lattice.densities = labelDensities(lattice, solid, labels);
     lattice.sharp = findSharpLabels(labels);
     chooseLabels(lattice);

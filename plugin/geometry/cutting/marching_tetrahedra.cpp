@@ -1,7 +1,6 @@
 #include "geometry/cutting/marching_tetrahedra.h"
 
 #include <algorithm>
-#include <map>
 
 namespace sherd {
 
@@ -19,10 +18,36 @@ double crossingOnEdge(const LabelLattice& lattice, int a, int b) {
     return at_a + at_b > 0 ? clampToEdge(at_a / (at_a + at_b)) : 0.5;
 }
 
+/// The points on lattice edges and faces by their nodes, ascending; the third of an edge is -1. Each hangs on
+/// its lowest node, which has few.
+class PointsByNodes {
+  public:
+    explicit PointsByNodes(std::size_t node_count) : latest_(node_count, -1) {}
+
+    int find(const std::array<int, 3>& nodes) const {
+        for (int e = latest_[nodes[0]]; e >= 0; e = entries_[e].next)
+            if (entries_[e].second == nodes[1] && entries_[e].third == nodes[2]) return entries_[e].point;
+        return -1;
+    }
+
+    int add(const std::array<int, 3>& nodes, int point) {
+        entries_.push_back({nodes[1], nodes[2], point, latest_[nodes[0]]});
+        latest_[nodes[0]] = static_cast<int>(entries_.size()) - 1;
+        return point;
+    }
+
+  private:
+    struct Entry {
+        int second, third, point, next;
+    };
+    std::vector<int> latest_;  // #nodes, or -1
+    std::vector<Entry> entries_;
+};
+
 /// Builds the complex tetrahedron by tetrahedron; each point on a lattice edge or face is made once.
 class Marching {
   public:
-    explicit Marching(const LabelLattice& lattice) : lattice_(lattice) {}
+    explicit Marching(const LabelLattice& lattice) : lattice_(lattice), points_(lattice.nodes.size()) {}
 
     void addTetrahedron(const std::array<int, 4>& nodes) {
         std::array<int, 4> n = nodes;
@@ -101,26 +126,22 @@ class Marching {
 
     int onEdge(int a, int b) {
         if (a > b) std::swap(a, b);
-        const auto [entry, is_new] = edge_points_.try_emplace({a, b}, -1);
-        if (is_new) {
-            CrackPoint point;
-            point.nodes[0] = a;
-            point.nodes[1] = b;
-            point.t = crossingOnEdge(lattice_, a, b);
-            entry->second = addPoint(point);
-        }
-        return entry->second;
+        if (const int known = points_.find({a, b, -1}); known >= 0) return known;
+        CrackPoint point;
+        point.nodes[0] = a;
+        point.nodes[1] = b;
+        point.t = crossingOnEdge(lattice_, a, b);
+        return points_.add({a, b, -1}, addPoint(point));
     }
 
     int onFace(int a, int b, int c) {
         std::array<int, 3> key = {a, b, c};
         std::sort(key.begin(), key.end());
-        const auto found = face_points_.find(key);
-        if (found != face_points_.end()) return found->second;
+        if (const int known = points_.find(key); known >= 0) return known;
         CrackPoint point;
         point.between = {onEdge(a, b), onEdge(b, c), onEdge(a, c), -1};
         point.weights = {1.0 / 3, 1.0 / 3, 1.0 / 3, 0};
-        return face_points_[key] = addPoint(point);
+        return points_.add(key, addPoint(point));
     }
 
     int addPoint(const CrackPoint& origin) {
@@ -131,8 +152,7 @@ class Marching {
 
     const LabelLattice& lattice_;
     CrackComplex complex_;
-    std::map<std::array<int, 2>, int> edge_points_;
-    std::map<std::array<int, 3>, int> face_points_;
+    PointsByNodes points_;
 };
 
 // Freudenthal's six tetrahedra of a cube: the paths from its lowest to its highest corner. Neighbouring cubes

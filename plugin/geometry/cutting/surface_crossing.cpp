@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "geometry/cutting/crack_cells.h"
 #include "geometry/cutting/exact_orientation.h"
+#include "geometry/cutting/near_pairs.h"
 
 namespace sherd {
 
@@ -38,12 +38,7 @@ class Crossing {
     }
 
     SurfaceCrossing run(const LabelLattice& lattice) {
-        const CrackCells cells(lattice, crack_);
-        for (int b = 0; b < static_cast<int>(body_.triangles.size()); ++b) {
-            const auto [p, q, r] = cornersOf(body_.triangles[b], body_.vertices);
-            cells.visitNear(p.cwiseMin(q).cwiseMin(r), p.cwiseMax(q).cwiseMax(r),
-                            [&](int c) { crossPair(b, c); });
-        }
+        for (const auto& [b, c] : findNearPairs(body_, lattice, crack_)) crossPair(b, c);
         findNearCrossings(result_.on_body_edges);
         findNearCrossings(result_.on_crack_edges);
         auto& bad = result_.degenerate;
