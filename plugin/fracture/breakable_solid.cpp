@@ -79,6 +79,10 @@ const SurfaceTree& BreakableSolid::surfaceTree() const {
     return tree_.get([&] { return SurfaceTree(surface_); });
 }
 
+const CuttableSurface& BreakableSolid::cuttableSurface() const {
+    return cuttable_.get([&] { return CuttableSurface(surface_); });
+}
+
 BreakableSolid::Sampled BreakableSolid::sampled() const {
     const Stopwatch watch;
     Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
@@ -120,6 +124,7 @@ Status BreakableSolid::prepare(const Progress& progress) const {
     const bool reduced = fracture.use_reduced_model && makeReduced(progress);
     if (!reduced || fracture.check_with_full_solve)
         if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
+    cuttableSurface();
     tell(1);
     return success();
 }

@@ -17,6 +17,7 @@
 #include "core/sampling/discretisation.h"
 #include "fracture/baked_solid.h"
 #include "fracture/made_once.h"
+#include "geometry/cutting/cuttable_surface.h"
 
 namespace sherd {
 
@@ -39,6 +40,8 @@ class BreakableSolid {
     const TriangleMesh& surface() const { return surface_; }
     /// For what is near a contact; made at the first call.
     const SurfaceTree& surfaceTree() const;
+    /// For cutting it; made at the first call.
+    const CuttableSurface& cuttableSurface() const;
     const Material& material() const { return material_; }
     const Settings& settings() const { return settings_; }
     /// The criterion that the material names.
@@ -121,6 +124,7 @@ class BreakableSolid {
 
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
     mutable MadeOnce<SurfaceTree> tree_;
+    mutable MadeOnce<CuttableSurface> cuttable_;
     mutable MadeOnce<Sampled> sampled_;
     mutable MadeOnce<Result<StressSolver>> solver_;
     mutable MadeOnce<Result<CoarseModel>> coarse_;

@@ -67,16 +67,16 @@ std::vector<Triangle> shifted(std::vector<Triangle> triangles, int first) {
 
 }  // namespace
 
-CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const LabelLattice& lattice,
-                    const CrackComplex& crack) {
+CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice, const CrackComplex& crack) {
+    const TriangleMesh& body = surface.mesh();
     CutAttempt attempt;
     const EdgeTable crack_edges = buildEdgeTable(crack.triangles, static_cast<int>(crack.points.size()));
-    SurfaceCrossing crossing = crossSurfaces(body, body_edges, lattice, crack, crack_edges);
+    SurfaceCrossing crossing = crossSurfaces(surface, lattice, crack, crack_edges);
     attempt.troubled = crossing.degenerate;
     if (!attempt.troubled.empty()) return attempt;
 
     const CrossedSurface crossed_body = {
-        body.triangles, body_edges, crossing.on_body_edges,
+        body.triangles, surface.edges(), crossing.on_body_edges,
         groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())};
     const CrossedSurface crossed_crack = {
         shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "geometry/cutting/cuttable_surface.h"
 #include "geometry/cutting/surface_crossing.h"
 
 namespace sherd {
@@ -26,7 +27,6 @@ struct CutAttempt {
 
 /// Splits the crossed triangles of both surfaces, labels the body's triangles by the side of the crack that
 /// they lie on, and keeps the crack faces inside the solid.
-CutAttempt cutFaces(const TriangleMesh& body, const EdgeTable& body_edges, const LabelLattice& lattice,
-                    const CrackComplex& crack);
+CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice, const CrackComplex& crack);
 
 }  // namespace sherd

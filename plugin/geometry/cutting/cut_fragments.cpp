@@ -24,44 +24,41 @@ constexpr double largest_lattice = 2e6;  // nodes
 constexpr double volume_tolerance = 1e-9;
 constexpr int most_nudges = 8;  // rounds of moving single crack triangles before another lattice is tried
 
-Status checkInput(const TriangleMesh& surface, const EdgeTable& edges, const Discretisation& solid,
-                  const FragmentLabels& labels) {
+Status checkInput(const CuttableSurface& surface, const Discretisation& solid, const FragmentLabels& labels) {
+    if (surface.mesh().triangles.empty()) return Error{"The surface to be cut has no triangles."};
     if (labels.of_particle.size() != solid.particles.size() || solid.particles.empty())
         return Error{"There is not one fragment label for each particle."};
     for (int label : labels.of_particle)
         if (label < 0 || label >= labels.count) return Error{"A fragment label is out of range."};
-    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-        const int first = edges.first_use[e];
-        const auto start = [&](int half_edge) { return surface.triangles[half_edge / 3][half_edge % 3]; };
-        if (edges.first_use[e + 1] - first != 2 || start(edges.uses[first]) == start(edges.uses[first + 1]))
-            return Error{
-                "The surface to be cut is not closed and oriented; check it before it is made breakable."};
-    }
+    if (!surface.isClosed())
+        return Error{
+            "The surface to be cut is not closed and oriented; check it before it is made breakable."};
     return success();
 }
 
 // Cuts; as long as cracks pass too near to a vertex or an edge of the surface, moves them a little and cuts
 // again.
-CutAttempt cutWithNudges(const TriangleMesh& surface, const EdgeTable& edges, const LabelLattice& lattice,
-                         CrackComplex& crack, std::uint64_t seed) {
-    CutAttempt attempt = cutFaces(surface, edges, lattice, crack);
+CutAttempt cutWithNudges(const CuttableSurface& surface, const LabelLattice& lattice, CrackComplex& crack,
+                         std::uint64_t seed) {
+    CutAttempt attempt = cutFaces(surface, lattice, crack);
     for (int nudge = 0; nudge < most_nudges && !attempt.troubled.empty(); ++nudge) {
         for (int triangle : attempt.troubled) nudgeTriangle(crack, lattice, triangle, seed, nudge);
-        attempt = cutFaces(surface, edges, lattice, crack);
+        attempt = cutFaces(surface, lattice, crack);
     }
     if (!attempt.troubled.empty()) attempt.failure = "a crack keeps touching an edge of the surface";
     return attempt;
 }
 
-std::optional<FragmentSurfaces> tryLattice(const TriangleMesh& surface, const EdgeTable& edges,
-                                           const Discretisation& solid, const FragmentLabels& labels,
+std::optional<FragmentSurfaces> tryLattice(const CuttableSurface& cuttable, const Discretisation& solid,
+                                           const FragmentLabels& labels,
                                            const LatticeSettings& lattice_settings, double roughness,
                                            std::string& why) {
+    const TriangleMesh& surface = cuttable.mesh();
     const LabelLattice lattice = buildLabelLattice(surface, solid, labels, lattice_settings);
     CrackComplex crack = buildCrackComplex(lattice);
     smoothCracks(crack, lattice, smoothing_steps);
     if (roughness > 0) roughenCracks(crack, lattice, roughness * solid.spacing, lattice_settings.seed);
-    const CutAttempt attempt = cutWithNudges(surface, edges, lattice, crack, lattice_settings.seed);
+    const CutAttempt attempt = cutWithNudges(cuttable, lattice, crack, lattice_settings.seed);
     if (attempt.failure) {
         why = attempt.failure;
         return {};
@@ -72,12 +69,10 @@ std::optional<FragmentSurfaces> tryLattice(const TriangleMesh& surface, const Ed
     return FragmentSurfaces{std::move(pieces).value(), {}};
 }
 
-Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretisation& solid,
+Result<FragmentSurfaces> cutOrThrow(const CuttableSurface& cuttable, const Discretisation& solid,
                                     const FragmentLabels& labels, const CutSettings& settings) {
-    if (surface.triangles.empty()) return Error{"The surface to be cut has no triangles."};
-    const EdgeTable edges = buildEdgeTable(surface.triangles, static_cast<int>(surface.vertices.size()));
-    if (const Status checked = checkInput(surface, edges, solid, labels); !checked)
-        return Error{checked.error()};
+    if (const Status checked = checkInput(cuttable, solid, labels); !checked) return Error{checked.error()};
+    const TriangleMesh& surface = cuttable.mesh();
     const double spacing = latticeSpacing(surface, solid, labels, largest_lattice);
     std::string why = "no lattice was tried";
     for (int k = 0; k < settings.lattices; ++k) {
@@ -87,7 +82,7 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
         LatticeSettings lattice;
         lattice.spacing = spacing * coarser;
         lattice.seed = settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k);
-        auto cut = tryLattice(surface, edges, solid, labels, lattice, settings.roughness, why);
+        auto cut = tryLattice(cuttable, solid, labels, lattice, settings.roughness, why);
         if (!cut) continue;
         if (k > 1)
             cut->notes.push_back("Crack faces are " + std::to_string(static_cast<int>(100 * coarser - 99.5)) +
@@ -99,18 +94,23 @@ Result<FragmentSurfaces> cutOrThrow(const TriangleMesh& surface, const Discretis
 
 }  // namespace
 
-Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
+Result<FragmentSurfaces> cutFragments(const CuttableSurface& surface, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings) {
     try {
         auto cut = cutOrThrow(surface, solid, labels, settings);
         if (!cut) return Error{cut.error()};
         FragmentSurfaces fragments = std::move(cut).value();
-        carryAttributes(surface, fragments.pieces);
+        carryAttributes(surface.mesh(), fragments.pieces);
         return fragments;
     } catch (const std::exception& e) {
         return Error{std::string("The fragments' surfaces could not be cut (") + e.what() +
                      "); the body stays whole."};
     }
+}
+
+Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
+                                      const FragmentLabels& labels, const CutSettings& settings) {
+    return cutFragments(CuttableSurface(surface), solid, labels, settings);
 }
 
 }  // namespace sherd

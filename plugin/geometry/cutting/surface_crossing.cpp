@@ -138,10 +138,9 @@ class Crossing {
 
 }  // namespace
 
-SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges,
-                              const LabelLattice& lattice, const CrackComplex& crack,
-                              const EdgeTable& crack_edges) {
-    return Crossing(body, body_edges, crack, crack_edges).run(lattice);
+SurfaceCrossing crossSurfaces(const CuttableSurface& body, const LabelLattice& lattice,
+                              const CrackComplex& crack, const EdgeTable& crack_edges) {
+    return Crossing(body.mesh(), body.edges(), crack, crack_edges).run(lattice);
 }
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "geometry/cutting/crack_complex.h"
+#include "geometry/cutting/cuttable_surface.h"
 #include "geometry/cutting/edge_crossings.h"
 
 namespace sherd {
@@ -28,8 +29,7 @@ struct SurfaceCrossing {
 };
 
 /// The crack is the lattice's.
-SurfaceCrossing crossSurfaces(const TriangleMesh& body, const EdgeTable& body_edges,
-                              const LabelLattice& lattice, const CrackComplex& crack,
-                              const EdgeTable& crack_edges);
+SurfaceCrossing crossSurfaces(const CuttableSurface& body, const LabelLattice& lattice,
+                              const CrackComplex& crack, const EdgeTable& crack_edges);
 
 }  // namespace sherd

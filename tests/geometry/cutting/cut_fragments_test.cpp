@@ -140,6 +140,24 @@ TEST(FragmentSurfaces, StandLabelsWithoutOrder) {
     EXPECT_EQ(faultOfCut(mesh, fragments), "");
 }
 
+// What is kept of a surface serves any number of cuts.
+TEST(FragmentSurfaces, AreThoseOfANewSurfaceIfItWasCutBefore) {
+    const TriangleMesh mesh = shapes::slab({1, 1, 0.09}, 24, 24, 3);
+    const Discretisation solid = particlesOnly(mesh, 1 / 22.0);
+    const CuttableSurface kept(mesh);
+    for (unsigned seed = 0; seed < 3; ++seed) {
+        const FragmentLabels labels = randomClusters(solid, 8, seed);
+        const auto again = cutFragments(kept, solid, labels, {seed});
+        ASSERT_TRUE(again) << again.error();
+        const FragmentSurfaces fresh = cut(mesh, solid, labels, {seed});
+        ASSERT_EQ(again.value().pieces.size(), fresh.pieces.size());
+        for (std::size_t p = 0; p < fresh.pieces.size(); ++p) {
+            EXPECT_EQ(again.value().pieces[p].mesh.triangles, fresh.pieces[p].mesh.triangles);
+            EXPECT_EQ(again.value().pieces[p].mesh.vertices, fresh.pieces[p].mesh.vertices);
+        }
+    }
+}
+
 // Fragments of fragments: what comes out is valid input.
 TEST(FragmentSurfaces, CanBeCutAgain) {
     int checked = 0;
