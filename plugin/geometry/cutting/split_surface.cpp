@@ -9,10 +9,10 @@ namespace sherd {
 
 namespace {
 
-/// Corners of a triangle and crossings along its edges, counter-clockwise.
-std::vector<int> boundaryLoop(const CrossedSurface& surface, int triangle) {
-    std::vector<int> loop;
-    std::vector<EdgeCrossing> crossings;
+/// Corners of a triangle and crossings along its edges, counter-clockwise. `crossings`: scratch memory.
+void collectLoop(const CrossedSurface& surface, int triangle, std::vector<int>& loop,
+                 std::vector<EdgeCrossing>& crossings) {
+    loop.clear();
     for (int i = 0; i < 3; ++i) {
         const int edge = surface.edges.of_triangle[triangle][i];
         surface.on_edges.collect(edge, crossings);
@@ -22,7 +22,6 @@ std::vector<int> boundaryLoop(const CrossedSurface& surface, int triangle) {
         const bool from_lower = surface.triangles[triangle][i] < surface.triangles[triangle][(i + 1) % 3];
         if (!from_lower) std::reverse(loop.begin() + first, loop.end());
     }
-    return loop;
 }
 
 }  // namespace
@@ -47,6 +46,8 @@ SplitSurface splitSurface(const CrossedSurface& surface, const SurfaceCrossing& 
     result.first_part.reserve(surface.triangles.size() + 1);
     TriangleSubdivision subdivision;
     std::vector<std::pair<int, int>> pairs;
+    std::vector<int> loop;
+    std::vector<EdgeCrossing> crossings;
     const std::vector<Vec3>& x = crossing.points;
     for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
         result.first_part.push_back(static_cast<int>(result.triangles.size()));
@@ -60,8 +61,8 @@ SplitSurface splitSurface(const CrossedSurface& surface, const SurfaceCrossing& 
         for (auto s = begin; s != end; ++s)
             pairs.emplace_back(crossing.segments[*s].source, crossing.segments[*s].target);
         const auto& [a, b, c] = surface.triangles[t];
-        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), boundaryLoop(surface, t), pairs,
-                               result.triangles))
+        collectLoop(surface, t, loop, crossings);
+        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), loop, pairs, result.triangles))
             for (auto s = begin; s != end; ++s) troubled.push_back(crossing.segments[*s].crack_triangle);
     }
     result.first_part.push_back(static_cast<int>(result.triangles.size()));

@@ -1,17 +1,16 @@
 #include "geometry/cutting/triangle_subdivision.h"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include <algorithm>
+#include "geometry/cutting/chain_subdivision.h"
 
 namespace sherd {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Kernel = PlaneKernel;
 using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<int, Kernel>;
 using FaceBase =
     CGAL::Triangulation_face_base_with_info_2<bool, Kernel,
@@ -20,43 +19,10 @@ using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
 
-// Drops the coordinate along which the normal is longest; keeps the orientation.
-Kernel::Point_2 project(const Vec3& x, const Vec3& normal) {
-    int axis = 0;
-    normal.cwiseAbs().maxCoeff(&axis);
-    const double u = x[(axis + 1) % 3], v = x[(axis + 2) % 3];
-    return normal[axis] > 0 ? Kernel::Point_2(u, v) : Kernel::Point_2(v, u);
-}
-
-// The most common case by far, one segment that cuts off one corner, without building a triangulation:
-// appends three triangles, Delaunay too. False if it is another case, or if rounding has turned a triangle
-// over.
-bool cutOffCorner(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
-                  const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out) {
-    if (loop.size() != 5 || segments.size() != 1) return false;
-    const auto place = [&](int point) { return std::find(loop.begin(), loop.end(), point) - loop.begin(); };
-    auto first = place(segments[0].first), last = place(segments[0].second);
-    if (first == 5 || last == 5) return false;
-    if ((last - first + 5) % 5 == 3) std::swap(first, last);
-    if ((last - first + 5) % 5 != 2) return false;
-    int id[5];  // the start of the segment, the corner, its end, the two other corners
-    Kernel::Point_2 x[5];
-    for (int i = 0; i < 5; ++i) {
-        id[i] = loop[(first + i) % 5];
-        x[i] = project(points[id[i]], normal);
-    }
-    const bool other_diagonal =
-        CGAL::side_of_oriented_circle(x[2], x[3], x[4], x[0]) == CGAL::ON_POSITIVE_SIDE;
-    const Triangle split[3] = {{0, 1, 2}, {2, 3, other_diagonal ? 0 : 4}, {other_diagonal ? 3 : 2, 4, 0}};
-    for (const auto& [a, b, c] : split)
-        if (CGAL::orientation(x[a], x[b], x[c]) != CGAL::LEFT_TURN) return false;
-    for (const auto& [a, b, c] : split) out.push_back({id[a], id[b], id[c]});
-    return true;
-}
-
 }  // namespace
 
 struct TriangleSubdivision::Impl {
+    ChainSubdivision chains;
     Triangulation cdt;
     std::vector<std::pair<int, Triangulation::Vertex_handle>> vertices;  // few: searched linearly
 
@@ -102,7 +68,7 @@ bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& nor
                                 const std::vector<int>& loop,
                                 const std::vector<std::pair<int, int>>& segments,
                                 std::vector<Triangle>& out) {
-    if (cutOffCorner(points, normal, loop, segments, out)) return true;
+    if (impl_->chains.split(points, normal, loop, segments, out)) return true;
     Triangulation& cdt = impl_->cdt;
     cdt.clear();
     impl_->vertices.clear();
