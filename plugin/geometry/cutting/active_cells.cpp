@@ -13,6 +13,7 @@ enum : char { outside = 0, unreached = 1, near_surface = 2 };
 constexpr double margin = 0.8;
 
 void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, std::vector<char>& state) {
+    Eigen::Vector3i marked_first(-1, -1, -1), marked_last = marked_first;
     for (const auto& t : surface.triangles) {
         const Vec3 &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
         const Vec3 low =
@@ -23,6 +24,10 @@ void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, s
         // down.
         const Eigen::Vector3i first = low.cast<int>();
         const Eigen::Vector3i last = high.cast<int>().cwiseMin((lattice.size.array() - 2).matrix());
+        // The neighbours of a small triangle come soon after it, and often mean the same cells.
+        if (first == marked_first && last == marked_last) continue;
+        marked_first = first;
+        marked_last = last;
         for (int k = first.z(); k <= last.z(); ++k)
             for (int j = first.y(); j <= last.y(); ++j)
                 for (int i = first.x(); i <= last.x(); ++i) state[lattice.index(i, j, k)] = near_surface;

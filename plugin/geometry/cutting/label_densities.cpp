@@ -1,5 +1,7 @@
 #include "geometry/cutting/label_densities.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "geometry/cutting/particle_weights.h"
@@ -13,12 +15,21 @@ void spreadParticle(const LabelLattice& lattice, const Particle& particle, int l
                     const RunnerUp& runner_up, double weight, NodeDensities& densities) {
     const double radius = kernelRadius(particle);
     const Vec3 centre = (particle.position - lattice.origin) / lattice.spacing;
-    const double reach = radius / lattice.spacing + 0.5;  // nodes are jittered
+    const double jitter = lattice.jitter + 1e-6, own_reach = radius / lattice.spacing,
+                 reach = own_reach + jitter;
     const Eigen::Vector3i first = (centre.array() - reach).ceil().cast<int>().max(0);
     const Eigen::Vector3i last = (centre.array() + reach).floor().cast<int>().min(lattice.size.array() - 1);
     for (int k = first.z(); k <= last.z(); ++k)
-        for (int j = first.y(); j <= last.y(); ++j)
-            for (int i = first.x(); i <= last.x(); ++i) {
+        for (int j = first.y(); j <= last.y(); ++j) {
+            // The part of the row that the kernel may reach.
+            const double dz = std::max(0.0, std::abs(k - centre.z()) - jitter),
+                         dy = std::max(0.0, std::abs(j - centre.y()) - jitter),
+                         squared_room = own_reach * own_reach - dz * dz - dy * dy;
+            if (squared_room < 0) continue;
+            const double room = std::sqrt(squared_room) + jitter;
+            const int begin = std::max(first.x(), static_cast<int>(std::ceil(centre.x() - room))),
+                      end = std::min(last.x(), static_cast<int>(std::floor(centre.x() + room)));
+            for (int i = begin; i <= end; ++i) {
                 const int node = lattice.index(i, j, k);
                 if (lattice.labels[node] == -1) continue;
                 const double squared = (lattice.nodes[node] - particle.position).squaredNorm();
@@ -29,6 +40,7 @@ void spreadParticle(const LabelLattice& lattice, const Particle& particle, int l
                 if (runner_up.share > 0)
                     densities.add(node, runner_up.label, runner_up.share * weight * value);
             }
+        }
 }
 
 /// While kernels are spread each cluster has a density of its own, under a number below zero: -1 is the

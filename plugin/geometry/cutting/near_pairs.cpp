@@ -1,5 +1,6 @@
 #include "geometry/cutting/near_pairs.h"
 
+#include <array>
 #include <limits>
 
 namespace sherd {
@@ -61,36 +62,55 @@ class NearPairs {
         int cell, body_triangle;
     };
 
+    // Cells from the first to the last along each axis.
+    struct Range {
+        std::array<int, 3> first, last;
+        bool operator==(const Range& other) const { return first == other.first && last == other.last; }
+    };
+
     void sortBodyIntoCells() {
         std::vector<InCell> found;
-        std::vector<int> count(cells_.size() + 1, 0);
-        for (int b = 0; b < static_cast<int>(body_.triangles.size()); ++b)
-            forEachCellNear(boxOf(body_.triangles[b], body_.vertices), [&](int cell) {
+        std::vector<int> count(cells_.size() + 1, 0), near_cells;
+        Range range = {{-1, -1, -1}, {-1, -1, -1}};
+        for (int b = 0; b < static_cast<int>(body_.triangles.size()); ++b) {
+            const Box box = boxOf(body_.triangles[b], body_.vertices);
+            // The neighbours of a small triangle come soon after it, and often mean the same cells.
+            if (const Range own = rangeOf(box); !(own == range)) {
+                range = own;
+                collectCells(range, near_cells);
+            }
+            for (const int cell : near_cells) {
+                if (!cells_[cell].box.meets(box)) continue;
                 found.push_back({cell, b});
                 ++count[cell + 1];
-            });
+            }
+        }
         for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
         first_in_cell_ = count;
         in_cell_.resize(found.size());
         for (const InCell& entry : found) in_cell_[count[entry.cell]++] = entry.body_triangle;
     }
 
-    // Calls visit(cell) for the cells with a crack whose box meets this one.
-    template <class Visit>
-    void forEachCellNear(const Box& box, const Visit& visit) const {
+    // The cells that may hold cracks which meet a box.
+    Range rangeOf(const Box& box) const {
         // Nodes are jittered, so a cell reaches beyond its place on the grid. The lattice begins in the air
         // below the solid, so all of this is positive and truncation rounds down.
         const double reach = lattice_.jitter + 1e-6, cells_per_m = 1 / lattice_.spacing;
-        int first[3], last[3];
+        Range range;
         for (int d = 0; d < 3; ++d) {
-            first[d] = static_cast<int>((box.low[d] - lattice_.origin[d]) * cells_per_m - reach);
-            last[d] = static_cast<int>((box.high[d] - lattice_.origin[d]) * cells_per_m + reach);
+            range.first[d] = static_cast<int>((box.low[d] - lattice_.origin[d]) * cells_per_m - reach);
+            range.last[d] = static_cast<int>((box.high[d] - lattice_.origin[d]) * cells_per_m + reach);
         }
-        for (int k = first[2]; k <= last[2]; ++k)
-            for (int j = first[1]; j <= last[1]; ++j) {
-                const int end = first_cell_[lattice_.index(last[0], j, k) + 1];
-                for (int cell = first_cell_[lattice_.index(first[0], j, k)]; cell < end; ++cell)
-                    if (cells_[cell].box.meets(box)) visit(cell);
+        return range;
+    }
+
+    void collectCells(const Range& range, std::vector<int>& cells) const {
+        cells.clear();
+        for (int k = range.first[2]; k <= range.last[2]; ++k)
+            for (int j = range.first[1]; j <= range.last[1]; ++j) {
+                const int end = first_cell_[lattice_.index(range.last[0], j, k) + 1];
+                for (int cell = first_cell_[lattice_.index(range.first[0], j, k)]; cell < end; ++cell)
+                    cells.push_back(cell);
             }
     }
 

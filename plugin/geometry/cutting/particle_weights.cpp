@@ -69,7 +69,9 @@ Contributions contributionsAtParticles(const Discretisation& solid) {
     for (const Particle& own : solid.particles) {
         grid.forEachNear(own.position, [&](int j) {
             const Particle& p = solid.particles[j];
-            const double r = (p.position - own.position).norm() / kernelRadius(p);
+            const double squared = (p.position - own.position).squaredNorm(), radius = kernelRadius(p);
+            if (squared >= radius * radius) return;
+            const double r = std::sqrt(squared) / radius;
             if (r < 1) result.all.push_back({j, kernel(r * r)});
         });
         result.first.push_back(result.all.size());

@@ -17,13 +17,50 @@ std::vector<char> findCrackPoints(const LabelBoundary& boundary, std::size_t poi
     return on_crack;
 }
 
-std::vector<int> trianglesAt(const LabelBoundary& boundary, const std::vector<char>& marked) {
+// The triangles of the body with a corner on a crack, and one side of every crack face.
+std::vector<int> selectTriangles(const LabelBoundary& boundary, const std::vector<char>& on_crack) {
     std::vector<int> selected;
-    for (std::size_t t = 0; t < boundary.triangles.size(); ++t) {
+    for (int t = 0; t < boundary.body_count; ++t) {
         const auto& [a, b, c] = boundary.triangles[t];
-        if (marked[a] || marked[b] || marked[c]) selected.push_back(static_cast<int>(t));
+        if (on_crack[a] || on_crack[b] || on_crack[c]) selected.push_back(t);
     }
+    for (int t = boundary.body_count; t < static_cast<int>(boundary.triangles.size()); t += 2)
+        selected.push_back(t);
     return selected;
+}
+
+// A triangle that runs along an edge.
+struct EdgeSide {
+    int triangle, label;
+    bool from_lower;  // it runs from the edge's lower vertex to the higher one
+};
+
+// All of them, with both sides of crack faces.
+void collectSides(const LabelBoundary& boundary, const std::vector<int>& selected, const EdgeTable& edges,
+                  int edge, std::vector<EdgeSide>& sides) {
+    sides.clear();
+    for (int u = edges.first_use[edge]; u < edges.first_use[edge + 1]; ++u) {
+        const int t = selected[edges.uses[u] / 3];
+        const bool from_lower = boundary.triangles[t][edges.uses[u] % 3] == edges.edges[edge][0];
+        sides.push_back({t, boundary.labels[t], from_lower});
+        const int opposite = boundary.opposite(t);
+        if (opposite >= 0) sides.push_back({opposite, boundary.labels[opposite], !from_lower});
+    }
+}
+
+// Unites the two triangles of each label; false if a label has not two that run in opposite directions.
+bool uniteSides(const std::vector<EdgeSide>& sides, UnionFind& sets) {
+    for (const EdgeSide& own : sides) {
+        int partners = 0;
+        for (const EdgeSide& other : sides) {
+            if (&other == &own || other.label != own.label) continue;
+            if (other.from_lower == own.from_lower) return false;
+            sets.unite(own.triangle, other.triangle);
+            ++partners;
+        }
+        if (partners != 1) return false;
+    }
+    return true;
 }
 
 // Unites the triangles of each piece's closed surfaces. At every edge with an end on a crack each label must
@@ -32,26 +69,16 @@ std::vector<int> trianglesAt(const LabelBoundary& boundary, const std::vector<ch
 bool connectShells(const LabelBoundary& boundary, const CutFaces& faces, UnionFind& sets) {
     for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
     const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
-    const std::vector<int> selected = trianglesAt(boundary, on_crack);
+    const std::vector<int> selected = selectTriangles(boundary, on_crack);
     std::vector<Triangle> triangles;
     triangles.reserve(selected.size());
     for (int t : selected) triangles.push_back(boundary.triangles[t]);
     const EdgeTable edges = buildEdgeTable(triangles, static_cast<int>(faces.points.size()));
+    std::vector<EdgeSide> sides;
     for (std::size_t e = 0; e < edges.edges.size(); ++e) {
         if (!on_crack[edges.edges[e][0]] && !on_crack[edges.edges[e][1]]) continue;
-        const int begin = edges.first_use[e], end = edges.first_use[e + 1];
-        for (int u = begin; u < end; ++u) {
-            const int t = selected[edges.uses[u] / 3], start = boundary.triangles[t][edges.uses[u] % 3];
-            int partners = 0;
-            for (int w = begin; w < end; ++w) {
-                const int other = selected[edges.uses[w] / 3];
-                if (w == u || boundary.labels[other] != boundary.labels[t]) continue;
-                if (boundary.triangles[other][edges.uses[w] % 3] == start) return false;
-                sets.unite(t, other);
-                ++partners;
-            }
-            if (partners != 1) return false;
-        }
+        collectSides(boundary, selected, edges, static_cast<int>(e), sides);
+        if (!uniteSides(sides, sets)) return false;
     }
     return true;
 }
@@ -74,14 +101,8 @@ std::vector<PieceShell> collectShells(const LabelBoundary& boundary, const std::
             index = static_cast<int>(shells.size());
             shells.emplace_back();
             shells.back().label = boundary.labels[t];
-            shells.back().low = shells.back().high = points[boundary.triangles[t][0]];
         }
-        PieceShell& shell = shells[index];
-        shell.triangles.push_back(t);
-        for (int v : boundary.triangles[t]) {
-            shell.low = shell.low.cwiseMin(points[v]);
-            shell.high = shell.high.cwiseMax(points[v]);
-        }
+        shells[index].triangles.push_back(t);
     }
     for (PieceShell& shell : shells)
         shell.volume = enclosedVolume(points, trianglesOf(shell, boundary), origin);
@@ -91,8 +112,11 @@ std::vector<PieceShell> collectShells(const LabelBoundary& boundary, const std::
 // Makes each cavity part of the smallest shell of its label around it. False if there is none.
 bool attachCavities(const LabelBoundary& boundary, const std::vector<Vec3>& points,
                     std::vector<PieceShell>& shells) {
+    const auto is_cavity = [](const PieceShell& shell) { return shell.volume < 0; };
+    if (std::none_of(shells.begin(), shells.end(), is_cavity)) return true;
+    findBoxes(boundary, points, shells);
     for (PieceShell& cavity : shells) {
-        if (cavity.volume >= 0) continue;
+        if (!is_cavity(cavity)) continue;
         const Vec3& x = points[boundary.triangles[cavity.triangles.front()][0]];
         PieceShell* around = nullptr;
         for (PieceShell& shell : shells)
@@ -100,7 +124,10 @@ bool attachCavities(const LabelBoundary& boundary, const std::vector<Vec3>& poin
                 (!around || shell.volume < around->volume) && contains(shell, x, boundary, points))
                 around = &shell;
         if (!around) return false;
+        const auto outer_count = static_cast<long>(around->triangles.size());
         around->triangles.insert(around->triangles.end(), cavity.triangles.begin(), cavity.triangles.end());
+        std::inplace_merge(around->triangles.begin(), around->triangles.begin() + outer_count,
+                           around->triangles.end());
         around->volume += cavity.volume;
         cavity.triangles.clear();
     }
@@ -121,8 +148,16 @@ Result<std::vector<PieceShell>> pieceShells(const LabelBoundary& boundary, const
 
 bool contains(const PieceShell& shell, const Vec3& x, const LabelBoundary& boundary,
               const std::vector<Vec3>& points) {
-    if ((x.array() < shell.low.array()).any() || (x.array() > shell.high.array()).any()) return false;
-    return isInside(x, points, trianglesOf(shell, boundary));
+    return shell.box.contains(x) && isInside(x, points, trianglesOf(shell, boundary));
+}
+
+void findBoxes(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+               std::vector<PieceShell>& shells) {
+    for (PieceShell& shell : shells) {
+        shell.box.setEmpty();
+        for (const int t : shell.triangles)
+            for (const int v : boundary.triangles[t]) shell.box.extend(points[v]);
+    }
 }
 
 std::vector<int> pieceOfTriangle(const std::vector<PieceShell>& shells, const LabelBoundary& boundary) {

@@ -12,8 +12,8 @@ namespace sherd {
 struct PieceShell {
     std::vector<int> triangles;
     int label = -1;
-    double volume = 0;  ///< m^3
-    Vec3 low, high;     ///< of its outer surface's bounding box, m
+    double volume = 0;        ///< m^3
+    Eigen::AlignedBox3d box;  ///< of its outer surface, m; empty until `findBoxes`
 };
 
 /// The connected pieces of all labels. Each cavity is part of the smallest shell of its label around it.
@@ -21,7 +21,11 @@ struct PieceShell {
 Result<std::vector<PieceShell>> pieceShells(const LabelBoundary& boundary, const CutFaces& faces,
                                             const Vec3& origin);
 
-/// Whether a point that is not on it lies inside a shell's surface.
+/// Finds the bounding boxes of all shells.
+void findBoxes(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+               std::vector<PieceShell>& shells);
+
+/// Whether a point that is not on it lies inside a shell's surface; `findBoxes` comes first.
 bool contains(const PieceShell& shell, const Vec3& x, const LabelBoundary& boundary,
               const std::vector<Vec3>& points);
 

@@ -11,12 +11,13 @@ namespace {
 
 constexpr double smallest_piece = 0.05;  // of a particle's mean volume
 
-std::vector<char> findStrays(const std::vector<PieceShell>& shells, const LabelBoundary& boundary,
-                             const std::vector<Vec3>& points, const Discretisation& solid,
-                             const FragmentLabels& labels) {
+std::vector<char> findStrays(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+                             const Discretisation& solid, const FragmentLabels& labels,
+                             std::vector<PieceShell>& shells) {
     const double mean_volume = meanParticleVolume(solid);
     std::map<int, std::vector<int>> of_label;
     for (int s = 0; s < static_cast<int>(shells.size()); ++s) of_label[shells[s].label].push_back(s);
+    if (of_label.size() < shells.size()) findBoxes(boundary, points, shells);
     std::vector<char> is_stray(shells.size(), false);
     for (const auto& [label, members] : of_label) {
         const int largest = *std::max_element(members.begin(), members.end(), [&](int a, int b) {
@@ -100,7 +101,8 @@ void applyMerges(const std::vector<int>& target_of, const LabelBoundary& boundar
 void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
                       const Discretisation& solid, const FragmentLabels& labels,
                       std::vector<PieceShell>& shells) {
-    const std::vector<char> is_stray = findStrays(shells, boundary, points, solid, labels);
+    const std::vector<char> is_stray = findStrays(boundary, points, solid, labels, shells);
+    if (std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end()) return;
     applyMerges(chooseTargets(shells, boundary, points, is_stray), boundary, shells);
 }
 
