@@ -68,8 +68,8 @@ std::vector<double> describe(const FragmentSurfaces& surfaces, const FragmentSur
     return all;
 }
 
-/// Of the bits of all triangles and boxes, whatever their order. The last bits of colours and normals of crack
-/// faces depend on it: they are left out.
+/// Of the bits of all triangles and boxes, whatever their order. The last bits of colours and normals of
+/// crack faces depend on it: they are left out.
 unsigned long long hashOf(const FragmentSurfaces& surfaces, const std::vector<Fragment>& fragments) {
     std::vector<std::vector<double>> all;
     for (const FragmentSurface& piece : surfaces.pieces)
