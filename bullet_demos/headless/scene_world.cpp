@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdlib>
 #include <limits>
 #include <string>
 
@@ -121,6 +122,8 @@ sherd::Result<SceneAssets> makeAssets(const Scene& scene, const std::string& mes
 SceneWorld::SceneWorld(const Scene& scene, const SceneAssets& assets) : scene_(scene) {
     world_.setGravity(toBullet(scene.gravity));
     fracture_ = std::make_unique<sherd::FractureWorld>(&world_);
+    // Nobody waits for the next frame: every blow is decided in its step.
+    if (!fracture_->setBudget(sherd::Budget::none())) std::abort();
     addFloor();
     for (std::size_t i = 0; i < assets.bodies.size(); ++i) addBody(scene_.bodies[i], assets.bodies[i]);
     for (const Ball& ball : scene_.balls) addBall(ball);

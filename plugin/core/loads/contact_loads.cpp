@@ -13,11 +13,24 @@ namespace {
 constexpr double cap_height = 0.02;
 constexpr double cap_reach = 1.0;
 
+constexpr double touching = 0.1;  // of the wall: how far a surface may be from what touches it
+
 constexpr double alike = 0.9;  // cosine of the angle between normals of one patch
+
+/// Where on the surface a contact is. A shape that stands for the body in collisions may close its hollows:
+/// what is flat then touches the rim, not the hollow's bottom.
+SurfaceSpot spotOf(const ContactBody& body, const ContactImpulse& contact) {
+    const SurfaceSpot nearest = nearestSurfacePoint(body.surface, contact.point, contact.normal);
+    const double gap = touching * body.wall_thickness_m;
+    const bool is_recessed = (nearest.point - contact.point).dot(contact.normal) > gap;
+    if (!is_recessed || contact.partner_radius_m > 0) return nearest;
+    const SurfaceSpot rim = touchedByAPlane(body.surface, contact.point, contact.normal, gap);
+    return rim.triangle < 0 ? nearest : rim;
+}
 
 StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
                         const ContactSettings& settings) {
-    const SurfaceSpot spot = nearestSurfacePoint(body.surface, contact.point, contact.normal);
+    const SurfaceSpot spot = spotOf(body, contact);
     const double wall = body.wall_thickness_m;
     const double own =
         contactRadius(body.surface, spot.point, contact.normal, cap_reach * wall, cap_height * wall);

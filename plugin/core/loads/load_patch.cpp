@@ -78,6 +78,24 @@ SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, cons
     return {point, -1};
 }
 
+SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Vec3& push, double gap) {
+    const TriangleMesh& surface = tree.surface();
+    const auto squaredTo = [&](const Vec3& corner) {
+        return (corner - point).dot(push) > gap ? std::numeric_limits<double>::infinity()
+                                                : (corner - point).squaredNorm();
+    };
+    const auto nearestCorner = [&](int t) {
+        const TriangleCorners triangle = cornersOf(surface, t);
+        return *std::min_element(triangle.begin(), triangle.end(),
+                                 [&](const Vec3& a, const Vec3& b) { return squaredTo(a) < squaredTo(b); });
+    };
+    const int nearest = tree.nearest(point, [&](int t) {
+        return facesPush(cornersOf(surface, t), push) ? squaredTo(nearestCorner(t))
+                                                      : std::numeric_limits<double>::infinity();
+    });
+    return nearest < 0 ? SurfaceSpot{point, -1} : SurfaceSpot{nearestCorner(nearest), nearest};
+}
+
 double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach,
                      double depth) {
     const TriangleMesh& surface = tree.surface();

@@ -18,6 +18,10 @@ struct SurfaceSpot {
 /// triangles if none does.
 SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, const Vec3& push);
 
+/// The corner of a triangle facing the push that is nearest to `point`, of those that lie before the plane
+/// through `point` at right angles to the push, or at most `gap` (m) behind it. Without any, no triangle.
+SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Vec3& push, double gap);
+
 /// Radius of curvature with which the surface meets a flat partner at `spot`, m: that of the sphere whose cap
 /// of height `depth` has the same area, A = 2 pi R depth, as the part of the surface within `reach` of the
 /// spot and within `depth` of the outermost point there against the push. Faces give a large radius, edges

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "support/shapes.h"
@@ -32,6 +33,19 @@ TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
     EXPECT_GT(points.size(), 20u);
     EXPECT_TRUE(sum.isApprox(Vec3(1, 2, -30), 1e-12));
     EXPECT_LT((centre - spot.point).norm(), 0.01);
+}
+
+TEST(LoadPatch, APlaneTouchesTheRimOfAHollow) {
+    TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.5), 4);
+    for (Vec3& v : mesh.vertices)  // hollow the bottom out, but for its rim
+        if (v.z() < -0.49 && std::max(std::abs(v.x()), std::abs(v.y())) < 0.49) v.z() = -0.4;
+    const SurfaceTree tree(mesh);
+    const Vec3 middle(0.1, 0, -0.5);
+    EXPECT_LT(std::abs(nearestSurfacePoint(tree, middle, Vec3::UnitZ()).point.x()), 0.3);
+    const SurfaceSpot rim = touchedByAPlane(tree, middle, Vec3::UnitZ(), 0.01);
+    EXPECT_TRUE(rim.point.isApprox(Vec3(0.5, 0, -0.5), 1e-12));
+    EXPECT_GE(rim.triangle, 0);
+    EXPECT_LT(touchedByAPlane(tree, Vec3(0, 0, -0.6), Vec3::UnitZ(), 0.01).triangle, 0) << "touches nothing";
 }
 
 TEST(LoadPatch, APatchWithoutSurfaceIsOnePoint) {
