@@ -30,15 +30,49 @@ void moveToSurface(btManifoldPoint& point, const btCollisionObject& swept) {
     point.m_positionWorldOnB += to_surface;
 }
 
+/// The vertices that a manifold lacks. A shape that Sherd made follows the surface to within a tolerance:
+/// what is no further apart than that is met at the same time.
+std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
+                                            const ContactCollector& collector) {
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
+    if (tolerance == 0) return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
+    btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
+    for (int i = 0; i < manifold.getNumContacts(); ++i)
+        deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
+    const btScalar reach = std::max(deepest, btScalar(0)) + tolerance;
+    std::vector<btManifoldPoint> vertices =
+        missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b), reach, true);
+    for (btManifoldPoint& vertex : vertices)
+        if (vertex.getDistance() < deepest + tolerance)
+            vertex.setDistance(std::min(vertex.getDistance(), deepest));
+    return vertices;
+}
+
+/// Gives the impulses of a point to others, in equal parts.
+void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
+    const btScalar part = 1 / static_cast<btScalar>(others.size());
+    for (btManifoldPoint& other : others) {
+        other.m_appliedImpulse += part * point.m_appliedImpulse;
+        other.m_appliedImpulseLateral1 += part * point.m_appliedImpulseLateral1;
+        other.m_appliedImpulseLateral2 += part * point.m_appliedImpulseLateral2;
+    }
+}
+
 void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollector& collector) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const btCollisionObjectWrapper wrapper_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1,
                                              -1);
     const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
                                              -1);
+    std::vector<btManifoldPoint> vertices = landedVertices(manifold, collector);
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint point = manifold.getContactPoint(i);
         if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
+        if (!predictive && isBetween(point, vertices)) {
+            share(point, vertices);
+            continue;
+        }
         if (predictive) {
             moveToSurface(point, *a);
             point.m_index0 = point.m_index1 = -1;
@@ -46,7 +80,7 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);
     }
-    for (btManifoldPoint& point : missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b)))
+    for (btManifoldPoint& point : vertices)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);
 }
@@ -100,6 +134,12 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.foremost = order;
     entry.position = fromBullet(own.point);
     entry.normal = fromBullet(own.push);
+}
+
+btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const {
+    const Breakable* breakable = breakables_.find(&object);
+    const bool is_ours = breakable && breakable->ownedHere() && !breakable->owned.shape->disjoint;
+    return is_ours ? static_cast<btScalar>(shape_tolerance * breakable->asset.solid()->spacing()) : 0;
 }
 
 const btTransform& ContactCollector::stoodAt(const btCollisionObject& object) const {

@@ -4,6 +4,9 @@
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace sherd {
 
 namespace {
@@ -45,11 +48,31 @@ class VerticesOf {
           threshold_(manifold.getContactBreakingThreshold()),
           reach_(reach) {}
 
-    void addMissed(std::vector<btManifoldPoint>& points) const {
+    /// `of_all_parts`: of all that the body consists of, if it lies on a plane or a box; else of the part
+    /// that the manifold is of.
+    void addMissed(bool of_all_parts, std::vector<btManifoldPoint>& points) const {
         const btManifoldPoint& first = manifold_.getContactPoint(0);
-        const ConvexPart part = partOf(own_, own_stood_, of_a_ ? first.m_index0 : first.m_index1);
-        if (!part.shape) return;
+        const int own = of_a_ ? first.m_index0 : first.m_index1;
         const ConvexPart other = partOf(other_, other_stood_, of_a_ ? first.m_index1 : first.m_index0);
+        const btCollisionShape* shape = own_.getCollisionShape();
+        if (!of_all_parts || !shape->isCompound() || !isFlat(other)) {
+            addMissed(partOf(own_, own_stood_, own), other, points);
+            return;
+        }
+        const int count = static_cast<const btCompoundShape*>(shape)->getNumChildShapes();
+        for (int child = 0; child < count; ++child) addMissed(partOf(own_, own_stood_, child), other, points);
+    }
+
+  private:
+    bool isFlat(const ConvexPart& part) const {
+        return other_.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE ||
+               (part.shape && part.shape->getShapeType() == BOX_SHAPE_PROXYTYPE);
+    }
+
+    void addMissed(const ConvexPart& part, const ConvexPart& other,
+                   std::vector<btManifoldPoint>& points) const {
+        if (!part.shape) return;
+        const btManifoldPoint& first = manifold_.getContactPoint(0);
         const btScalar margin = marginAround(*part.shape);
         for (int i = 0; i < part.shape->getNumVertices(); ++i) {
             btVector3 vertex;
@@ -63,7 +86,6 @@ class VerticesOf {
         }
     }
 
-  private:
     const btVector3& onOwn(const btManifoldPoint& point) const {
         return of_a_ ? point.m_positionWorldOnA : point.m_positionWorldOnB;
     }
@@ -119,12 +141,30 @@ class VerticesOf {
 
 }  // namespace
 
+bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices) {
+    constexpr btScalar flat = btScalar(0.01);  // slope of the face against what it lands on
+    const btVector3& normal = point.m_normalWorldOnB;
+    btVector3 first, second;
+    btPlaneSpace1(normal, first, second);
+    std::vector<btScalar> angles;
+    for (const btManifoldPoint& vertex : vertices) {
+        const btVector3 way = vertex.m_positionWorldOnA - point.m_positionWorldOnA;
+        if (vertex.getDistance() > point.getDistance() + flat * way.length()) continue;
+        angles.push_back(std::atan2(way.dot(second), way.dot(first)));
+    }
+    if (angles.size() < 3) return false;
+    std::sort(angles.begin(), angles.end());
+    btScalar widest = angles.front() + SIMD_2_PI - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
+    return widest < SIMD_PI;
+}
+
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b, btScalar reach) {
+                                            const btTransform& stood_b, btScalar reach, bool of_all_parts) {
     std::vector<btManifoldPoint> points;
     if (manifold.getNumContacts() == 0) return points;
-    VerticesOf(manifold, true, stood_a, stood_b, reach).addMissed(points);
-    VerticesOf(manifold, false, stood_b, stood_a, reach).addMissed(points);
+    VerticesOf(manifold, true, stood_a, stood_b, reach).addMissed(of_all_parts, points);
+    VerticesOf(manifold, false, stood_b, stood_a, reach).addMissed(of_all_parts, points);
     return points;
 }
 

@@ -12,8 +12,15 @@ namespace sherd {
 /// touch at the same time some may be missing, and which ones depends on the step. Looked for are those in a
 /// plane or a box, and those near a point that there is. `stood_a` and `stood_b`: where the bodies stood when
 /// the manifold was made; the solver may have moved them since (split impulses). `reach`: vertices that are
-/// no further than that outside the other body count as well, m.
+/// no further than that outside the other body count as well, m. `of_all_parts`: of a body of several parts
+/// on a plane or a box, also the vertices of those parts that the manifold is not of.
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b, btScalar reach = 0);
+                                            const btTransform& stood_b, btScalar reach = 0,
+                                            bool of_all_parts = false);
+
+/// A face that lands flat touches with all its vertices at once; the one point that a manifold gets for it
+/// may be anywhere between them. Whether `point` is one of these: at least three of the vertices are no less
+/// deep than it, and they lie all around it.
+bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices);
 
 }  // namespace sherd

@@ -20,8 +20,7 @@ constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
 constexpr double margin_share =
     0.02;  // of the smallest half extent: Bullet's default of 4 cm exceeds a cup's wall
-constexpr int most_hull_vertices = 96;   // Bullet wants fewer than 100
-constexpr double tolerance_share = 0.1;  // of the particle spacing: how far vertices may lie outside hulls
+constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
 constexpr double smallest_relative_volume =
     1e-7;                              // volume over the cube of the length; a smaller hull counts as flat
 constexpr double nearly_convex = 0.5;  // of a solid's volume: air that a hull of an automatic shape may hold
@@ -83,7 +82,7 @@ bool isSolid(const ConvexHull& hull) {
 DecompositionLimits limitsOf(const ShapeChoice& wanted, double spacing_m) {
     DecompositionLimits limits;
     limits.most_vertices = most_hull_vertices;
-    limits.tolerance_m = tolerance_share * spacing_m;
+    limits.tolerance_m = shape_tolerance * spacing_m;
     if (wanted.kind == CollisionShape::convex_parts) return limits;
     limits.most_parts = wanted.kind == CollisionShape::automatic ? wanted.most_parts : 1;
     limits.air_share_of_one_hull = nearly_convex;

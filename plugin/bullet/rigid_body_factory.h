@@ -34,6 +34,9 @@ struct PrincipalFrame {
 };
 PrincipalFrame principalFrame(const Moments& moments);
 
+/// Of the particle spacing: how far vertices may lie outside the hulls that are made of a solid.
+constexpr double shape_tolerance = 0.1;
+
 /// What is to stand for a body in collisions.
 struct ShapeChoice {
     ShapeChoice(CollisionShape its_kind) : kind(its_kind) {}

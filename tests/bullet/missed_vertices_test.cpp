@@ -54,6 +54,27 @@ TEST(MissedVertices, OfAHullThatLandsFlatAreItsCorners) {
     EXPECT_EQ(corners, 4);
 }
 
+TEST(MissedVertices, TellWhetherAPointIsBetweenThem) {
+    const auto point = [](btScalar x, btScalar y, btScalar distance) {
+        return btManifoldPoint(btVector3(x, y, 0), btVector3(x, y, 0), btVector3(0, 0, 1), distance);
+    };
+    btManifoldPoint middle = point(0.02f, 0, -0.001f);
+    middle.m_positionWorldOnA = btVector3(0.02f, 0, 0);
+    const auto corners = [&](btScalar depth, int count) {
+        std::vector<btManifoldPoint> all;
+        for (int i = 0; i < count; ++i) {
+            all.push_back(point(0, 0, -depth));
+            all.back().m_positionWorldOnA = btVector3(i & 1 ? 0.1f : -0.1f, i & 2 ? 0.1f : -0.1f, 0);
+        }
+        return all;
+    };
+    EXPECT_TRUE(isBetween(middle, corners(0.001f, 4)));
+    EXPECT_TRUE(isBetween(middle, corners(0.002f, 4)));
+    EXPECT_FALSE(isBetween(middle, corners(-0.01f, 4))) << "the middle sticks out";
+    EXPECT_FALSE(isBetween(middle, corners(0.001f, 2))) << "on one side of it";
+    EXPECT_FALSE(isBetween(middle, {}));
+}
+
 TEST(MissedVertices, OfABoxOnAPlaneAreItsCorners) {
     TestWorld scene;
     scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
