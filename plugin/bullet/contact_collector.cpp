@@ -19,8 +19,9 @@ namespace sherd {
 
 namespace {
 
-constexpr double resting_steps = 2;     // of free fall: slower contacts are those of a body at rest
-constexpr double largest_gap_m = 1e-3;  // between bodies that rest on each other
+constexpr double resting_steps = 2;  // of free fall: slower contacts are those of a body at rest
+constexpr btScalar slowest_landing_m_s = btScalar(0.1);  // below it, what Bullet gives is taken
+constexpr double largest_gap_m = 1e-3;                   // between bodies that rest on each other
 
 /// Predictive contacts (continuous collision) put the centre of the swept sphere where other contacts have
 /// the point.
@@ -36,7 +37,8 @@ std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold
                                             const ContactCollector& collector) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
-    if (tolerance == 0) return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
+    if (tolerance == 0 || !collector.mayStrike(manifold))
+        return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
     btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
@@ -134,6 +136,18 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.foremost = order;
     entry.position = fromBullet(own.point);
     entry.normal = fromBullet(own.push);
+}
+
+bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
+    const BodyState *a = before_.find(manifold.getBody0()), *b = before_.find(manifold.getBody1());
+    if (!a || !b) return true;
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        const btManifoldPoint& point = manifold.getContactPoint(i);
+        const btVector3& place = point.m_positionWorldOnB;
+        const btVector3 meeting = b->velocityAt(place) - a->velocityAt(place);
+        if (meeting.dot(point.m_normalWorldOnB) > slowest_landing_m_s) return true;
+    }
+    return false;
 }
 
 btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const {

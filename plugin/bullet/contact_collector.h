@@ -52,6 +52,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// Where a body stood before the step's solve.
     const btTransform& stoodAt(const btCollisionObject& object) const;
 
+    /// Whether the bodies of a manifold meet faster than bodies that rest on each other do.
+    bool mayStrike(const btPersistentManifold& manifold) const;
+
     /// How far the shape that stands for a body may be from its surface, m; 0: it is what it is.
     btScalar shapeTolerance(const btCollisionObject& object) const;
 
