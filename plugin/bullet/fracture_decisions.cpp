@@ -251,7 +251,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         BlowOutcome& outcome = blow.decided->outcome;
         outcome.waited_s = time_s_ - blow.struck_at_s;
         ++counts_.waited;
-        if (count > roomForFragments()) {
+        if (count > 0 && count > roomForFragments()) {
             ++counts_.dropped;
             outcome.outcome = Outcome::dropped;
             outcome.message = no_room;

@@ -7,32 +7,18 @@
 #include <memory>
 #include <vector>
 
+#include "benchmark/floor_world.h"
 #include "bullet/rigid_body_factory.h"
 #include "fracture/breakable_solid.h"
 
 namespace sherd::benchmarks {
 
-inline constexpr double gravity_m_s2 = 9.81;
 inline constexpr double time_step_s = 1.0 / 240;
 inline constexpr int orientations = 5;
 
-/// A world with a stone floor at z = 0.
-struct World {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    btBoxShape floor_shape{btVector3(5, 5, 0.5)};
-    btRigidBody floor{0, nullptr, &floor_shape};
-
-    World() {
-        floor.setFriction(1);
-        floor.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -0.5)));
-        world.addRigidBody(&floor);
-        world.setGravity(btVector3(0, 0, btScalar(-gravity_m_s2)));
-    }
-    ~World() { world.removeRigidBody(&floor); }
+/// On which pieces do not slide far.
+struct World : FloorWorld {
+    World() { floor.setFriction(1); }
     void step() { world.stepSimulation(btScalar(time_step_s), 0); }
 };
 

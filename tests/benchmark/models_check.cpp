@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "benchmark/floor_world.h"
 #include "geometry/cutting/piece_checks.h"
 
 namespace {
@@ -87,24 +88,6 @@ std::string mendsOf(const RepairReport& report) {
     return text.empty() ? "-" : text;
 }
 
-/// A world with a stone floor at z = 0.
-struct World {
-    btDefaultCollisionConfiguration configuration;
-    btCollisionDispatcher dispatcher{&configuration};
-    btDbvtBroadphase broadphase;
-    btSequentialImpulseConstraintSolver solver;
-    btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    btBoxShape floor_shape{btVector3(5, 5, 0.5)};
-    btRigidBody floor{0, nullptr, &floor_shape};
-
-    World() {
-        floor.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -0.5)));
-        world.addRigidBody(&floor);
-        world.setGravity(btVector3(0, 0, btScalar(-9.81)));
-    }
-    ~World() { world.removeRigidBody(&floor); }
-};
-
 struct Fall {
     int pieces = 0, unsound = 0;
     double volume_error = 0;  // of all pieces together, relative
@@ -113,7 +96,7 @@ struct Fall {
 
 /// Falls from `height_m`, tilted: it starts just above the floor with the speed that it has there by then.
 Fall dropOnFloor(const BreakableAsset& asset, double height_m) {
-    World bullet;
+    benchmarks::FloorWorld bullet;
     FractureWorld fracture(&bullet.world);
     const Eigen::Matrix3d tilt =
         (Eigen::AngleAxisd(0.4, Vec3::UnitX()) * Eigen::AngleAxisd(0.3, Vec3::UnitY())).toRotationMatrix();
