@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/fragment_motion.h"
 #include "core/loads/load_patch.h"

@@ -89,17 +89,14 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
 
 }  // namespace
 
-BodyState stateOf(const btRigidBody& body) {
-    return {&body, body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity()};
-}
-
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
                                    double time_s, const btContactSolverInfo& info)
     : breakables_(breakables),
       before_(before),
       time_s_(time_s),
       time_step_s_(info.m_timeStep),
-      two_friction_directions_((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0) {}
+      two_friction_directions_((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0),
+      possible_(breakables, before, info.m_timeStep) {}
 
 btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a,
                                            int, int index_a, const btCollisionObjectWrapper* wrapper_b, int,
@@ -178,9 +175,21 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
     return struck_[place->second];
 }
 
+void ContactCollector::expect(const btPersistentManifold& manifold) {
+    possible_.add(manifold);
+}
+
+bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
+    for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
+        const Breakable* breakable = breakables_.find(object);
+        if (breakable && listens(*breakable)) return true;
+    }
+    return false;
+}
+
 bool ContactCollector::listens(const Breakable& breakable) const {
-    return breakable.canBeStruck() && (!breakable.isDynamic() || breakable.body->isActive()) &&
-           breakable.breaksAt(time_s_);
+    return possible_.mayBreak(breakable) && breakable.canBeStruck() &&
+           (!breakable.isDynamic() || breakable.body->isActive()) && breakable.breaksAt(time_s_);
 }
 
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
@@ -223,14 +232,18 @@ std::vector<StruckBreakable> ContactCollector::takeStruck() {
 
 void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collector) {
     btDispatcher& dispatcher = *world.getDispatcher();
-    const auto& predictive = WorldInternals::predictiveManifolds(world);
+    std::vector<btPersistentManifold*> solved;
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-        if (!a->isActive() && !b->isActive()) continue;
-        if (!dispatcher.needsResponse(a, b)) continue;
-        const bool foreseen = predictive.findLinearSearch(&manifold) != predictive.size();
-        feedManifold(manifold, foreseen, collector);
+        btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+        const btCollisionObject *a = manifold->getBody0(), *b = manifold->getBody1();
+        if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
+    }
+    for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
+    const auto& predictive = WorldInternals::predictiveManifolds(world);
+    for (btPersistentManifold* manifold : solved) {
+        if (!collector.listensTo(*manifold)) continue;
+        const bool foreseen = predictive.findLinearSearch(manifold) != predictive.size();
+        feedManifold(*manifold, foreseen, collector);
     }
 }
 

@@ -8,6 +8,7 @@
 
 #include "bullet/breakable.h"
 #include "bullet/island_state.h"
+#include "bullet/possible_strikes.h"
 #include "core/loads/blow.h"
 
 class btDiscreteDynamicsWorld;
@@ -30,9 +31,6 @@ struct StruckBreakable {
     int numberOf(const btCollisionObject* partner);
 };
 
-/// The state of a body as it is now.
-BodyState stateOf(const btRigidBody& body);
-
 /// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
 /// that inside the solver. So a body at rest shows none, with one exception: now and then Bullet drops a
@@ -48,6 +46,12 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     btScalar addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a, int part_a,
                              int index_a, const btCollisionObjectWrapper* wrapper_b, int part_b,
                              int index_b) override;
+
+    /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
+    /// left out.
+    void expect(const btPersistentManifold& manifold);
+    /// Whether a body of the manifold is not left out.
+    bool listensTo(const btPersistentManifold& manifold) const;
 
     /// Where a body stood before the step's solve.
     const btTransform& stoodAt(const btCollisionObject& object) const;
@@ -80,6 +84,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     double time_s_;
     double time_step_s_;
     bool two_friction_directions_;
+    PossibleStrikes possible_;
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only
 };

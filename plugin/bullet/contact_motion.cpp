@@ -10,16 +10,14 @@
 
 namespace sherd {
 
-namespace {
+BodyState stateOf(const btRigidBody& body) {
+    return {&body, body.getWorldTransform(), body.getLinearVelocity(), body.getAngularVelocity()};
+}
 
-/// Whether gravity has had its way with a body: what rests, or has been let go just now, moves by less than
-/// half of what a step of it gives.
 bool falls(const btRigidBody& body, const btVector3& velocity, double time_step_s) {
     const btVector3& gravity = body.getGravity();
     return std::abs(velocity.dot(gravity)) > time_step_s / 2 * gravity.length2();
 }
-
-}  // namespace
 
 bool canMove(const btRigidBody& body) {
     return !body.isStaticOrKinematicObject() && body.getInvMass() > 0;

@@ -10,6 +10,9 @@ class btRigidBody;
 
 namespace sherd {
 
+/// The state of a body as it is now.
+BodyState stateOf(const btRigidBody& body);
+
 /// Of one point of an object before the solve. Accelerations are along the normal, in m/s^2.
 struct PointMotion {
     btVector3 velocity = btVector3(0, 0, 0);
@@ -34,5 +37,9 @@ Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_fr
 
 /// Whether a body is dynamic and has a finite mass.
 bool canMove(const btRigidBody& body);
+
+/// Whether gravity has had its way with a body: what rests, or has been let go just now, moves by less than
+/// half of what a step of it gives.
+bool falls(const btRigidBody& body, const btVector3& velocity, double time_step_s);
 
 }  // namespace sherd

@@ -1,12 +1,10 @@
 // Which blows break their bodies: at once, or when it is their turn.
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/world_internals.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/split_mix.h"
 #include "fracture/decide_blow.h"
@@ -14,9 +12,6 @@
 namespace sherd {
 
 namespace {
-
-constexpr int fewest_fragments = 2;
-constexpr const char* no_room = "the budget left no room for this blow; the body stays whole";
 
 /// What the asset warns of, with the first blow on its body.
 std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
@@ -37,37 +32,7 @@ BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
     return event;
 }
 
-/// The blow on a body that has moved on meanwhile.
-StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) {
-    StruckBreakable struck;
-    struck.breakable = &breakable;
-    struck.before = stateOf(*breakable.body);
-    const btTransform placed = breakable.placed(struck.before.transform);
-    struck.position = fromBullet(placed * toBullet(blow.position));
-    struck.normal = fromBullet(placed.getBasis() * toBullet(blow.normal));
-    return struck;
-}
-
-/// The larger, the sooner.
-double urgency(const StruckBreakable& struck, const Budget& budget) {
-    switch (budget.priority) {
-        case Priority::nearest:
-            return -(struck.position - budget.viewpoint).norm();
-        case Priority::largest:
-            return struck.breakable->asset.mass();
-        case Priority::hardest:
-            break;
-    }
-    return normalImpulse(struck.blow);
-}
-
 }  // namespace
-
-Status FractureWorld::Impl::setBudget(const Budget& budget) {
-    if (const Status valid = budget.validate(); !valid) return valid;
-    budget_ = budget;
-    return success();
-}
 
 void FractureWorld::Impl::setExecutor(Executor executor) {
     executor_ = std::move(executor);
@@ -76,29 +41,6 @@ void FractureWorld::Impl::setExecutor(Executor executor) {
 const Executor& FractureWorld::Impl::executor() {
     if (!executor_) executor_ = workerThreads();
     return *executor_;
-}
-
-/// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
-/// back by what is broken in truth.
-bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
-    const Breakable& breakable = *struck.breakable;
-    if (budget_.shortest_wait_s == 0 || !breakable.isFragment()) return false;
-    const double mass =
-        breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
-        if (!partner || partner->getInvMass() == 0 || isFragmentOfAny(*partner)) continue;
-        if (struck.blow.isStruckBy(static_cast<int>(p)) && 1 / partner->getInvMass() < mass) return false;
-    }
-    return true;
-}
-
-/// How many more fragments may be in the world.
-int FractureWorld::Impl::roomForFragments() const {
-    const auto alive =
-        std::count_if(breakables_.all().begin(), breakables_.all().end(),
-                      [](const auto& breakable) { return breakable->isFragment() && breakable->in_world; });
-    return budget_.fragments_alive - static_cast<int>(alive);
 }
 
 BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int most_fragments) const {
@@ -123,44 +65,13 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     return decided;
 }
 
-void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
-    std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
-        return urgency(*a, budget_) > urgency(*b, budget_);
-    });
-    const int room = std::min(roomForFragments(), budget_.fragments_per_step);
-    for (const StruckBreakable* struck : blows) {
-        if (room < fewest_fragments) {
-            tellDropped(*struck);
-            continue;
-        }
-        const Breakable& breakable = *struck->breakable;
-        const btTransform from_world = breakable.placed(struck->before.transform).inverse();
-        WaitingBlow blow;
-        blow.serial = breakable.serial;
-        blow.impulse_n_s = normalImpulse(struck->blow);
-        blow.position = fromBullet(from_world * toBullet(struck->position));
-        blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
-        blow.decided = DecidedBlow::make(toDecide(*struck, room));
-        const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
-        switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
-            case WaitingBlows::Fate::waits:
-                break;
-            case WaitingBlows::Fate::merged:
-                ++counts_.merged;
-                break;
-            case WaitingBlows::Fate::dropped:
-                tellDropped(*struck);
-                break;
-        }
-    }
-}
-
-void FractureWorld::Impl::tellDropped(const StruckBreakable& struck) {
+void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, double waited_s) {
     ++counts_.dropped;
     BlowFigures figures;
     figures.outcome = Outcome::dropped;
     figures.impulse_n_s = normalImpulse(struck.blow);
-    figures.message = no_room;
+    figures.waited_s = waited_s;
+    figures.message = "the budget left no room for this blow; the body stays whole";
     current_.push_back({eventOf(struck, figures), {}});
 }
 
@@ -224,44 +135,6 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     }
     if (!to_wait.empty()) timed(times_.steps.waiting, [&] { letWait(to_wait, time_step_s); });
     return breaks;
-}
-
-/// The blows whose turn it is: their bodies break where they are by now.
-void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
-    if (executor_ && !*executor_) {
-        const OnThisThreadAlone no_threads;
-        waiting_.workUntil(time_s_);
-    } else if (!waiting_.empty()) {
-        waiting_.submit(executor());
-    }
-    while (const WaitingBlow* due = waiting_.due(time_s_)) {
-        due->decided->finish(times_.steps.waiting);
-        const auto& all = breakables_.all();
-        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& breakable) {
-            return breakable->serial == due->serial && isInWorld(world_, breakable->body);
-        });
-        const int count = static_cast<int>(due->decided->outcome.fragments.size());
-        if (new_fragments_ > 0 && count > budget_.fragments_per_step - new_fragments_)
-            return;  // the next step has room
-        const WaitingBlow blow = waiting_.takeFirst();
-        if (found == all.end() || isToBeRemoved(**found) || !(*found)->canBeStruck()) {
-            ++counts_.merged;
-            continue;
-        }
-        BlowOutcome& outcome = blow.decided->outcome;
-        outcome.waited_s = time_s_ - blow.struck_at_s;
-        ++counts_.waited;
-        if (count > 0 && count > roomForFragments()) {
-            ++counts_.dropped;
-            outcome.outcome = Outcome::dropped;
-            outcome.message = no_room;
-        }
-        const auto broken = tell(struckNow(**found, blow), outcome, blow.decided);
-        if (!broken) continue;
-        Break due_break = *broken;
-        const auto fragments = swap(due_break, time_step_s);
-        if (!fragments.empty()) findNewContacts(fragments);
-    }
 }
 
 std::uint64_t FractureWorld::Impl::seedOf(const Breakable& breakable) const {

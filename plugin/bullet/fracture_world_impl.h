@@ -86,6 +86,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         BodyToken token = no_token;
     };
 
+    static constexpr int fewest_fragments = 2;
+
     void prepareSolve();
     void endIntegration();
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
@@ -93,7 +95,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);
-    void tellDropped(const StruckBreakable& struck);
+    void tellDropped(const StruckBreakable& struck, double waited_s);
     bool mayWait(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);

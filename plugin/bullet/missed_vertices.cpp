@@ -5,6 +5,7 @@
 #include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sherd {
@@ -74,9 +75,11 @@ class VerticesOf {
         if (!part.shape) return;
         const btManifoldPoint& first = manifold_.getContactPoint(0);
         const btScalar margin = marginAround(*part.shape);
+        const Planes planes = planesSeenFrom(part, margin);
         for (int i = 0; i < part.shape->getNumVertices(); ++i) {
             btVector3 vertex;
             part.shape->getVertex(i, vertex);
+            if (isBeyond(planes, vertex)) continue;
             vertex = part.transform * vertex;
             const btVector3 within = vertex - outwardAt(first) * reach_;
             const btManifoldPoint* near = nearestPoint(vertex, isInside(other, within));
@@ -86,6 +89,36 @@ class VerticesOf {
         }
     }
 
+    /// Of all points of the manifold: normal, and the height up to which a vertex counts.
+    struct Planes {
+        std::array<btVector4, MANIFOLD_CACHE_SIZE> all;
+        int count = 0;
+    };
+
+    /// In the part's frame.
+    Planes planesSeenFrom(const ConvexPart& part, btScalar margin) const {
+        Planes planes;
+        for (int i = 0; i < manifold_.getNumContacts(); ++i) {
+            const btManifoldPoint& point = manifold_.getContactPoint(i);
+            const btVector3 outward = outwardAt(point);
+            const btVector3 normal = outward * part.transform.getBasis();
+            const btScalar height =
+                outward.dot(onOther(point) - part.transform.getOrigin()) + margin + reach_;
+            planes.all[planes.count++] = btVector4(normal.x(), normal.y(), normal.z(), height);
+        }
+        return planes;
+    }
+
+    /// Whether a vertex is too high over all of them, seen before it is placed in the world: most are.
+    static bool isBeyond(const Planes& planes, const btVector3& vertex) {
+        constexpr btScalar rounding = btScalar(1e-5);  // m
+        return std::none_of(planes.all.begin(), planes.all.begin() + planes.count,
+                            [&](const btVector4& plane) { return plane.dot(vertex) < plane.w() + rounding; });
+    }
+
+    const btVector3& onOther(const btManifoldPoint& point) const {
+        return of_a_ ? point.m_positionWorldOnB : point.m_positionWorldOnA;
+    }
     const btVector3& onOwn(const btManifoldPoint& point) const {
         return of_a_ ? point.m_positionWorldOnA : point.m_positionWorldOnB;
     }
@@ -121,8 +154,7 @@ class VerticesOf {
     btManifoldPoint contactAt(const btManifoldPoint& near, const btVector3& vertex, btScalar margin) const {
         const btVector3 outward = outwardAt(near);
         const btVector3 own = vertex - margin * outward;
-        const btVector3& plane = of_a_ ? near.m_positionWorldOnB : near.m_positionWorldOnA;
-        const btScalar distance = outward.dot(own - plane);
+        const btScalar distance = outward.dot(own - onOther(near));
         const btVector3 other = own - distance * outward;
         btManifoldPoint point = near;
         point.m_positionWorldOnA = of_a_ ? own : other;

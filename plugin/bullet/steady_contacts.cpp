@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bullet/missed_vertices.h"
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr btScalar fastest_push_m_s = btScalar(0.1);
 constexpr btScalar largest_reach = btScalar(0.5);  // of the fragment's radius
+constexpr btScalar same_place = btScalar(0.01);    // of the breaking threshold
 
 bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
     const Breakable* breakable = breakables.find(&object);
@@ -36,31 +38,39 @@ btScalar radiusOf(const btRigidBody& body) {
     return radius;
 }
 
-/// The one that is furthest from all contacts there are: support on a wide base.
-const btManifoldPoint& mostDistant(const std::vector<btManifoldPoint>& points,
-                                   const btPersistentManifold& manifold) {
-    const btManifoldPoint* best = &points.front();
-    btScalar furthest = -1;
-    for (const btManifoldPoint& point : points) {
+/// Takes the point that is furthest from all contacts there are out of `points`: support on a wide base. None
+/// if all are where a contact is already.
+std::optional<btManifoldPoint> takeMostDistant(std::vector<btManifoldPoint>& points,
+                                               const btPersistentManifold& manifold) {
+    const btScalar same = same_place * manifold.getContactBreakingThreshold();
+    std::size_t best = points.size();
+    btScalar furthest = same * same;
+    for (std::size_t i = 0; i < points.size(); ++i) {
         btScalar nearest = BT_LARGE_FLOAT;
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
-            const btVector3 way = manifold.getContactPoint(p).m_positionWorldOnA - point.m_positionWorldOnA;
+            const btVector3 way =
+                manifold.getContactPoint(p).m_positionWorldOnA - points[i].m_positionWorldOnA;
             nearest = std::min(nearest, way.length2());
         }
         if (nearest <= furthest) continue;
         furthest = nearest;
-        best = &point;
+        best = i;
     }
-    return *best;
+    if (best == points.size()) return std::nullopt;
+    const btManifoldPoint taken = points[best];
+    points.erase(points.begin() + static_cast<long>(best));
+    return taken;
 }
 
 void addMissedVertices(btPersistentManifold& manifold, btScalar reach) {
+    if (manifold.getNumContacts() == MANIFOLD_CACHE_SIZE) return;
     const btTransform &of_a = manifold.getBody0()->getWorldTransform(),
                       &of_b = manifold.getBody1()->getWorldTransform();
+    std::vector<btManifoldPoint> missed = missedVertices(manifold, of_a, of_b, reach);
     while (manifold.getNumContacts() < MANIFOLD_CACHE_SIZE) {
-        const std::vector<btManifoldPoint> missed = missedVertices(manifold, of_a, of_b, reach);
-        if (missed.empty()) break;
-        btManifoldPoint point = mostDistant(missed, manifold);
+        std::optional<btManifoldPoint> next = takeMostDistant(missed, manifold);
+        if (!next) break;
+        btManifoldPoint& point = *next;
         point.m_localPointA = of_a.invXform(point.m_positionWorldOnA);
         point.m_localPointB = of_b.invXform(point.m_positionWorldOnB);
         point.m_userPersistentData = nullptr;  // the other point's

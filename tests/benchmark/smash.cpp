@@ -1,9 +1,12 @@
 // A room of crockery: 30 stoneware cups of one prepared asset stand on a floor, and a steel ball of 2 kg
 // flies through them at 12 m/s. Prints what the steps took, what was solved, and what is left.
 //
-//   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--steps FILE]
+//   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--paced] [--no-budget] [--steps
+//   FILE] [--blows FILE]
 //
-// `--set` is that of the command line (fracture.collision_shape=hull); `--steps` writes one line a step. With
+// `--paced` waits after each step for the time that it simulates, as a game does. `--set` is that of the
+// command line (fracture.collision_shape=hull); `--steps` writes one line a step,
+// `--blows` one a blow that was solved. With
 // `--set fracture.check_with_full_solve=true` it counts the breaks that the cheaper levels missed.
 
 #include <sherd/enum_names.h>
@@ -14,6 +17,7 @@
 #include <cstdio>
 #include <fstream>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "benchmark/quantile.h"
@@ -27,8 +31,9 @@ using namespace sherd::benchmarks;
 
 struct Options {
     double rate_hz = 60, seconds = 2;
-    std::string quality = "game", steps_file;
+    std::string quality = "game", steps_file, blows_file;
     std::vector<std::string> assignments;
+    bool paced = false, no_budget = false;
 };
 
 double now() {
@@ -77,6 +82,14 @@ void printTimes(const Times& times) {
     std::puts("");
 }
 
+void printBlow(const BlowEvent& event, int step, std::ofstream& file) {
+    file << step << ' ' << nameOf(event.outcome) << ' ' << nameOf(event.level) << ' ' << event.asset.mass()
+         << " kg, " << event.waited_s << " s waited, " << event.fragments.size() << " fragments, ms:";
+    for (const auto& field : time_fields<StageTimes>)
+        if (event.ms.*field.value >= 0.5) file << ' ' << field.name << ' ' << event.ms.*field.value;
+    file << '\n';
+}
+
 void run(const Options& options) {
     Settings settings = Settings::forQuality(*valueNamed<Quality>(options.quality));
     succeedOrExit(settings.set(options.assignments));
@@ -89,20 +102,27 @@ void run(const Options& options) {
     {
         FractureWorld fracture(&room.world);
         succeedOrExit(CupRoom::addCups(fracture, cup));
+        if (options.no_budget) succeedOrExit(fracture.setBudget(Budget::none()));
         const int steps = static_cast<int>(options.seconds * options.rate_hz + 0.5);
         std::vector<double> step_ms, own_ms;
         Blows on_cups, on_fragments;
         double ball_after = 0, dropped = 0;
         std::FILE* file = options.steps_file.empty() ? nullptr : std::fopen(options.steps_file.c_str(), "w");
+        std::ofstream blows(options.blows_file);
         const double begin = now();
+        const auto start = std::chrono::steady_clock::now();
         for (int step = 0; step < steps; ++step) {
             const double whole_before = fracture.times().whole, from = now();
             room.world.stepSimulation(btScalar(1 / options.rate_hz), 0);
             step_ms.push_back(now() - from);
+            if (options.paced)
+                std::this_thread::sleep_until(start +
+                                              std::chrono::duration<double>((step + 1) / options.rate_hz));
             own_ms.push_back(step_ms.back() - (fracture.times().whole - whole_before));
             for (const BlowEvent& event : fracture.takeEvents()) {
                 (event.asset.solid() == cup.solid() ? on_cups : on_fragments).add(event);
                 dropped += event.dropped_mass_kg;
+                if (blows) printBlow(event, step, blows);
             }
             if (ball_after == 0 &&
                 room.ball.getWorldTransform().getOrigin().x() > CupRoom::spacing_m * CupRoom::per_row)
@@ -161,7 +181,10 @@ int main(int count, char** arguments) {
     app.add_option("--seconds", options.seconds, "simulated time, s")->check(CLI::PositiveNumber);
     app.add_option("--quality", options.quality)->check(CLI::IsMember({"preview", "game", "film"}));
     app.add_option("--set", options.assignments, "a setting by its path, FIELD=VALUE");
+    app.add_flag("--paced", options.paced, "wait after each step for its time, as a game does for its frame");
+    app.add_flag("--no-budget", options.no_budget, "decide every blow in its step");
     app.add_option("--steps", options.steps_file, "file with a line a step");
+    app.add_option("--blows", options.blows_file, "file with a line a blow that was solved");
     CLI11_PARSE(app, count, arguments);
     run(options);
     return 0;

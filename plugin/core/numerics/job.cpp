@@ -19,7 +19,7 @@ void Job::submit(const Executor& executor) {
     try {
         executor([job = shared_from_this()] {
             if (!job->begin()) return;
-            const OnThisThreadAlone others_have_work;
+            const OnThisThreadAlone others_have_work(&job->awaited_);
             job->run();
         });
     } catch (...) {
@@ -32,6 +32,7 @@ void Job::finish() {
         done_by_finish_ = true;
         return;
     }
+    awaited_ = true;
     std::unique_lock<std::mutex> lock(mutex_);
     ended_.wait(lock, [this] { return done_; });
 }

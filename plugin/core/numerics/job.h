@@ -2,6 +2,7 @@
 
 #include <sherd/executor.h>
 
+#include <atomic>
 #include <cfenv>
 #include <condition_variable>
 #include <functional>
@@ -33,6 +34,7 @@ class Job : public std::enable_shared_from_this<Job> {
     std::fenv_t rounding_;
     std::mutex mutex_;
     std::condition_variable ended_;
+    std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
     bool begun_ = false, done_ = false, done_by_finish_ = false;
 };
 

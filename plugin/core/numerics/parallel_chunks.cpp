@@ -1,7 +1,6 @@
 #include "core/numerics/parallel_chunks.h"
 
 #include <algorithm>
-#include <atomic>
 #include <exception>
 #include <mutex>
 #include <system_error>
@@ -12,20 +11,20 @@ namespace sherd {
 
 namespace {
 
-thread_local int alone = 0;  // how many OnThisThreadAlone there are
+thread_local const OnThisThreadAlone* alone = nullptr;  // the innermost there is
 
 }  // namespace
 
-OnThisThreadAlone::OnThisThreadAlone() {
-    ++alone;
+OnThisThreadAlone::OnThisThreadAlone(const std::atomic<bool>* over) : over_(over), outer_(alone) {
+    alone = this;
 }
 
 OnThisThreadAlone::~OnThisThreadAlone() {
-    --alone;
+    alone = outer_;
 }
 
 void forEachChunk(int count, const std::function<void(int)>& work) {
-    if (alone > 0) {
+    if (alone && !alone->isOver()) {
         for (int chunk = 0; chunk < count; ++chunk) work(chunk);
         return;
     }

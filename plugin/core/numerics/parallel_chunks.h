@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <functional>
 
 namespace sherd {
@@ -9,14 +10,22 @@ namespace sherd {
 /// exception that a chunk throws is thrown again here, after all threads have ended.
 void forEachChunk(int count, const std::function<void(int)>& work);
 
-/// While one of these lives, `forEachChunk` on its thread runs all chunks there: for work that is done before
-/// other threads are up.
+/// While one of these lives, `forEachChunk` on its thread runs all chunks there: for work beside which other
+/// threads have work of their own.
 class OnThisThreadAlone {
   public:
-    OnThisThreadAlone();
+    OnThisThreadAlone() : OnThisThreadAlone(nullptr) {}
+    /// Until `over` becomes true: then another thread waits, and its core is free.
+    explicit OnThisThreadAlone(const std::atomic<bool>* over);
     ~OnThisThreadAlone();
     OnThisThreadAlone(const OnThisThreadAlone&) = delete;
     OnThisThreadAlone& operator=(const OnThisThreadAlone&) = delete;
+
+    bool isOver() const { return over_ && *over_ && (!outer_ || outer_->isOver()); }
+
+  private:
+    const std::atomic<bool>* over_;
+    const OnThisThreadAlone* outer_;
 };
 
 /// First item of a chunk when `total` items are split into `count` chunks of nearly equal size.

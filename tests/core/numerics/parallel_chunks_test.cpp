@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 #include <vector>
 
 namespace sherd {
@@ -32,6 +34,29 @@ TEST(ParallelChunks, OnThisThreadAlone) {
     }
     ASSERT_EQ(order.size(), 50u);
     for (int chunk = 0; chunk < 50; ++chunk) EXPECT_EQ(order[chunk], chunk);
+}
+
+TEST(ParallelChunks, AloneUntilAnotherThreadWaits) {
+    const auto othersTakePart = [] {
+        std::atomic<int> on_others{0}, here{0};
+        const std::thread::id own = std::this_thread::get_id();
+        forEachChunk(2, [&](int) {  // neither chunk ends before the other has begun, or a second is over
+            ++here;
+            for (int i = 0; i < 1000 && here < 2; ++i)
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            if (std::this_thread::get_id() != own) ++on_others;
+        });
+        return on_others > 0;
+    };
+    if (std::thread::hardware_concurrency() < 2 || !othersTakePart()) GTEST_SKIP() << "one core";
+    std::atomic<bool> over{false};
+    const OnThisThreadAlone alone(&over);
+    EXPECT_FALSE(othersTakePart());
+    over = true;
+    EXPECT_TRUE(othersTakePart());
+    const OnThisThreadAlone for_good;
+    const OnThisThreadAlone inner(&over);
+    EXPECT_FALSE(othersTakePart());
 }
 
 }  // namespace

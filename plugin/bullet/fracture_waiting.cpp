@@ -1,0 +1,142 @@
+// Blows that wait for their turn, as the budget has it.
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "bullet/contact_motion.h"
+#include "bullet/conversions.h"
+#include "bullet/fracture_world_impl.h"
+#include "bullet/world_internals.h"
+#include "core/numerics/parallel_chunks.h"
+
+namespace sherd {
+
+namespace {
+
+/// The blow on a body that has moved on meanwhile.
+StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) {
+    StruckBreakable struck;
+    struck.breakable = &breakable;
+    struck.before = stateOf(*breakable.body);
+    const btTransform placed = breakable.placed(struck.before.transform);
+    struck.position = fromBullet(placed * toBullet(blow.position));
+    struck.normal = fromBullet(placed.getBasis() * toBullet(blow.normal));
+    return struck;
+}
+
+/// The larger, the sooner.
+double urgency(const StruckBreakable& struck, const Budget& budget) {
+    switch (budget.priority) {
+        case Priority::nearest:
+            return -(struck.position - budget.viewpoint).norm();
+        case Priority::largest:
+            return struck.breakable->asset.mass();
+        case Priority::hardest:
+            break;
+    }
+    return normalImpulse(struck.blow);
+}
+
+}  // namespace
+
+Status FractureWorld::Impl::setBudget(const Budget& budget) {
+    if (const Status valid = budget.validate(); !valid) return valid;
+    budget_ = budget;
+    return success();
+}
+
+/// How many more fragments may be in the world.
+int FractureWorld::Impl::roomForFragments() const {
+    const auto alive =
+        std::count_if(breakables_.all().begin(), breakables_.all().end(),
+                      [](const auto& breakable) { return breakable->isFragment() && breakable->in_world; });
+    return budget_.fragments_alive - static_cast<int>(alive);
+}
+
+/// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
+/// back by what is broken in truth.
+bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
+    const Breakable& breakable = *struck.breakable;
+    if (budget_.shortest_wait_s == 0 || !breakable.isFragment()) return false;
+    const double mass =
+        breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
+    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
+        if (!partner || partner->getInvMass() == 0 || isFragmentOfAny(*partner)) continue;
+        if (struck.blow.isStruckBy(static_cast<int>(p)) && 1 / partner->getInvMass() < mass) return false;
+    }
+    return true;
+}
+
+void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
+    std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
+        return urgency(*a, budget_) > urgency(*b, budget_);
+    });
+    const int room = std::min(roomForFragments(), budget_.fragments_per_step);
+    for (const StruckBreakable* struck : blows) {
+        if (room < fewest_fragments) {
+            tellDropped(*struck, 0);
+            continue;
+        }
+        const Breakable& breakable = *struck->breakable;
+        const btTransform from_world = breakable.placed(struck->before.transform).inverse();
+        WaitingBlow blow;
+        blow.serial = breakable.serial;
+        blow.impulse_n_s = normalImpulse(struck->blow);
+        blow.position = fromBullet(from_world * toBullet(struck->position));
+        blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
+        blow.decided = DecidedBlow::make(toDecide(*struck, room));
+        const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
+        switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
+            case WaitingBlows::Fate::waits:
+                break;
+            case WaitingBlows::Fate::merged:
+                ++counts_.merged;
+                break;
+            case WaitingBlows::Fate::dropped:
+                tellDropped(*struck, 0);
+                break;
+        }
+    }
+}
+
+/// The blows whose turn it is: their bodies break where they are by now.
+void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
+    if (executor_ && !*executor_) {
+        const OnThisThreadAlone no_threads;
+        waiting_.workUntil(time_s_);
+    } else if (!waiting_.empty()) {
+        waiting_.submit(executor());
+    }
+    while (const WaitingBlow* due = waiting_.due(time_s_)) {
+        due->decided->finish(times_.steps.waiting);
+        const auto& all = breakables_.all();
+        const auto found = std::find_if(all.begin(), all.end(), [&](const auto& breakable) {
+            return breakable->serial == due->serial && isInWorld(world_, breakable->body);
+        });
+        const int count = static_cast<int>(due->decided->outcome.fragments.size());
+        if (new_fragments_ > 0 && count > budget_.fragments_per_step - new_fragments_)
+            return;  // the next step has room
+        const WaitingBlow blow = waiting_.takeFirst();
+        if (found == all.end() || isToBeRemoved(**found) || !(*found)->canBeStruck()) {
+            ++counts_.merged;
+            continue;
+        }
+        const double waited_s = time_s_ - blow.struck_at_s;
+        if (count > 0 && count > roomForFragments()) {
+            tellDropped(struckNow(**found, blow), waited_s);
+            continue;
+        }
+        BlowOutcome& outcome = blow.decided->outcome;
+        outcome.waited_s = waited_s;
+        ++counts_.waited;
+        const auto broken = tell(struckNow(**found, blow), outcome, blow.decided);
+        if (!broken) continue;
+        Break due_break = *broken;
+        const auto fragments = swap(due_break, time_step_s);
+        if (!fragments.empty()) findNewContacts(fragments);
+    }
+}
+
+}  // namespace sherd

@@ -1,0 +1,72 @@
+#include "bullet/possible_strikes.h"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <limits>
+
+#include "bullet/contact_motion.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double infinite = std::numeric_limits<double>::infinity();
+
+/// Whether its velocities tell how all its points move: it is neither a link nor moved by the app.
+bool movesAsRigidBody(const btCollisionObject& object) {
+    return btRigidBody::upcast(&object) && !object.isKinematicObject();
+}
+
+double reachOf(const btCollisionObject& object) {
+    btVector3 centre;
+    btScalar radius;
+    object.getCollisionShape()->getBoundingSphere(centre, radius);
+    return centre.length() + radius;
+}
+
+/// Of the energy that a strike with a certain speed brings, in `blowEnergy`: with all of the striker's mass,
+/// as though the body were held, or all of the body's where the striker does not give way.
+double massOf(const Breakable& struck, const btCollisionObject& striker) {
+    const btRigidBody* body = btRigidBody::upcast(&striker);
+    return body && canMove(*body) ? 1 / double(body->getInvMass()) : struck.asset.solid()->mass();
+}
+
+}  // namespace
+
+void PossibleStrikes::add(const btPersistentManifold& manifold) {
+    if (manifold.getNumContacts() == 0) return;
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const Breakable *of_a = breakables_.find(&a), *of_b = breakables_.find(&b);
+    if (!of_a && !of_b) return;
+    const double speed = fastestMeeting(a, b);
+    if (of_a) add(*of_a, b, speed);
+    if (of_b) add(*of_b, a, speed);
+}
+
+void PossibleStrikes::add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s) {
+    energy_j_[&struck] += 0.5 * massOf(struck, striker) * speed_m_s * speed_m_s;
+}
+
+bool PossibleStrikes::mayBreak(const Breakable& breakable) const {
+    const auto found = energy_j_.find(&breakable);
+    return found != energy_j_.end() && !(found->second < breakable.least_energy_j);
+}
+
+double PossibleStrikes::fastestMeeting(const btCollisionObject& a, const btCollisionObject& b) const {
+    btVector3 meeting(0, 0, 0);
+    double most = 0;
+    for (const btCollisionObject* object : {&a, &b}) {
+        if (!btRigidBody::upcast(object) && object->isStaticObject()) continue;
+        if (!movesAsRigidBody(*object)) return infinite;
+        const btRigidBody& body = *btRigidBody::upcast(object);
+        const BodyState* known = before_.find(object);
+        const BodyState state = known ? *known : stateOf(body);
+        meeting += object == &a ? state.linear : -state.linear;
+        most += reachOf(body) * state.angular.length();
+        // They may have met within the step, slower or faster by what gravity gives meanwhile.
+        if (falls(body, state.linear, time_step_s_)) most += 1.5 * time_step_s_ * body.getGravity().length();
+    }
+    return most + meeting.length();
+}
+
+}  // namespace sherd

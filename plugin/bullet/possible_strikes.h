@@ -1,0 +1,33 @@
+#pragma once
+
+#include <unordered_map>
+
+#include "bullet/breakable.h"
+#include "bullet/island_state.h"
+
+namespace sherd {
+
+/// Which breakable bodies the contacts of a step may bring the energy that breaks them, at most, whatever
+/// their points and normals are. Those of the others, bodies that rest or roll, are not looked at.
+class PossibleStrikes {
+  public:
+    PossibleStrikes(const BreakableRegistry& breakables, const StepSnapshot& before, double time_step_s)
+        : breakables_(breakables), before_(before), time_step_s_(time_step_s) {}
+
+    /// Counts in what the two bodies of a manifold may bring each other.
+    void add(const btPersistentManifold& manifold);
+    /// Whether all that was counted in may break a body.
+    bool mayBreak(const Breakable& breakable) const;
+
+  private:
+    void add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s);
+    /// Of the points of two bodies against each other, m/s, at most.
+    double fastestMeeting(const btCollisionObject& a, const btCollisionObject& b) const;
+
+    const BreakableRegistry& breakables_;
+    const StepSnapshot& before_;
+    double time_step_s_;
+    std::unordered_map<const Breakable*, double> energy_j_;  // for look-up only
+};
+
+}  // namespace sherd
