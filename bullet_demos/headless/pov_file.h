@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "headless/scene_world.h"
+#include "world/placed_scene.h"
 #include "scenes/scene.h"
 
 namespace demo {

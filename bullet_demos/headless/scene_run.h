@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "headless/progress.h"
-#include "headless/scene_world.h"
+#include "world/scene_world.h"
 #include "scenes/scene.h"
 
 namespace demo {

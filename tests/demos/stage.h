@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "headless/scene_world.h"
+#include "world/scene_world.h"
 #include "scenes/scene_file.h"
 
 namespace demo_tests {
