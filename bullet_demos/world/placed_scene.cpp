@@ -107,6 +107,7 @@ void PlacedScene::addBody(BreakableBody& body, const sherd::BreakableAsset& asse
     options.velocity = toBullet(body.velocity);
     options.angular_velocity = toBullet(body.spin);
     options.user_pointer = &body;
+    options.fracture = body.settings.fracture;
     // makeAssets has sampled the asset and looked at its supports, so it is not refused.
     btRigidBody* added = fracture_->add(asset, options).value();
     setTouch(*added, body.touch);

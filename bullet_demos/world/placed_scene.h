@@ -27,7 +27,8 @@ struct PlacedBall {
 };
 
 /// A scene in a Bullet world that somebody else owns: its gravity, floor, breakable bodies and balls, and the
-/// FractureWorld that breaks them. The destructor takes all of them out again; the world outlives it.
+/// FractureWorld that breaks them. The destructor takes all of them out again; the world outlives it. How the
+/// bodies break is the scene's to say (BreakableBody::settings), all else of the settings the assets'.
 class PlacedScene {
   public:
     PlacedScene(btDiscreteDynamicsWorld& world, const Scene& scene, const SceneAssets& assets);
