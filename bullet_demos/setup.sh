@@ -10,7 +10,9 @@ build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcg
 # shellcheck disable=SC2034
 picture_packages=(povray)
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev libbenchmark-dev clang python3)
+viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libgl1-mesa-dri libegl-mesa0 libegl1)
+# shellcheck disable=SC2034
+test_packages=(libgtest-dev libbenchmark-dev clang python3 xvfb xauth)
 
 say() { printf '%s\n' "$*" >&2; }
 die() {
@@ -55,6 +57,11 @@ configure() {
   cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
     die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
   printf '%s' "$*" >"$stamp"
+}
+
+# add_option CMAKE_ARGUMENT ...: to a folder that is configured; what else it was configured with stays.
+add_option() {
+  cmake "$@" "$build" >"$build/configure.log" 2>&1 || die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
 }
 
 # build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal.

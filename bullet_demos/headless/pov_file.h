@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "headless/scene_world.h"
 #include "scenes/scene.h"
+#include "world/placed_scene.h"
 
 namespace demo {
 

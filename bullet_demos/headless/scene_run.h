@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "headless/progress.h"
-#include "headless/scene_world.h"
 #include "scenes/scene.h"
+#include "world/scene_world.h"
 
 namespace demo {
 

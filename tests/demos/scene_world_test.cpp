@@ -1,5 +1,5 @@
 // What becomes of a scene's bodies before they are struck.
-#include "headless/scene_world.h"
+#include "world/scene_world.h"
 
 #include <gtest/gtest.h>
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "headless/scene_world.h"
 #include "scenes/scene_file.h"
+#include "world/scene_world.h"
 
 namespace demo_tests {
 

@@ -1,0 +1,64 @@
+#include "viewer/looks.h"
+
+namespace demo {
+namespace {
+
+using render::Pattern;
+
+Pattern patternOf(const std::string& material, const Look& look) {
+    constexpr double light_glaze = 0.3;
+    if (material == "wood") return Pattern::wood;
+    if (material == "ceramic" && look.outside.minCoeff() > light_glaze) return Pattern::speckle;
+    return look.gloss > 0 ? Pattern::plain : Pattern::plaster;
+}
+
+}  // namespace
+
+render::Material renderMaterial(const sherd::BreakableAsset& asset, const Look& look, float size_m) {
+    render::Material material;
+    material.outside = look.outside.cast<float>();
+    material.inside = look.crack.cast<float>();
+    material.gloss = float(look.gloss);
+    material.roughness = 0.12f;
+    material.pattern = patternOf(asset.material().name, look);
+    material.pattern_size = size_m;
+    const sherd::GuideField& guide = asset.settings().fracture.guide;
+    if (guide.kind == sherd::GuideField::Kind::constant) material.grain = guide.direction.cast<float>();
+    if (asset.material().name == "wood") material.pattern_size = 0.35f * size_m;
+    if (asset.material().name == "glass" || asset.material().name == "ice") {
+        material.pattern = Pattern::plain;
+        material.clear = 0.94f;
+        material.bent = 0.55f;
+    }
+    return material;
+}
+
+render::Material steel() {
+    render::Material material;
+    material.outside = {0.56f, 0.57f, 0.60f};
+    material.metal = 1;
+    material.roughness = 0.15f;
+    return material;
+}
+
+render::Material floorStone(float size_m) {
+    render::Material material;
+    material.outside = {0.235f, 0.23f, 0.225f};
+    material.pattern = Pattern::stone;
+    material.pattern_size = size_m;
+    return material;
+}
+
+Look lookOf(const sherd::Material& material) {
+    const std::string& name = material.name;
+    if (name == "ceramic") return {{0.62, 0.55, 0.42}, {0.70, 0.36, 0.22}, 0.12};
+    if (name == "glass") return {{0.25, 0.45, 0.40}, {0.55, 0.75, 0.70}, 0.3};
+    if (name == "ice") return {{0.45, 0.60, 0.68}, {0.80, 0.90, 0.95}, 0.3};
+    if (name == "wood") return {{0.42, 0.24, 0.11}, {0.72, 0.54, 0.32}, 0};
+    if (name == "brick") return {{0.45, 0.14, 0.08}, {0.60, 0.25, 0.16}, 0};
+    if (name == "concrete") return {{0.42, 0.41, 0.39}, {0.55, 0.54, 0.51}, 0};
+    if (name == "stone") return {{0.55, 0.50, 0.41}, {0.72, 0.68, 0.58}, 0};
+    return {{0.72, 0.68, 0.62}, {0.88, 0.84, 0.78}, 0};
+}
+
+}  // namespace demo
