@@ -8,7 +8,7 @@ build=${SHERD_BUILD:-$root/build}
 build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcgal-dev libsuitesparse-dev
   libopenblas-dev libeigen3-dev libcli11-dev libxxhash-dev nlohmann-json3-dev)
 # shellcheck disable=SC2034
-picture_packages=(povray)
+picture_packages=(povray webp)
 # shellcheck disable=SC2034
 test_packages=(libgtest-dev libbenchmark-dev clang python3)
 
