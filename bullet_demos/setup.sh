@@ -10,7 +10,7 @@ build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcg
 # shellcheck disable=SC2034
 picture_packages=(povray webp)
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev libbenchmark-dev clang python3)
+test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3)
 
 say() { printf '%s\n' "$*" >&2; }
 die() {

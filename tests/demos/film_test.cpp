@@ -9,36 +9,13 @@
 #include "film/frame_files.h"
 #include "film/frame_times.h"
 #include "film/recording.h"
-#include "stage.h"
+#include "struck_wall.h"
 #include "support/temporary_path.h"
 
 namespace {
 
 using namespace demo;
 namespace fs = std::filesystem;
-
-/// A ball on its way to a coarse wall of plaster, which it breaks within 0.1 s.
-Scene struckWall() {
-    Scene scene;
-    scene.name = "struck_wall";
-    BreakableBody wall;
-    wall.shape = Box{Vec3(1, 0.1, 1), 0.25};
-    wall.material = sherd::Material::plaster();
-    scene.bodies = {wall};
-    Ball ball;
-    ball.position = Vec3(0, -0.4, 0.5);
-    ball.velocity = Vec3(0, 8, 0);
-    scene.balls = {ball};
-    scene.duration_s = 0.2;
-    return scene;
-}
-
-SceneRun runOf(const Scene& scene) {
-    const auto assets = makeAssets(scene, SHERD_MESHES, [](const std::string&) {});
-    EXPECT_TRUE(assets.ok()) << assets.error();
-    Progress progress(Progress::Style::few_lines);
-    return runScene(scene, assets.value(), progress);
-}
 
 double volumeOf(const std::vector<BodyState>& states) {
     double volume = 0;
