@@ -109,8 +109,8 @@ void FractureExample::resetCamera() {
     const Vec3 along = scene_->camera.towards.normalized();
     const double yaw = std::atan2(-along.x(), along.y()) * degrees, pitch = std::asin(along.z()) * degrees;
     const Vec3& place = scene_->bodies.front().position;
-    m_guiHelper->resetCamera(float(2.4 * size), float(yaw), float(pitch), float(place.x()), float(place.y()),
-                             float(0.6 * size));
+    m_guiHelper->resetCamera(float(1.7 * size), float(yaw), float(pitch), float(place.x()), float(place.y()),
+                             float(0.55 * size));
 }
 
 bool FractureExample::mouseButtonCallback(int button, int state, float x, float y) {
