@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <fstream>
 
+#include "film/gltf_animation.h"
 #include "film/gltf_buffer.h"
 #include "film/gltf_meshes.h"
 
@@ -17,55 +18,8 @@ struct Gltf {
     GltfBuffer buffer;
     GltfMeshes meshes{buffer};
     ordered_json nodes = ordered_json::array();
-    ordered_json samplers = ordered_json::array(), channels = ordered_json::array();
+    GltfAnimation animation{buffer};
 };
-
-struct Motion {
-    std::vector<float> times, places, turns;
-};
-
-/// Neighbouring quaternions lie on the same side, so that what is between them is the shorter way.
-Motion motionOf(const Track& track) {
-    Motion motion;
-    Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
-    for (const Key& key : track.keys) {
-        Eigen::Quaterniond turn = Eigen::Quaterniond(key.placed.linear()).normalized();
-        if (turn.dot(before) < 0) turn.coeffs() = -turn.coeffs();
-        before = turn;
-        motion.times.push_back(static_cast<float>(key.time_s));
-        for (int axis = 0; axis < 3; ++axis)
-            motion.places.push_back(static_cast<float>(key.placed.translation()[axis]));
-        for (int i = 0; i < 4; ++i) motion.turns.push_back(static_cast<float>(turn.coeffs()[i]));
-    }
-    return motion;
-}
-
-void addChannel(Gltf& gltf, int node, const char* path, int times, int values, const char* interpolation) {
-    gltf.channels.push_back(
-        {{"sampler", gltf.samplers.size()}, {"target", {{"node", node}, {"path", path}}}});
-    gltf.samplers.push_back({{"input", times}, {"output", values}, {"interpolation", interpolation}});
-}
-
-void addMotion(Gltf& gltf, int node, const Motion& motion) {
-    if (motion.times.size() < 2) return;
-    const int times = gltf.buffer.addFloats(motion.times, 1);
-    addChannel(gltf, node, "translation", times, gltf.buffer.addFloats(motion.places, 3), "LINEAR");
-    addChannel(gltf, node, "rotation", times, gltf.buffer.addFloats(motion.turns, 4), "LINEAR");
-}
-
-/// Size 1 while the body is there, else 0.
-void addPresence(Gltf& gltf, int node, const Track& track) {
-    std::vector<float> times, sizes;
-    const auto add = [&](double time_s, float size) {
-        times.push_back(static_cast<float>(time_s));
-        sizes.insert(sizes.end(), 3, size);
-    };
-    if (track.born_s() > 0) add(0, 0);
-    add(track.born_s(), 1);
-    if (track.is_replaced) add(track.keys.back().time_s, 0);
-    if (times.size() < 2) return;
-    addChannel(gltf, node, "scale", gltf.buffer.addFloats(times, 1), gltf.buffer.addFloats(sizes, 3), "STEP");
-}
 
 std::string nameOf(const Track& track, int number) {
     const char* kind = !track.body.asset ? "ball_" : track.born_s() > 0 ? "fragment_" : "body_";
@@ -74,7 +28,7 @@ std::string nameOf(const Track& track, int number) {
 
 void addTrack(Gltf& gltf, const Track& track) {
     const int node = static_cast<int>(gltf.nodes.size());
-    const Motion motion = motionOf(track);
+    const GltfMotion motion(track);
     ordered_json said = {
         {"name", nameOf(track, node)},
         {"mesh", gltf.meshes.addBody(track.body)},
@@ -82,8 +36,8 @@ void addTrack(Gltf& gltf, const Track& track) {
         {"rotation", std::vector<float>(motion.turns.begin(), motion.turns.begin() + 4)}};
     if (track.born_s() > 0) said["scale"] = std::vector<int>(3, 0);
     gltf.nodes.push_back(std::move(said));
-    addMotion(gltf, node, motion);
-    addPresence(gltf, node, track);
+    gltf.animation.addMotion(node, motion);
+    gltf.animation.addPresence(node, track);
 }
 
 /// The node above all others turns z upward into y upward, which glTF asks for.
@@ -104,10 +58,7 @@ ordered_json documentOf(Gltf& gltf) {
                              {"nodes", gltf.nodes},
                              {"meshes", gltf.meshes.meshes()},
                              {"materials", gltf.meshes.materials()}};
-    if (!gltf.channels.empty()) {
-        document["animations"] = ordered_json::array(
-            {{{"name", "run"}, {"samplers", gltf.samplers}, {"channels", gltf.channels}}});
-    }
+    if (!gltf.animation.empty()) document["animations"] = ordered_json::array({gltf.animation.json()});
     document["accessors"] = gltf.buffer.accessors();
     document["bufferViews"] = gltf.buffer.views();
     document["buffers"] = ordered_json::array({{{"byteLength", gltf.buffer.bytes().size()}}});
