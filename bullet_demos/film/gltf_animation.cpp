@@ -29,9 +29,11 @@ void GltfAnimation::addPresence(int node, const Track& track) {
         times.push_back(static_cast<float>(time_s));
         sizes.insert(sizes.end(), 3, size);
     };
+    const double gone_s = track.keys.back().time_s;
+    if (track.is_replaced && gone_s <= track.born_s()) return;  // never there, and its node has size 0
     if (track.born_s() > 0) add(0, 0);
     add(track.born_s(), 1);
-    if (track.is_replaced) add(track.keys.back().time_s, 0);
+    if (track.is_replaced) add(gone_s, 0);
     if (times.size() < 2) return;
     addChannel(node, "scale", buffer_.addFloats(times, 1), buffer_.addFloats(sizes, 3), "STEP");
 }

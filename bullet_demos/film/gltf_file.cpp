@@ -22,7 +22,7 @@ struct Gltf {
 };
 
 std::string nameOf(const Track& track, int number) {
-    const char* kind = !track.body.asset ? "ball_" : track.born_s() > 0 ? "fragment_" : "body_";
+    const char* kind = !track.body.asset ? "ball_" : track.is_fragment ? "fragment_" : "body_";
     return kind + std::to_string(number);
 }
 
@@ -34,7 +34,7 @@ void addTrack(Gltf& gltf, const Track& track) {
         {"mesh", gltf.meshes.addBody(track.body)},
         {"translation", std::vector<float>(motion.places.begin(), motion.places.begin() + 3)},
         {"rotation", std::vector<float>(motion.turns.begin(), motion.turns.begin() + 4)}};
-    if (track.born_s() > 0) said["scale"] = std::vector<int>(3, 0);
+    if (!track.isThereAt(0)) said["scale"] = std::vector<int>(3, 0);
     gltf.nodes.push_back(std::move(said));
     gltf.animation.addMotion(node, motion);
     gltf.animation.addPresence(node, track);

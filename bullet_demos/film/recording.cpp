@@ -55,6 +55,7 @@ void Recorder::add(const btRigidBody* body, const BodyState& state, double time_
     present_[body] = tracks_.size();
     Track track{state, {}};
     if (const auto birth = birth_keys_.find(body); birth != birth_keys_.end()) {
+        track.is_fragment = true;
         track.body.placed = birth->second.placed;
         track.keys.push_back(birth->second);
     }

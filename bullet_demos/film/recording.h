@@ -16,8 +16,9 @@ struct Key {
 
 /// A body, a fragment or a ball over a run.
 struct Track {
-    BodyState body;            ///< what it looks like; `placed` is where it was first
-    std::vector<Key> keys;     ///< from its birth on, in order; at least one
+    BodyState body;         ///< what it looks like; `placed` is where it was first
+    std::vector<Key> keys;  ///< from its birth on, in order; at least one
+    bool is_fragment = false;
     bool is_replaced = false;  ///< by its fragments, at the time of the last key
 
     double born_s() const { return keys.front().time_s; }

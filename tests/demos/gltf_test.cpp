@@ -155,6 +155,21 @@ TEST(Gltf, FragmentsAppearWhenTheWholeBodyGoes) {
     EXPECT_EQ(sizes.count("ball_2"), 0u) << "it is always there";
 }
 
+TEST(Gltf, WhatBreaksInTheFirstStepIsNeverThere) {
+    const SceneRun run = runOf(struckWall(0.001));
+    ASSERT_TRUE(run.tracks.front().is_replaced);
+    ASSERT_EQ(run.tracks.front().keys.size(), 1u);
+    const std::string path = temporaryPath("first_step.glb");
+    ASSERT_TRUE(writeGltf(run.tracks, path).ok());
+    const Glb glb(path);
+    std::remove(path.c_str());
+    EXPECT_EQ(glb.document["nodes"][1]["scale"], (std::vector<int>{0, 0, 0}));
+    EXPECT_FALSE(glb.document["nodes"][3].contains("scale"));
+    EXPECT_EQ(glb.document["nodes"][3]["name"], "fragment_3");
+    for (const json& channel : glb.document["animations"][0]["channels"])
+        EXPECT_NE(channel["target"]["node"], 1);
+}
+
 TEST(Gltf, SaysWhichFileCannotBeWritten) {
     const auto status = writeGltf(written().run.tracks, "/proc/nowhere/run.glb");
     ASSERT_FALSE(status.ok());

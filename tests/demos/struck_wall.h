@@ -6,8 +6,8 @@
 
 namespace demo {
 
-/// A ball on its way to a coarse wall of plaster, which it breaks within 0.1 s.
-inline Scene struckWall() {
+/// A ball on its way to a coarse wall of plaster, which it breaks as soon as it has come that far.
+inline Scene struckWall(double way_m = 0.25) {
     Scene scene;
     scene.name = "struck_wall";
     BreakableBody wall;
@@ -15,7 +15,7 @@ inline Scene struckWall() {
     wall.material = sherd::Material::plaster();
     scene.bodies = {wall};
     Ball ball;
-    ball.position = Vec3(0, -0.4, 0.5);
+    ball.position = Vec3(0, -0.15 - way_m, 0.5);
     ball.velocity = Vec3(0, 8, 0);
     scene.balls = {ball};
     scene.duration_s = 0.2;
