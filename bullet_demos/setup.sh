@@ -8,11 +8,11 @@ build=${SHERD_BUILD:-$root/build}
 build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcgal-dev libsuitesparse-dev
   libopenblas-dev libeigen3-dev libcli11-dev libxxhash-dev nlohmann-json3-dev)
 # shellcheck disable=SC2034
-picture_packages=(povray)
+picture_packages=(povray webp)
 # shellcheck disable=SC2034
 viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libgl1-mesa-dri libegl-mesa0 libegl1)
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev libbenchmark-dev clang python3 xvfb xauth)
+test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3 xvfb xauth)
 
 say() { printf '%s\n' "$*" >&2; }
 die() {

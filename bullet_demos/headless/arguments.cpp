@@ -9,6 +9,34 @@
 
 namespace demo {
 
+namespace {
+
+void addFilmOptions(CLI::App& app, Arguments& arguments) {
+    Film& film = arguments.film;
+    auto* frames = app.add_option("--frames", film.folder,
+                                  "Draw a film of the whole run: its pictures go into this folder, the film "
+                                  "beside the report as SCENE.webp");
+    frames->type_name("DIR");
+    app.add_option("--fps", film.pace.frames_per_second, "Pictures a second of the film")
+        ->needs(frames)
+        ->check(CLI::Range(1.0, 240.0))
+        ->capture_default_str();
+    app.add_option("--slow", film.pace.slow, "How many times slower the film is around the first break")
+        ->needs(frames)
+        ->check(CLI::Range(1.0, 1000.0))
+        ->capture_default_str();
+    app.add_option("--frame-width", film.width, "Pixels; the height is 10/16 of it")
+        ->needs(frames)
+        ->check(CLI::Range(32, 4096))
+        ->capture_default_str();
+    // What the program writes is the same with it and without: the script that calls it draws the pictures.
+    app.add_flag("--povray", "Draw the pictures beside the report also where a film is drawn");
+    app.add_option("--gltf", arguments.gltf, "Write the whole run as an animated glTF 2.0 (a .glb)")
+        ->type_name("FILE");
+}
+
+}  // namespace
+
 sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
     std::string scene = "coffee_cup", preset, seed;
@@ -28,6 +56,7 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     app.add_option("--out", arguments.out, "Folder for what is written")->type_name("DIR");
     app.add_option("--scenes", arguments.scenes, "Folder of the scenes")->type_name("DIR");
     app.add_option("--meshes", arguments.meshes, "Folder that keeps generated meshes")->type_name("DIR");
+    addFilmOptions(app, arguments);
     app.add_flag("--progress-line", one_line, "Keep the progress on one line of a terminal");
     app.footer("\n" + describeChanges());
     try {

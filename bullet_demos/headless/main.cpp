@@ -1,6 +1,8 @@
 #include <exception>
 #include <iostream>
 
+#include "film/frame_files.h"
+#include "film/gltf_file.h"
 #include "headless/arguments.h"
 #include "headless/output_files.h"
 #include "headless/report.h"
@@ -29,7 +31,9 @@ sherd::Status runDemo(const demo::Arguments& arguments) {
 
     const auto report = demo::makeReport(scene, assets.value(), run, further);
     const std::string folder = arguments.out + "/" + scene.name;
-    const sherd::Status written = demo::writeOutputs(scene, run, report, folder);
+    sherd::Status written = demo::writeOutputs(scene, run, report, folder);
+    if (written && !arguments.film.folder.empty()) written = demo::writeFrames(scene, run, arguments.film);
+    if (written && !arguments.gltf.empty()) written = demo::writeGltf(run.tracks, arguments.gltf);
     if (!written) return written;
     std::cout << demo::summarise(run, report) << "written to " << folder << std::endl;
     return sherd::success();

@@ -35,7 +35,8 @@ std::vector<std::vector<Vec3>> pointsToShow(const std::vector<BodyState>& states
 }
 
 /// Camera, and the box that the lights are scaled to.
-void writeStage(std::ostream& out, const Camera& camera, const std::vector<std::vector<Vec3>>& bodies) {
+void writeLightsAndCamera(std::ostream& out, const Camera& camera,
+                          const std::vector<std::vector<Vec3>>& bodies) {
     Vec3 low = bodies.front().front(), high = low;
     for (const auto& body : bodies) {
         for (const Vec3& point : body) {
@@ -77,7 +78,7 @@ void writeFaces(std::ostream& out, const sherd::TriangleMesh& mesh) {
     out << " }\n";
 }
 
-void writeBody(std::ostream& out, const BodyState& state) {
+void writeMesh(std::ostream& out, const BodyState& state) {
     const sherd::TriangleMesh& mesh = state.asset->surface();
     std::vector<Vec3> normals;
     for (const auto& corners : cornerNormals(mesh, crease_deg)) {
@@ -95,21 +96,26 @@ void writeBody(std::ostream& out, const BodyState& state) {
 
 }  // namespace
 
+void writePovStage(std::ostream& out, const std::vector<BodyState>& states, const Camera& camera,
+                   PovStyle style) {
+    out << "#version 3.7;\n";
+    if (style == PovStyle::film) out << "#declare Film = true;\n";
+    writeLightsAndCamera(out, camera, pointsToShow(states));
+}
+
+void writePovBody(std::ostream& out, const BodyState& state) {
+    if (state.asset) return writeMesh(out, state);
+    out << "sphere { " << Pov{Vec3(state.placed.translation())} << ", " << state.ball_diameter_m / 2
+        << " texture { Steel } }\n";
+}
+
 sherd::Status writePov(const std::vector<BodyState>& states, const Camera& camera, const std::string& path) {
-    const std::vector<std::vector<Vec3>> bodies = pointsToShow(states);
-    if (bodies.empty()) return sherd::Error{"There is no breakable body to draw in " + path + "."};
+    if (pointsToShow(states).empty())
+        return sherd::Error{"There is no breakable body to draw in " + path + "."};
     std::ofstream out(path);
     out.precision(9);
-    out << "#version 3.7;\n";
-    writeStage(out, camera, bodies);
-    for (const BodyState& state : states) {
-        if (state.asset) {
-            writeBody(out, state);
-        } else {
-            out << "sphere { " << Pov{Vec3(state.placed.translation())} << ", " << state.ball_diameter_m / 2
-                << " texture { Steel } }\n";
-        }
-    }
+    writePovStage(out, states, camera, PovStyle::still);
+    for (const BodyState& state : states) writePovBody(out, state);
     out.flush();
     if (!out) return sherd::Error{"Cannot write " + path + "; is the disk full or the folder read-only?"};
     return sherd::success();

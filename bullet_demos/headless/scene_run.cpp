@@ -32,8 +32,10 @@ std::string describe(const SceneRun& run, SceneWorld& world) {
 }
 
 /// Takes over what happened in the last step, which ended at `time_s`.
-void collectEvents(SceneRun& run, SceneWorld& world, double time_s) {
-    for (sherd::BlowEvent& event : world.fracture().takeEvents()) {
+void collectEvents(SceneRun& run, SceneWorld& world, Recorder& recorder, double time_s) {
+    std::vector<sherd::BlowEvent> events = world.fracture().takeEvents();
+    recorder.record(time_s, events);
+    for (sherd::BlowEvent& event : events) {
         if (event.outcome == Outcome::broke && run.first_break_s < 0) run.first_break_s = time_s;
         run.events.push_back({time_s, std::move(event)});
     }
@@ -44,13 +46,15 @@ void collectEvents(SceneRun& run, SceneWorld& world, double time_s) {
 SceneRun runScene(const Scene& scene, const SceneAssets& assets, Progress& progress) {
     SceneWorld world(scene, assets);
     SceneRun run;
+    Recorder recorder(world.placed());
+    recorder.record(0, {});
     const std::vector<BodyState> start = world.states();
     const int steps = stepCount(scene);
     for (int step = 1; step <= steps; ++step) {
         const double time_s = step * scene.time_step_s;
         if (run.first_break_s < 0) run.before = world.states();
         run.step_ms.push_back(timedStep(world));
-        collectEvents(run, world, time_s);
+        collectEvents(run, world, recorder, time_s);
         if (run.first_break_s >= 0 && run.broken.empty()) run.broken = world.states();
         if (run.first_break_s >= 0) {
             const double since_break_s = time_s - run.first_break_s;
@@ -63,6 +67,7 @@ SceneRun runScene(const Scene& scene, const SceneAssets& assets, Progress& progr
     if (run.first_break_s < 0) run.before = start;
     run.after = world.states();
     if (run.shown.empty()) run.shown = run.after;
+    run.tracks = recorder.tracks();
     run.counts = world.fracture().counts();
     run.times = world.fracture().times();
     return run;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "film/recording.h"
 #include "headless/progress.h"
 #include "scenes/scene.h"
 #include "world/scene_world.h"
@@ -24,6 +25,7 @@ struct SceneRun {
     std::vector<BodyState> impact;  ///< a moment after the first break; empty if nothing broke
     std::vector<BodyState> shown;   ///< what after.png shows
     std::vector<BodyState> after;   ///< the end
+    std::vector<Track> tracks;      ///< where everything was, from start to end
     std::vector<TimedEvent> events;
     sherd::BlowCounts counts;
     sherd::WorldTimes times;

@@ -54,8 +54,8 @@ struct BlowFigures {
 
 /// Counts since the FractureWorld was made.
 struct BlowCounts {
-    /// Blows: a breakable body in contact in one step. Steps in which nothing moves fast enough to break
-    /// anything are left out.
+    /// Blows: a breakable body in contact in one step. A body is left out where all that touches it brings
+    /// less energy than it takes to break it.
     long long seen = 0;
     // Of these, by what decided them: gate + coarse + reduced + full = seen.
     long long gate = 0, coarse = 0, reduced = 0, full = 0;

@@ -13,7 +13,7 @@ using namespace sherd::bullet_tests;
 constexpr double dt = 1.0 / 60;
 
 struct PossibleStrikesTest : testing::Test {
-    /// A box of 4 kg on a floor, both touching.
+    /// A box that stands on a floor.
     PossibleStrikesTest() {
         const BreakableAsset asset = plate(Material::plaster());
         auto made = std::make_unique<Breakable>(asset, fractureSettingsFor(asset, asset.settings().fracture));

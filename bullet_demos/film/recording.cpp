@@ -1,0 +1,89 @@
+#include "film/recording.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace demo {
+namespace {
+
+bool areSame(const Eigen::Isometry3d& a, const Eigen::Isometry3d& b) {
+    return a.matrix() == b.matrix();
+}
+
+Eigen::Isometry3d between(const Eigen::Isometry3d& from, const Eigen::Isometry3d& to, double part) {
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(from.linear()).slerp(part, Eigen::Quaterniond(to.linear()));
+    Eigen::Isometry3d placed = Eigen::Isometry3d::Identity();
+    placed.linear() = turn.normalized().toRotationMatrix();
+    placed.translation() = (1 - part) * from.translation() + part * to.translation();
+    return placed;
+}
+
+}  // namespace
+
+bool Track::isThereAt(double time_s) const {
+    return time_s >= born_s() && !(is_replaced && time_s >= keys.back().time_s);
+}
+
+Eigen::Isometry3d Track::placedAt(double time_s) const {
+    const auto next = std::upper_bound(keys.begin(), keys.end(), time_s,
+                                       [](double time, const Key& key) { return time < key.time_s; });
+    if (next == keys.begin()) return keys.front().placed;
+    const Key& before = *std::prev(next);
+    if (next == keys.end()) return before.placed;
+    return between(before.placed, next->placed, (time_s - before.time_s) / (next->time_s - before.time_s));
+}
+
+void Recorder::record(double time_s, const std::vector<sherd::BlowEvent>& events) {
+    birth_keys_.clear();
+    for (const sherd::BlowEvent& event : events) {
+        const auto parent = present_.find(event.body);
+        if (event.outcome != sherd::Outcome::broke || parent == present_.end()) continue;
+        Track& track = tracks_[parent->second];
+        track.is_replaced = true;
+        // Fragments have the coordinates of the body that they come from.
+        for (const btRigidBody* fragment : event.fragments) birth_keys_[fragment] = track.keys.back();
+        present_.erase(parent);
+    }
+    const std::vector<BodyState> states = scene_.states();
+    std::size_t next = 0;
+    for (const btRigidBody* body : scene_.fracture().bodies()) extend(body, states[next++], time_s);
+    for (const PlacedBall& ball : scene_.balls()) extend(ball.body, states[next++], time_s);
+}
+
+void Recorder::add(const btRigidBody* body, const BodyState& state, double time_s) {
+    present_[body] = tracks_.size();
+    Track track{state, {}};
+    if (const auto birth = birth_keys_.find(body); birth != birth_keys_.end()) {
+        track.is_fragment = true;
+        track.body.placed = birth->second.placed;
+        track.keys.push_back(birth->second);
+    }
+    track.keys.push_back({time_s, state.placed});
+    tracks_.push_back(std::move(track));
+}
+
+void Recorder::extend(const btRigidBody* body, const BodyState& state, double time_s) {
+    const auto known = present_.find(body);
+    if (known == present_.end()) return add(body, state, time_s);
+    std::vector<Key>& keys = tracks_[known->second].keys;
+    // What rests needs two keys only: the first and the last.
+    if (keys.size() > 1 && areSame(keys[keys.size() - 2].placed, keys.back().placed) &&
+        areSame(keys.back().placed, state.placed)) {
+        keys.back().time_s = time_s;
+    } else {
+        keys.push_back({time_s, state.placed});
+    }
+}
+
+std::vector<BodyState> statesAt(const std::vector<Track>& tracks, double time_s) {
+    std::vector<BodyState> states;
+    for (const Track& track : tracks) {
+        if (!track.isThereAt(time_s)) continue;
+        states.push_back(track.body);
+        states.back().placed = track.placedAt(time_s);
+    }
+    return states;
+}
+
+}  // namespace demo
