@@ -83,6 +83,7 @@ CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_a
         faces.body_parent.push_back(std::max({triangle_at[t[0]], triangle_at[t[1]], triangle_at[t[2]]}));
     }
     faces.body_set = connectLabels(faces);
+    faces.body_set_count = static_cast<int>(faces.body.size());
     return faces;
 }
 

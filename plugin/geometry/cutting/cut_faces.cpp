@@ -26,7 +26,9 @@ int labelAt(const Vec3& x, const LabelLattice& lattice, const CrackComplex& crac
 // Labels the shells of the body that no crack crosses. False if one could not be labelled.
 bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice, const CrackComplex& crack,
                           CutFaces& faces) {
-    std::vector<int> of_set(faces.body.size(), -1);
+    if (std::find(faces.body_label.begin(), faces.body_label.end(), -1) == faces.body_label.end())
+        return true;
+    std::vector<int> of_set(faces.body_set_count, -1);
     for (std::size_t t = 0; t < faces.body.size(); ++t) {
         if (faces.body_label[t] >= 0) continue;
         int& label = of_set[faces.body_set[t]];
@@ -44,7 +46,7 @@ bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice,
 // connected to the body's surface; of each such set one point is located.
 void keepInsideCracks(const SplitSurface& split, const SpreadValues& inside, const CrackComplex& crack,
                       const TriangleMesh& body, CutFaces& faces) {
-    std::vector<int> of_set(split.triangles.size(), -1);
+    std::vector<int> of_set(inside.set_count, -1);
     for (std::size_t t = 0; t < split.triangles.size(); ++t) {
         int is_inside = inside.value[t];
         if (is_inside < 0) {
@@ -78,8 +80,9 @@ CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice,
     const CrossedSurface crossed_body = {
         body.triangles, surface.edges(), crossing.on_body_edges,
         groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())};
+    const std::vector<Triangle> crack_triangles = shifted(crack.triangles, crossing.first_crack_point);
     const CrossedSurface crossed_crack = {
-        shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,
+        crack_triangles, crack_edges, crossing.on_crack_edges,
         groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())};
     SplitSurface split_body = splitSurface(crossed_body, crossing, attempt.troubled);
     const SplitSurface split_crack = splitSurface(crossed_crack, crossing, attempt.troubled);
@@ -91,16 +94,15 @@ CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice,
         labels.push_back({crack.sides[s.crack_triangle].below, crack.sides[s.crack_triangle].above});
         insides.push_back({0, 1});
     }
-    const int point_count = static_cast<int>(crossing.points.size());
-    auto body_labels = spreadFromSegments(crossed_body, split_body, point_count, crossing.segments, labels);
-    const auto inside =
-        spreadFromSegments(crossed_crack, split_crack, point_count, crossing.segments, insides);
+    auto body_labels = spreadFromSegments(crossed_body, split_body, labels);
+    const auto inside = spreadFromSegments(crossed_crack, split_crack, insides);
     if (!body_labels || !inside) {
         attempt.failure = "the lines of the crack on the surface do not close";
         return attempt;
     }
     faces.body_label = std::move(body_labels->value);
     faces.body_set = std::move(body_labels->set);
+    faces.body_set_count = body_labels->set_count;
     faces.points = std::move(crossing.points);
     faces.body = std::move(split_body.triangles);
     faces.body_parent = std::move(split_body.parents);

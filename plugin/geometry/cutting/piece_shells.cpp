@@ -67,7 +67,12 @@ bool uniteSides(const std::vector<EdgeSide>& sides, UnionFind& sets) {
 // have two triangles, which run along it in opposite directions; false if not. All other edges are the
 // body's, which is closed.
 bool connectShells(const LabelBoundary& boundary, const CutFaces& faces, UnionFind& sets) {
-    for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
+    std::vector<int> first_of_set(faces.body_set_count, -1);
+    for (int t = 0; t < boundary.body_count; ++t) {
+        int& first = first_of_set[faces.body_set[t]];
+        if (first < 0) first = t;
+        sets.unite(first, t);
+    }
     const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
     const std::vector<int> selected = selectTriangles(boundary, on_crack);
     std::vector<Triangle> triangles;
