@@ -1,43 +1,22 @@
 #include "geometry/cutting/near_pairs.h"
 
+#include <algorithm>
 #include <array>
-#include <limits>
 
 namespace sherd {
 
 namespace {
 
-struct Box {
-    Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-
-    void extend(const Box& other) {
-        low = low.cwiseMin(other.low);
-        high = high.cwiseMax(other.high);
-    }
-    bool meets(const Box& other) const {
-        return low.x() <= other.high.x() && high.x() >= other.low.x() && low.y() <= other.high.y() &&
-               high.y() >= other.low.y() && low.z() <= other.high.z() && high.z() >= other.low.z();
-    }
-};
-
-Box boxOf(const Triangle& t, const std::vector<Vec3>& points) {
-    const Vec3 &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
-    Box box;
-    box.low = a.cwiseMin(b).cwiseMin(c);
-    box.high = a.cwiseMax(b).cwiseMax(c);
-    return box;
-}
-
 /// A lattice cell with crack triangles, which follow each other.
 struct CrackCell {
-    int begin, end;  // of its triangles
-    Box box;         // of them
+    int begin, end;   // of its triangles
+    TriangleBox box;  // of them
 };
 
 class NearPairs {
   public:
-    NearPairs(const TriangleMesh& body, const LabelLattice& lattice, const CrackComplex& crack)
-        : body_(body), lattice_(lattice) {
+    NearPairs(const CuttableSurface& body, const LabelLattice& lattice, const CrackComplex& crack)
+        : body_(body.mesh()), boxes_of_runs_(body.boxesOfRuns()), lattice_(lattice) {
         crack_boxes_.reserve(crack.triangles.size());
         for (const Triangle& t : crack.triangles) crack_boxes_.push_back(boxOf(t, crack.points));
         first_cell_.resize(crack.first_of_cell.size());
@@ -69,30 +48,47 @@ class NearPairs {
     };
 
     void sortBodyIntoCells() {
-        std::vector<InCell> found;
-        std::vector<int> count(cells_.size() + 1, 0), near_cells;
-        Range range = {{-1, -1, -1}, {-1, -1, -1}};
-        for (int b = 0; b < static_cast<int>(body_.triangles.size()); ++b) {
-            const Box box = boxOf(body_.triangles[b], body_.vertices);
-            // The neighbours of a small triangle come soon after it, and often mean the same cells.
-            if (const Range own = rangeOf(box); !(own == range)) {
-                range = own;
-                collectCells(range, near_cells);
-            }
-            for (const int cell : near_cells) {
-                if (!cells_[cell].box.meets(box)) continue;
-                found.push_back({cell, b});
-                ++count[cell + 1];
-            }
+        const int count = static_cast<int>(body_.triangles.size());
+        in_cells_count_.assign(cells_.size() + 1, 0);
+        for (std::size_t run = 0; run < boxes_of_runs_.size(); ++run) {
+            if (!reachesCrack(boxes_of_runs_[run])) continue;
+            const int begin = static_cast<int>(run) * CuttableSurface::run_length,
+                      end = std::min(begin + CuttableSurface::run_length, count);
+            for (int b = begin; b < end; ++b) findCells(b);
         }
-        for (std::size_t c = 1; c < count.size(); ++c) count[c] += count[c - 1];
-        first_in_cell_ = count;
-        in_cell_.resize(found.size());
-        for (const InCell& entry : found) in_cell_[count[entry.cell]++] = entry.body_triangle;
+        std::vector<int>& next = in_cells_count_;
+        for (std::size_t c = 1; c < next.size(); ++c) next[c] += next[c - 1];
+        first_in_cell_ = next;
+        in_cell_.resize(found_.size());
+        for (const InCell& entry : found_) in_cell_[next[entry.cell]++] = entry.body_triangle;
+    }
+
+    bool reachesCrack(const TriangleBox& box) {
+        look(box);
+        return std::any_of(near_cells_.begin(), near_cells_.end(),
+                           [&](int cell) { return cells_[cell].box.meets(box); });
+    }
+
+    void findCells(int body_triangle) {
+        const TriangleBox box = boxOf(body_.triangles[body_triangle], body_.vertices);
+        look(box);
+        for (const int cell : near_cells_) {
+            if (!cells_[cell].box.meets(box)) continue;
+            found_.push_back({cell, body_triangle});
+            ++in_cells_count_[cell + 1];
+        }
+    }
+
+    // The neighbours of a small triangle come soon after it, and often mean the same cells.
+    void look(const TriangleBox& box) {
+        const Range own = rangeOf(box);
+        if (own == range_) return;
+        range_ = own;
+        collectCells(range_, near_cells_);
     }
 
     // The cells that may hold cracks which meet a box.
-    Range rangeOf(const Box& box) const {
+    Range rangeOf(const TriangleBox& box) const {
         // Nodes are jittered, so a cell reaches beyond its place on the grid. The lattice begins in the air
         // below the solid, so all of this is positive and truncation rounds down.
         const double reach = lattice_.jitter + 1e-6, cells_per_m = 1 / lattice_.spacing;
@@ -118,7 +114,7 @@ class NearPairs {
     void pairWithin(int cell) {
         if (first_in_cell_[cell] == first_in_cell_[cell + 1]) return;
         near_.clear();
-        Box surface;
+        TriangleBox surface;
         for (int k = first_in_cell_[cell]; k < first_in_cell_[cell + 1]; ++k) {
             near_.push_back(boxOf(body_.triangles[in_cell_[k]], body_.vertices));
             surface.extend(near_.back());
@@ -142,18 +138,23 @@ class NearPairs {
     }
 
     const TriangleMesh& body_;
+    const std::vector<TriangleBox>& boxes_of_runs_;
     const LabelLattice& lattice_;
-    std::vector<Box> crack_boxes_;
+    std::vector<TriangleBox> crack_boxes_;
     std::vector<CrackCell> cells_;
-    std::vector<int> first_cell_;               // #nodes + 1, offsets into `cells_`
-    std::vector<int> first_in_cell_, in_cell_;  // body triangles in each cell
-    std::vector<Box> near_;
+    std::vector<int> first_cell_;                 // #nodes + 1, offsets into `cells_`
+    std::vector<int> first_in_cell_, in_cell_;    // body triangles in each cell
+    Range range_ = {{-1, -1, -1}, {-1, -1, -1}};  // looked at last
+    std::vector<int> near_cells_;                 // in it
+    std::vector<InCell> found_;
+    std::vector<int> in_cells_count_;
+    std::vector<TriangleBox> near_;
     std::vector<NearPair> pairs_;
 };
 
 }  // namespace
 
-std::vector<NearPair> findNearPairs(const TriangleMesh& body, const LabelLattice& lattice,
+std::vector<NearPair> findNearPairs(const CuttableSurface& body, const LabelLattice& lattice,
                                     const CrackComplex& crack) {
     return NearPairs(body, lattice, crack).find();
 }

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <sherd/triangle_mesh.h>
-
 #include <vector>
 
 #include "geometry/cutting/crack_complex.h"
+#include "geometry/cutting/cuttable_surface.h"
 
 namespace sherd {
 
@@ -15,7 +14,7 @@ struct NearPair {
 
 /// The pairs whose bounding boxes meet, by body triangle, then by crack triangle. The cells of the lattice,
 /// whose cracks these are, serve as the grid.
-std::vector<NearPair> findNearPairs(const TriangleMesh& body, const LabelLattice& lattice,
+std::vector<NearPair> findNearPairs(const CuttableSurface& body, const LabelLattice& lattice,
                                     const CrackComplex& crack);
 
 }  // namespace sherd
