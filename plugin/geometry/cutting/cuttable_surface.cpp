@@ -14,19 +14,11 @@ bool isClosedAndOriented(const std::vector<Triangle>& triangles, const EdgeTable
     return true;
 }
 
-std::vector<TriangleBox> boxesOf(const TriangleMesh& mesh, std::size_t run_length) {
-    std::vector<TriangleBox> boxes((mesh.triangles.size() + run_length - 1) / run_length);
-    for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
-        boxes[t / run_length].extend(boxOf(mesh.triangles[t], mesh.vertices));
-    return boxes;
-}
-
 }  // namespace
 
 CuttableSurface::CuttableSurface(const TriangleMesh& mesh)
     : mesh_(mesh),
       edges_(buildEdgeTable(mesh.triangles, static_cast<int>(mesh.vertices.size()))),
-      is_closed_(isClosedAndOriented(mesh.triangles, edges_)),
-      boxes_of_runs_(boxesOf(mesh, run_length)) {}
+      is_closed_(isClosedAndOriented(mesh.triangles, edges_)) {}
 
 }  // namespace sherd

@@ -3,7 +3,6 @@
 #include <sherd/triangle_mesh.h>
 
 #include "geometry/cutting/edge_table.h"
-#include "geometry/cutting/triangle_box.h"
 
 namespace sherd {
 
@@ -18,16 +17,10 @@ class CuttableSurface {
     /// Whether each edge has two triangles, which run along it in opposite directions.
     bool isClosed() const { return is_closed_; }
 
-    /// Triangles that follow each other in the mesh are mostly near each other: runs of this many are looked
-    /// at together first.
-    static constexpr int run_length = 16;
-    const std::vector<TriangleBox>& boxesOfRuns() const { return boxes_of_runs_; }
-
   private:
     const TriangleMesh& mesh_;
     EdgeTable edges_;
     bool is_closed_;
-    std::vector<TriangleBox> boxes_of_runs_;
 };
 
 }  // namespace sherd

@@ -7,6 +7,7 @@
 #include "core/numerics/mesh_measures.h"
 #include "geometry/cutting/active_cells.h"
 #include "geometry/cutting/particle_reach.h"
+#include "geometry/cutting/triangle_box.h"
 
 namespace sherd {
 
@@ -33,6 +34,41 @@ std::vector<int> placesOfNodes(const LatticeGrid& grid, const std::vector<int>& 
     for (int& place : places)
         if (place == 0) place = count++;
     return places;
+}
+
+// Calls visit(cell) for the cells whose cracks may meet a triangle.
+template <class Visit>
+void forEachCellAt(const LatticeGrid& grid, const TriangleBox& box, const Visit& visit) {
+    // Nodes are jittered, so a cell reaches beyond its place on the grid. The lattice begins in the air below
+    // the solid, so all of this is positive and truncation rounds down.
+    const double reach = grid.jitter + 1e-6, cells_per_m = 1 / grid.spacing;
+    int first[3], last[3];
+    for (int d = 0; d < 3; ++d) {
+        first[d] = static_cast<int>((box.low[d] - grid.origin[d]) * cells_per_m - reach);
+        last[d] = static_cast<int>((box.high[d] - grid.origin[d]) * cells_per_m + reach);
+    }
+    for (int k = first[2]; k <= last[2]; ++k)
+        for (int j = first[1]; j <= last[1]; ++j)
+            for (int i = first[0]; i <= last[0]; ++i) visit(grid.index(i, j, k));
+}
+
+void listTriangles(const TriangleMesh& surface, LatticeLayout& layout) {
+    std::vector<int> number_of(layout.grid.nodeCount(), -1);
+    for (std::size_t c = 0; c < layout.active_cells.size(); ++c)
+        number_of[layout.active_cells[c]] = static_cast<int>(c);
+    std::vector<TriangleBox> boxes;
+    boxes.reserve(surface.triangles.size());
+    for (const Triangle& t : surface.triangles) boxes.push_back(boxOf(t, surface.vertices));
+    std::vector<int>& first = layout.first_triangle;
+    first.assign(layout.active_cells.size() + 1, 0);
+    for (const TriangleBox& box : boxes)
+        forEachCellAt(layout.grid, box, [&](int cell) { ++first[number_of[cell] + 1]; });
+    for (std::size_t c = 1; c < first.size(); ++c) first[c] += first[c - 1];
+    layout.triangles.resize(first.back());
+    std::vector<int> next(first.begin(), first.end() - 1);
+    for (std::size_t t = 0; t < boxes.size(); ++t)
+        forEachCellAt(layout.grid, boxes[t],
+                      [&](int cell) { layout.triangles[next[number_of[cell]]++] = static_cast<int>(t); });
 }
 
 // Calls visit(first, last) for the rows of nodes that the kernel of a particle may reach, wherever jitter
@@ -84,6 +120,7 @@ LatticeLayout layLattice(const TriangleMesh& surface, const Discretisation& soli
     LatticeLayout layout;
     layout.grid = gridOver(surface, spacing_m);
     layout.active_cells = findActiveCells(surface, layout.grid);
+    listTriangles(surface, layout);
     const std::vector<int> places = placesOfNodes(layout.grid, layout.active_cells);
     for (int node = 0; node < static_cast<int>(places.size()); ++node)
         if (places[node] >= 0) layout.nodes.push_back(node);

@@ -13,6 +13,8 @@ namespace sherd {
 struct LatticeLayout {
     LatticeGrid grid;
     std::vector<int> active_cells;    ///< ascending; those that the solid may reach into
+    std::vector<int> first_triangle;  ///< #active_cells + 1, offsets into `triangles`
+    std::vector<int> triangles;       ///< of the body's surface, that cracks in each cell may meet, ascending
     std::vector<int> nodes;           ///< ascending; those of active cells, which get a label
     std::vector<int> first_particle;  ///< #nodes + 1, offsets into `particles`
     std::vector<int> particles;       ///< whose kernels may reach each node, ascending

@@ -187,20 +187,17 @@ class Uniformity {
 
 CrackComplex buildCrackComplex(const LabelLattice& lattice) {
     Marching marching(lattice);
-    int numbered = 0;  // nodes
-    std::vector<int> first_of_cell(lattice.nodes.size() + 1);
-    const auto number = [&](int until) {
-        while (numbered < until) first_of_cell[numbered++] = marching.triangleCount();
-    };
+    std::vector<int> first_of_cell;
+    first_of_cell.reserve(lattice.layout->active_cells.size() + 1);
     const auto tetrahedra = tetrahedraOfCell(lattice);
     const Uniformity is_uniform(lattice);
     for (const int cell : lattice.layout->active_cells) {
+        first_of_cell.push_back(marching.triangleCount());
         if (is_uniform(cell)) continue;
-        number(cell + 1);
         for (const auto& [second, third, fourth] : tetrahedra)
             marching.addTetrahedron({cell, cell + second, cell + third, cell + fourth});
     }
-    number(static_cast<int>(first_of_cell.size()));
+    first_of_cell.push_back(marching.triangleCount());
     return marching.take(std::move(first_of_cell));
 }
 

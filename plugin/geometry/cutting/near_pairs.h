@@ -1,9 +1,10 @@
 #pragma once
 
+#include <sherd/triangle_mesh.h>
+
 #include <vector>
 
 #include "geometry/cutting/crack_complex.h"
-#include "geometry/cutting/cuttable_surface.h"
 
 namespace sherd {
 
@@ -12,9 +13,9 @@ struct NearPair {
     int body_triangle, crack_triangle;
 };
 
-/// The pairs whose bounding boxes meet, by body triangle, then by crack triangle. The cells of the lattice,
-/// whose cracks these are, serve as the grid.
-std::vector<NearPair> findNearPairs(const CuttableSurface& body, const LabelLattice& lattice,
+/// The pairs whose bounding boxes meet, by body triangle, then by crack triangle. The lattice, whose
+/// cracks these are, knows the body's triangles in each of its cells.
+std::vector<NearPair> findNearPairs(const TriangleMesh& body, const LabelLattice& lattice,
                                     const CrackComplex& crack);
 
 }  // namespace sherd

@@ -27,22 +27,17 @@ constexpr int next_corner[3] = {1, 2, 0};
 class Crossing {
   public:
     Crossing(const CuttableSurface& surface, const CrackComplex& crack, const EdgeTable& crack_edges)
-        : surface_(surface),
-          body_(surface.mesh()),
-          body_edges_(surface.edges()),
-          crack_(crack),
-          crack_edges_(crack_edges) {
-        const TriangleMesh& body = body_;
-        result_.points.reserve(body.vertices.size() + crack.points.size() + crack.points.size() / 2);
-        result_.points = body.vertices;
-        result_.first_crack_point = static_cast<int>(body.vertices.size());
+        : body_(surface.mesh()), body_edges_(surface.edges()), crack_(crack), crack_edges_(crack_edges) {
+        result_.points.reserve(body_.vertices.size() + crack.points.size() + crack.points.size() / 2);
+        result_.points = body_.vertices;
+        result_.first_crack_point = static_cast<int>(body_.vertices.size());
         result_.points.insert(result_.points.end(), crack.points.begin(), crack.points.end());
         result_.on_body_edges = EdgeCrossings(body_edges_.edges.size());
         result_.on_crack_edges = EdgeCrossings(crack_edges.edges.size());
     }
 
     SurfaceCrossing run(const LabelLattice& lattice) {
-        const std::vector<NearPair> pairs = findNearPairs(surface_, lattice, crack_);
+        const std::vector<NearPair> pairs = findNearPairs(body_, lattice, crack_);
         for (auto pair = pairs.begin(); pair != pairs.end();) {
             const int b = pair->body_triangle;
             const Corners x = cornersOf(body_.triangles[b], body_.vertices);
@@ -140,7 +135,6 @@ class Crossing {
         });
     }
 
-    const CuttableSurface& surface_;
     const TriangleMesh& body_;
     const EdgeTable& body_edges_;
     const CrackComplex& crack_;
