@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/stopwatch.h"
 #include "fracture/decide_blow.h"
 #include "fracture/failed_if_thrown.h"
@@ -14,12 +15,13 @@ namespace {
 
 std::vector<std::shared_ptr<const OwnedShape>> shapesOf(const std::vector<Fragment>& fragments,
                                                         const ShapeChoice& choice) {
-    std::vector<std::shared_ptr<const OwnedShape>> shapes;
-    for (const Fragment& fragment : fragments) {
+    std::vector<std::shared_ptr<const OwnedShape>> shapes(fragments.size());
+    forEachChunk(static_cast<int>(fragments.size()), [&](int f) {
+        const Fragment& fragment = fragments[f];
         const btTransform frame = principalFrame(fragment.solid->moments()).body_from_asset;
-        shapes.push_back(
-            std::make_shared<const OwnedShape>(makeShape(*fragment.solid, choice, fragment.boxes, frame)));
-    }
+        shapes[f] =
+            std::make_shared<const OwnedShape>(makeShape(*fragment.solid, choice, fragment.boxes, frame));
+    });
     return shapes;
 }
 

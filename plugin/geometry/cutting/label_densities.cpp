@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/particle_weights.h"
 
 namespace sherd {
@@ -53,22 +54,21 @@ std::vector<int> fragmentsOfClusters(const FragmentLabels& labels) {
     return fragment_of;
 }
 
+/// Labels a part of the nodes.
 class Labelling {
   public:
-    Labelling(const Discretisation& solid, const ParticleReach& reach, const FragmentLabels& labels,
-              LabelLattice& lattice)
-        : labels_(labels),
-          lattice_(lattice),
-          sources_(sourcesOf(solid, reach, labels)),
-          fragment_of_(fragmentsOfClusters(labels)) {}
+    Labelling(const std::vector<Source>& sources, const std::vector<int>& fragment_of,
+              const FragmentLabels& labels, LabelLattice& lattice)
+        : sources_(sources), fragment_of_(fragment_of), labels_(labels), lattice_(lattice) {}
 
-    void run() {
+    NodeDensities::Part run(int from, int to) {
         const LatticeLayout& layout = *lattice_.layout;
-        for (std::size_t n = 0; n < layout.nodes.size(); ++n) {
+        for (int n = from; n < to; ++n) {
             const int* const begin = layout.particles.data() + layout.first_particle[n];
             const int* const end = layout.particles.data() + layout.first_particle[n + 1];
             if (begin != end) label(layout.nodes[n], begin, end);
         }
+        return std::move(densities_);
     }
 
   private:
@@ -87,7 +87,7 @@ class Labelling {
             best = density.value;
             lattice_.labels[node] = density.label;
         }
-        lattice_.densities.set(node, entries_);
+        densities_.add(node, entries_);
     }
 
     bool haveOneLabel(const int* begin, const int* end) const {
@@ -147,11 +147,12 @@ class Labelling {
     }
 
     using Entry = NodeDensities::Entry;
+    const std::vector<Source>& sources_;
+    const std::vector<int>& fragment_of_;  // clusters
     const FragmentLabels& labels_;
     LabelLattice& lattice_;
-    std::vector<Source> sources_;
-    std::vector<int> fragment_of_;  // clusters
-    std::vector<Entry> entries_;    // at one node
+    NodeDensities::Part densities_;
+    std::vector<Entry> entries_;  // at one node
     std::vector<double> distances_;
 };
 
@@ -159,8 +160,17 @@ class Labelling {
 
 void labelByDensities(const Discretisation& solid, const ParticleReach& reach, const FragmentLabels& labels,
                       LabelLattice& lattice) {
+    const std::vector<Source> sources = sourcesOf(solid, reach, labels);
+    const std::vector<int> fragment_of = fragmentsOfClusters(labels);
+    const int count = static_cast<int>(lattice.layout->nodes.size());
+    const int chunks = labels.distance ? 1 : 8;  // a guide field may be a function of the user's
+    std::vector<NodeDensities::Part> parts(chunks);
+    forEachChunk(chunks, [&](int chunk) {
+        parts[chunk] = Labelling(sources, fragment_of, labels, lattice)
+                           .run(chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count));
+    });
     lattice.densities = NodeDensities(lattice.nodes.size());
-    Labelling(solid, reach, labels, lattice).run();
+    for (const NodeDensities::Part& part : parts) lattice.densities.append(part);
 }
 
 }  // namespace sherd

@@ -16,10 +16,21 @@ class NodeDensities {
 
     explicit NodeDensities(std::size_t node_count = 0) : nodes_(node_count, {0, 0}) {}
 
-    /// To be called once for a node, if at all.
-    void set(int node, const std::vector<Entry>& entries) {
-        nodes_[node] = {static_cast<int>(entries_.size()), static_cast<int>(entries.size())};
-        entries_.insert(entries_.end(), entries.begin(), entries.end());
+    /// Nodes that follow each other, each with its entries, for `append`.
+    struct Part {
+        std::vector<int> nodes, counts;
+        std::vector<Entry> entries;
+        void add(int node, const std::vector<Entry>& more) {
+            nodes.push_back(node);
+            counts.push_back(static_cast<int>(more.size()));
+            entries.insert(entries.end(), more.begin(), more.end());
+        }
+    };
+    void append(const Part& part) {
+        int first = static_cast<int>(entries_.size());
+        for (std::size_t n = 0; n < part.nodes.size(); first += part.counts[n++])
+            nodes_[part.nodes[n]] = {first, part.counts[n]};
+        entries_.insert(entries_.end(), part.entries.begin(), part.entries.end());
     }
 
     /// The largest value that a label has at a node (it may have several entries, of clusters that were
