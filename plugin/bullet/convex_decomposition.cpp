@@ -18,14 +18,16 @@ constexpr double in_plane = 1e-6;  // of the spacing of points: how near to a pl
 /// A part, and the volume of its hull that is not solid, m^3.
 struct Part {
     SurfaceCloud cloud;
+    Eigen::AlignedBox3d box;
     double hull_volume = 0, solid_volume = 0;
 
     Part(SurfaceCloud cut_off, double its_solid_volume)
         : cloud(std::move(cut_off)),
-          hull_volume(roughHullVolume(cloud.points)),
+          box(boundingBox(cloud.points)),
+          hull_volume(roughHullVolume(cloud.points, box)),
           solid_volume(its_solid_volume) {}
     double air() const { return hull_volume - solid_volume; }
-    double price() const { return priceOf(hull_volume, boundingBox(cloud.points).diagonal().norm()); }
+    double price() const { return priceOf(hull_volume, box.diagonal().norm()); }
 };
 
 /// Of the halves, m^3, that are `whole` together; where it is not known of either, both have the same.
@@ -48,12 +50,17 @@ Cut bestCut(const Part& whole) {
     for (const AxisPlane& plane : possibleCuts(whole.cloud)) {
         std::array<SurfaceCloud, 2> clouds = parted(whole.cloud, plane);
         const std::array<double, 2> solid = solidVolumes(clouds, whole.solid_volume);
-        std::vector<Part> halves;
-        for (int h = 0; h < 2; ++h) halves.emplace_back(std::move(clouds[h]), solid[h]);
-        const double price = halves[0].price() + halves[1].price();
-        if (price >= least) continue;
+        // Where the half of more points is too dear already, the other one is not looked at.
+        const int more = clouds[1].points.size() > clouds[0].points.size() ? 1 : 0;
+        Part first(std::move(clouds[more]), solid[more]);
+        if (first.price() > least) continue;
+        Part second(std::move(clouds[1 - more]), solid[1 - more]);
+        const double price = first.price() + second.price();
+        if (price > least || (price == least && plane.axis > best.plane.axis)) continue;
         least = price;
-        best = {plane, std::move(halves)};
+        best = {plane, {}};
+        best.halves.push_back(std::move(more ? second : first));
+        best.halves.push_back(std::move(more ? first : second));
     }
     return best;
 }
@@ -101,7 +108,8 @@ std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double 
                                             const DecompositionLimits& limits) {
     const double enough = (1 + limits.air_share_of_one_hull) * volume;
     std::vector<ConvexHull> hulls;
-    if (limits.most_parts == 1 || roughHullVolume(surface.vertices) <= enough) {
+    if (limits.most_parts == 1 ||
+        roughHullVolume(surface.vertices, boundingBox(surface.vertices)) <= enough) {
         hulls.push_back(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));
         if (limits.most_parts == 1 || hulls.front().volume <= enough) return hulls;
         hulls.clear();

@@ -8,6 +8,7 @@
 
 #include "bullet/conversions.h"
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 
@@ -83,14 +84,48 @@ std::vector<Face> facesOf(const btConvexHullComputer& hull) {
     return faces;
 }
 
+constexpr long block = 64;
+
+/// The highest and the lowest of some numbers.
+SHERD_WIDE_VECTORS void findExtremes(const float* heights, long count, float* highest, float* lowest) {
+    float high[block], low[block];
+    for (long i = 0; i < block; ++i) high[i] = low[i] = heights[0];
+    long first = 0;
+    for (; first + block <= count; first += block)
+        for (long i = 0; i < block; ++i) {
+            const float height = heights[first + i];
+            high[i] = height > high[i] ? height : high[i];
+            low[i] = height < low[i] ? height : low[i];
+        }
+    *highest = *std::max_element(high, high + block);
+    *lowest = *std::min_element(low, low + block);
+    for (; first < count; ++first) {
+        *highest = std::max(*highest, heights[first]);
+        *lowest = std::min(*lowest, heights[first]);
+    }
+}
+
+/// The place of the first number that is `wanted`; one is.
+SHERD_WIDE_VECTORS long firstPlace(const float* heights, long count, float wanted) {
+    long first = 0;
+    for (; first + block <= count; first += block) {
+        int found = 0;
+        for (long i = 0; i < block; ++i) found |= heights[first + i] == wanted ? 1 : 0;
+        if (found) break;
+    }
+    while (heights[first] != wanted) ++first;
+    return first;
+}
+
 /// Points with a column for each coordinate, about the middle of their box.
 class Columns {
   public:
-    explicit Columns(const std::vector<Vec3>& points) : box_(boundingBox(points)) {
+    Columns(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) : box_(box) {
         middle_ = box_.center();
         coordinates_.resize(static_cast<Eigen::Index>(points.size()), 3);
-        for (std::size_t p = 0; p < points.size(); ++p)
-            coordinates_.row(static_cast<Eigen::Index>(p)) = (points[p] - middle_).cast<float>().transpose();
+        for (Eigen::Index d = 0; d < 3; ++d)
+            for (std::size_t p = 0; p < points.size(); ++p)
+                coordinates_(static_cast<Eigen::Index>(p), d) = static_cast<float>(points[p][d] - middle_[d]);
         place_.resize(points.size());
         std::iota(place_.begin(), place_.end(), 0);
     }
@@ -102,8 +137,10 @@ class Columns {
         for (int d = 14; d < 27; ++d) {  // of 3 x 3 x 3, one of each opposite two
             const Vec3 way(d % 3 - 1, d / 3 % 3 - 1, d / 9 - 1);
             heights_.noalias() = coordinates_ * way.cwiseProduct(stretch).cast<float>();
-            found.push_back(place_[firstOf(heights_.maxCoeff())]);
-            found.push_back(place_[firstOf(heights_.minCoeff())]);
+            float highest, lowest;
+            findExtremes(heights_.data(), heights_.size(), &highest, &lowest);
+            found.push_back(place_[firstPlace(heights_.data(), heights_.size(), highest)]);
+            found.push_back(place_[firstPlace(heights_.data(), heights_.size(), lowest)]);
         }
         std::sort(found.begin(), found.end());
         found.erase(std::unique(found.begin(), found.end()), found.end());
@@ -121,7 +158,7 @@ class Columns {
         outside_ = outside_.max(heights_.array() - height);
         const float highest = heights_.maxCoeff();
         if (!(highest - height > tolerance)) return {};
-        return {place_[firstOf(highest)], highest - height};
+        return {place_[firstPlace(heights_.data(), heights_.size(), highest)], highest - height};
     }
     void beginRound() { outside_.setConstant(coordinates_.rows(), 0.f); }
     /// Leaves out what no face has further outside than `tolerance`: it stays inside while the hull grows.
@@ -138,11 +175,6 @@ class Columns {
     bool empty() const { return place_.empty(); }
 
   private:
-    /// Faster than to ask Eigen for the place along with the value, which it does one by one.
-    std::size_t firstOf(float height) const {
-        return std::find(heights_.data(), heights_.data() + heights_.size(), height) - heights_.data();
-    }
-
     Eigen::AlignedBox3d box_;
     Vec3 middle_;
     Eigen::MatrixX3f coordinates_;
@@ -166,16 +198,16 @@ ConvexHull convexHull(const std::vector<Vec3>& points) {
     return result(computer);
 }
 
-double roughHullVolume(const std::vector<Vec3>& points) {
+double roughHullVolume(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box) {
     if (points.empty()) return 0;
     btConvexHullComputer computer;
-    compute(computer, picked(points, Columns(points).outermost()));
+    compute(computer, picked(points, Columns(points, box).outermost()));
     return enclosedVolume(computer);
 }
 
 ConvexHull simpleHull(const std::vector<Vec3>& points, int most_vertices, double tolerance_m) {
     if (points.empty()) return {};
-    Columns columns(points);
+    Columns columns(points, boundingBox(points));
     std::vector<int> chosen = columns.outermost();
     btConvexHullComputer computer;
     double outside = 0;

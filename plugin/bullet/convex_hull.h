@@ -22,7 +22,7 @@ ConvexHull convexHull(const std::vector<Vec3>& points);
 ConvexHull simpleHull(const std::vector<Vec3>& points, int most_vertices, double tolerance_m);
 
 /// The volume of the hull of the points that are outermost in 26 directions, m^3: a little less than that of
-/// all.
-double roughHullVolume(const std::vector<Vec3>& points);
+/// all. `box`: that of the points.
+double roughHullVolume(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box);
 
 }  // namespace sherd

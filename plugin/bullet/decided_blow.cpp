@@ -16,10 +16,10 @@ namespace {
 std::vector<std::shared_ptr<const OwnedShape>> shapesOf(const std::vector<Fragment>& fragments,
                                                         const ShapeChoice& choice) {
     std::vector<std::shared_ptr<const OwnedShape>> shapes(fragments.size());
-    forEachChunk(static_cast<int>(fragments.size()), [&](int i) {
-        const Fragment& fragment = fragments[i];
+    forEachChunk(static_cast<int>(fragments.size()), [&](int f) {
+        const Fragment& fragment = fragments[f];
         const btTransform frame = principalFrame(fragment.solid->moments()).body_from_asset;
-        shapes[i] =
+        shapes[f] =
             std::make_shared<const OwnedShape>(makeShape(*fragment.solid, choice, fragment.boxes, frame));
     });
     return shapes;

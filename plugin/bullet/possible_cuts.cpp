@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "bullet/oriented_polytope.h"
 #include "core/numerics/mesh_measures.h"
@@ -56,8 +57,13 @@ double priceOfPart(const OrientedPolytope& part) {
     return priceOf(part.volume(), part.diagonal());
 }
 
-/// The slice before which a cut leaves the smallest hulls; 0 if all points are in one slice.
-int bestSlice(const Slices& of_slice, int axis, const Planes& planes) {
+struct Estimate {
+    int slice = 0;  // before which the cut is; 0: all points are in one slice
+    double price = std::numeric_limits<double>::infinity();
+};
+
+/// The cut that leaves the smallest hulls.
+Estimate bestSlice(const Slices& of_slice, int axis, const Planes& planes) {
     std::array<OrientedPolytope, slices + 1> before, behind;
     for (int s = 0; s < slices; ++s) {
         before[s + 1] = before[s];
@@ -65,15 +71,12 @@ int bestSlice(const Slices& of_slice, int axis, const Planes& planes) {
         behind[slices - 1 - s] = behind[slices - s];
         behind[slices - 1 - s].add(of_slice[slices - 1 - s]);
     }
-    double least = std::numeric_limits<double>::infinity();
-    int best = 0;
+    Estimate best;
     for (int s = 1; s < slices; ++s) {
         if (!planes.isAllowed(s) || before[s].empty() || behind[s].empty()) continue;
         before[s].high[axis] = behind[s].low[axis] = planes.offset(s);  // where the sections will be
         const double price = priceOfPart(before[s]) + priceOfPart(behind[s]);
-        if (price >= least) continue;
-        least = price;
-        best = s;
+        if (price < best.price) best = {s, price};
     }
     return best;
 }
@@ -87,16 +90,22 @@ double priceOf(double hull_volume, double length) {
 std::vector<AxisPlane> possibleCuts(const SurfaceCloud& cloud) {
     const Eigen::AlignedBox3d box = boundingBox(cloud.points);
     std::vector<OrientedPolytope::Reach> reach;
+    reach.reserve(cloud.points.size());
     for (const Vec3& x : cloud.points) reach.push_back(OrientedPolytope::reachOf(x));
-    std::vector<AxisPlane> cuts;
+    std::vector<std::pair<double, AxisPlane>> cuts;
     for (int axis = 0; axis < 3; ++axis) {
-        const Planes planes(cloud.steps[axis], box.min()[axis], box.max()[axis]);
+        const Planes planes((*cloud.steps)[axis], box.min()[axis], box.max()[axis]);
         Slices along;
         for (std::size_t p = 0; p < cloud.points.size(); ++p)
             along[planes.sliceOf(cloud.points[p][axis])].add(reach[p]);
-        if (const int slice = bestSlice(along, axis, planes)) cuts.push_back({axis, planes.offset(slice)});
+        const Estimate best = bestSlice(along, axis, planes);
+        if (best.slice > 0) cuts.push_back({best.price, {axis, planes.offset(best.slice)}});
     }
-    return cuts;
+    std::stable_sort(cuts.begin(), cuts.end(),
+                     [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<AxisPlane> planes;
+    for (const auto& [price, plane] : cuts) planes.push_back(plane);
+    return planes;
 }
 
 }  // namespace sherd

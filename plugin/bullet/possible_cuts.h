@@ -13,6 +13,7 @@ double priceOf(double hull_volume, double length);
 
 /// The plane across each axis that leaves the cheapest two parts, by an estimate: through a flat face of the
 /// surface where there is one near. No plane for an axis along which there is nothing to cut.
+/// The cheapest comes first.
 std::vector<AxisPlane> possibleCuts(const SurfaceCloud& cloud);
 
 }  // namespace sherd

@@ -6,6 +6,7 @@
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
 #include "core/numerics/plane_crossing.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 
@@ -108,33 +109,52 @@ bool liesAcross(const Vec3& area, int axis) {
     return area[axis] * area[axis] > facing * facing * area.squaredNorm();
 }
 
+/// Points with a list for each coordinate.
+using Columns = std::array<std::vector<double>, 3>;
+
 /// The points within a spacing of a plane, below and above it, where the surface may meet it.
-std::array<std::vector<Vec3>, 2> pointsNear(const AxisPlane& plane, const SurfaceCloud& cloud) {
-    std::array<std::vector<Vec3>, 2> near;
+std::array<Columns, 2> pointsNear(const AxisPlane& plane, const SurfaceCloud& cloud) {
+    std::array<Columns, 2> near;
     for (std::size_t p = 0; p < cloud.points.size(); ++p) {
         const double height = plane.height(cloud.points[p]);
-        if (std::abs(height) <= cloud.spacing && !liesAcross(cloud.areas[p], plane.axis))
-            near[height >= 0].push_back(cloud.points[p]);
+        if (std::abs(height) > cloud.spacing || liesAcross(cloud.areas[p], plane.axis)) continue;
+        for (int d = 0; d < 3; ++d) near[height >= 0][d].push_back(cloud.points[p][d]);
     }
     return near;
 }
 
-/// Where the surface crosses a plane: between each point close below it and the nearest one above. None where
-/// the surface ends at the plane.
+/// Gives each of some points number `own` for its nearest one where that is nearer than what is known.
+SHERD_WIDE_VECTORS void lookAt(const double* x, const double* y, const double* z, std::size_t count,
+                               const double* candidate, double own, double* least, double* nearest) {
+    const double a = candidate[0], b = candidate[1], c = candidate[2];
+    for (std::size_t p = 0; p < count; ++p) {
+        const double dx = a - x[p], dy = b - y[p], dz = c - z[p], distance = dx * dx + (dy * dy + dz * dz);
+        const bool is_nearer = distance < least[p];
+        least[p] = is_nearer ? distance : least[p];
+        nearest[p] = is_nearer ? own : nearest[p];
+    }
+}
+
+/// Where the surface crosses a plane: between each point close below it and the nearest one above, the first
+/// of those that are equally near. None where the surface ends at the plane.
 std::vector<Vec3> sectionOf(const SurfaceCloud& cloud, const AxisPlane& plane) {
     const double furthest = 2 * cloud.spacing;
-    const std::array<std::vector<Vec3>, 2> near = pointsNear(plane, cloud);
+    const auto [below, above] = pointsNear(plane, cloud);
+    const std::size_t count = below[0].size();
+    // All pairs are looked at: vector registers are faster at that than a search that leaves some out.
+    std::vector<double> least(count, furthest * furthest), nearest(count, -1);
+    const auto pointAt = [](const Columns& points, std::size_t p) {
+        return Vec3(points[0][p], points[1][p], points[2][p]);
+    };
+    for (std::size_t p = 0; p < above[0].size(); ++p)
+        lookAt(below[0].data(), below[1].data(), below[2].data(), count, pointAt(above, p).data(),
+               static_cast<double>(p), least.data(), nearest.data());
     std::vector<Vec3> section;
-    for (const Vec3& x : near[0]) {
-        double least = furthest * furthest;
-        const Vec3* partner = nullptr;
-        for (const Vec3& y : near[1]) {
-            const double distance = (y - x).squaredNorm();
-            if (distance >= least) continue;
-            least = distance;
-            partner = &y;
-        }
-        if (partner) section.push_back(planeCrossing(x, plane.height(x), *partner, plane.height(*partner)));
+    section.reserve(count);
+    for (std::size_t p = 0; p < count; ++p) {
+        if (nearest[p] < 0) continue;
+        const Vec3 x = pointAt(below, p), partner = pointAt(above, static_cast<std::size_t>(nearest[p]));
+        section.push_back(planeCrossing(x, plane.height(x), partner, plane.height(partner)));
     }
     return section;
 }
@@ -161,7 +181,8 @@ SurfaceCloud cloudOf(const TriangleMesh& surface) {
     // So a plane in a face has the face on the side where the solid is.
     for (std::size_t p = 0; p < cloud.points.size(); ++p)
         cloud.points[p] -= just_inside * cloud.spacing * cloud.areas[p].normalized();
-    for (int axis = 0; axis < 3; ++axis) cloud.steps[axis] = steps.along(axis);
+    cloud.steps = std::make_shared<const std::array<std::vector<SurfaceCloud::Step>, 3>>(
+        std::array<std::vector<SurfaceCloud::Step>, 3>{steps.along(0), steps.along(1), steps.along(2)});
     return cloud;
 }
 
@@ -174,12 +195,19 @@ std::array<SurfaceCloud, 2> parted(const SurfaceCloud& cloud, const AxisPlane& p
         part.cut_above = cloud.cut_above;
     }
     parts[0].cut_above[plane.axis] = parts[1].cut_below[plane.axis] = plane.offset;
+    const std::vector<Vec3> section = sectionOf(cloud, plane);
+    const auto above_count = static_cast<std::size_t>(std::count_if(
+        cloud.points.begin(), cloud.points.end(), [&](const Vec3& x) { return plane.height(x) >= 0; }));
+    for (int side = 0; side < 2; ++side) {
+        const std::size_t own = side ? above_count : cloud.points.size() - above_count;
+        parts[side].points.reserve(own + section.size());
+        parts[side].areas.reserve(own + section.size());
+    }
     for (std::size_t p = 0; p < cloud.points.size(); ++p) {
         SurfaceCloud& part = parts[plane.height(cloud.points[p]) >= 0];
         part.points.push_back(cloud.points[p]);
         part.areas.push_back(cloud.areas[p]);
     }
-    const std::vector<Vec3> section = sectionOf(cloud, plane);
     for (SurfaceCloud& part : parts) {
         part.points.insert(part.points.end(), section.begin(), section.end());
         part.areas.resize(part.points.size(), Vec3::Zero());

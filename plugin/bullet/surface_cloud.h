@@ -4,6 +4,7 @@
 
 #include <array>
 #include <limits>
+#include <memory>
 #include <vector>
 
 #include "bullet/cut_tree.h"
@@ -21,8 +22,9 @@ struct SurfaceCloud {
     std::vector<Vec3> points;  ///< just inside the surface, or on planes that cut it; m
     /// The area vector that each stands for, m^2; zero where planes cut the surface.
     std::vector<Vec3> areas;
-    double spacing = 0;                      ///< about that between points, or more, m
-    std::array<std::vector<Step>, 3> steps;  ///< of the whole surface, for each axis, in their order
+    double spacing = 0;  ///< about that between points, or more, m
+    /// Of the whole surface, for each axis, in their order.
+    std::shared_ptr<const std::array<std::vector<Step>, 3>> steps;
     /// The offsets of the planes that the surface was cut by, below and above along each axis; infinite where
     /// it was not.
     Vec3 cut_below = Vec3::Constant(-std::numeric_limits<double>::infinity());

@@ -79,8 +79,8 @@ const SurfaceTree& BreakableSolid::surfaceTree() const {
     return tree_.get([&] { return SurfaceTree(surface_); });
 }
 
-const CuttableSurface& BreakableSolid::cuttableSurface() const {
-    return cuttable_.get([&] { return CuttableSurface(surface_); });
+const CuttableSolid& BreakableSolid::cuttable(const Discretisation& sampling) const {
+    return cuttable_.get([&] { return CuttableSolid(surface_, sampling); });
 }
 
 BreakableSolid::Sampled BreakableSolid::sampled() const {
@@ -124,7 +124,7 @@ Status BreakableSolid::prepare(const Progress& progress) const {
     const bool reduced = fracture.use_reduced_model && makeReduced(progress);
     if (!reduced || fracture.check_with_full_solve)
         if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
-    cuttableSurface();
+    if (const auto sampling = discretisation(); sampling) cuttable(*sampling.value());
     tell(1);
     return success();
 }

@@ -17,7 +17,7 @@
 #include "core/sampling/discretisation.h"
 #include "fracture/baked_solid.h"
 #include "fracture/made_once.h"
-#include "geometry/cutting/cuttable_surface.h"
+#include "geometry/cutting/cuttable_solid.h"
 
 namespace sherd {
 
@@ -40,8 +40,6 @@ class BreakableSolid {
     const TriangleMesh& surface() const { return surface_; }
     /// For what is near a contact; made at the first call.
     const SurfaceTree& surfaceTree() const;
-    /// For cutting it; made at the first call.
-    const CuttableSurface& cuttableSurface() const;
     const Material& material() const { return material_; }
     const Settings& settings() const { return settings_; }
     /// The criterion that the material names.
@@ -81,6 +79,8 @@ class BreakableSolid {
     /// strength field; made at the first call. Throws std::invalid_argument where the field is not positive,
     /// or below its minimum.
     const std::vector<double>& strengths(const Discretisation& sampling) const;
+    /// For cutting it; made at the first call.
+    const CuttableSolid& cuttable(const Discretisation& sampling) const;
     /// The smallest of these, Pa, found at the first call; with a strength field, which is not called, the
     /// smallest that it allows.
     double weakestStrength(const Discretisation& sampling) const;
@@ -124,7 +124,7 @@ class BreakableSolid {
 
     // A sampling or factorisation that failed is kept as its sentence, and not tried again.
     mutable MadeOnce<SurfaceTree> tree_;
-    mutable MadeOnce<CuttableSurface> cuttable_;
+    mutable MadeOnce<CuttableSolid> cuttable_;
     mutable MadeOnce<Sampled> sampled_;
     mutable MadeOnce<Result<StressSolver>> solver_;
     mutable MadeOnce<Result<CoarseModel>> coarse_;

@@ -11,7 +11,7 @@ Result<FragmentSurfaces> cutWithinLimit(const StrikeContext& struck, FragmentLab
     const CutSettings cut{struck.seed, struck.fracture.crack_roughness};
     while (true) {
         Result<FragmentSurfaces> surfaces =
-            cutFragments(struck.solid.cuttableSurface(), struck.sampling, labels, cut);
+            cutFragments(struck.solid.cuttable(struck.sampling), struck.sampling, labels, cut);
         if (!surfaces) return surfaces;
         const int count = labels.count, pieces = static_cast<int>(surfaces.value().pieces.size()),
                   excess = pieces - struck.fracture.largest_fragment_count;

@@ -142,7 +142,8 @@ TEST(SurfaceCloud, MeasuresThePartsOfASolid) {
     const auto parts = parted(cloud, {2, 1.1});
     EXPECT_NEAR(solidVolume(parts[0]), 2 * 2.6, 0.15);
     EXPECT_NEAR(solidVolume(parts[1]), 2 * 0.4, 0.15);
-    EXPECT_NEAR(roughHullVolume(parts[0].points), 2 * 2.6, 1e-3) << "the section is there";
+    EXPECT_NEAR(roughHullVolume(parts[0].points, boundingBox(parts[0].points)), 2 * 2.6, 1e-3)
+        << "the section is there";
     EXPECT_TRUE(isWellInside(Vec3(0.1, 0.1, 0.1), cloud));
     EXPECT_FALSE(isWellInside(Vec3(0.1, 0.1, 1.499), cloud));
     EXPECT_FALSE(isWellInside(Vec3(0.1, 0.1, 2), cloud));
@@ -150,9 +151,9 @@ TEST(SurfaceCloud, MeasuresThePartsOfASolid) {
 
 TEST(SurfaceCloud, EndsAtAPlaneInAFace) {
     const SurfaceCloud cloud = cloudOf(shapes::uShape(0.05, 0.2, 0.3, 0.2));
-    ASSERT_EQ(cloud.steps[0].size(), 4u);
-    EXPECT_NEAR(cloud.steps[0][1].offset, 0.05, 1e-12);
-    EXPECT_NEAR(cloud.steps[0][1].area, 0.2 * 0.25, 1e-12);
+    ASSERT_EQ((*cloud.steps)[0].size(), 4u);
+    EXPECT_NEAR((*cloud.steps)[0][1].offset, 0.05, 1e-12);
+    EXPECT_NEAR((*cloud.steps)[0][1].area, 0.2 * 0.25, 1e-12);
     const SurfaceCloud rest = parted(cloud, {0, 0.05})[1];
     for (std::size_t p = 0; p < rest.points.size(); ++p)
         EXPECT_TRUE(rest.points[p].z() < 0.05 + 2 * cloud.spacing || rest.points[p].x() > 0.249)

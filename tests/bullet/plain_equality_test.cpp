@@ -109,10 +109,7 @@ TEST(Rest, BodyAtRestCostsNoSolveForTenSeconds) {
     passing->setGravity(btVector3(0, 0, 0));
     const BlowCounts landed = fracture.counts();
     scene.step(1200);
-    const BlowCounts counts = fracture.counts();
-    EXPECT_EQ(counts.solved() - landed.solved(), 0);
-    EXPECT_GT(counts.seen - landed.seen, 1150);
-    EXPECT_EQ(counts.gate - landed.gate, counts.seen - landed.seen);
+    EXPECT_EQ(fracture.counts().seen, landed.seen) << "what passes by does not make rest a blow";
 }
 
 TEST(Rest, SleepingBodyIsNotEvenSeen) {

@@ -12,7 +12,7 @@ enum : char { outside = 0, unreached = 1, near_surface = 2 };
 // to a surface point are marked.
 constexpr double margin = 0.8;
 
-void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, std::vector<char>& state) {
+void markNearSurface(const TriangleMesh& surface, const LatticeGrid& lattice, std::vector<char>& state) {
     Eigen::Vector3i marked_first(-1, -1, -1), marked_last = marked_first;
     for (const auto& t : surface.triangles) {
         const Vec3 &a = surface.vertices[t[0]], &b = surface.vertices[t[1]], &c = surface.vertices[t[2]];
@@ -36,7 +36,7 @@ void markNearSurface(const TriangleMesh& surface, const LabelLattice& lattice, s
 
 // The outermost layer of cells is outside by construction, so a flood from one corner reaches all of the
 // outside.
-void floodOutside(const LabelLattice& lattice, std::vector<char>& state) {
+void floodOutside(const LatticeGrid& lattice, std::vector<char>& state) {
     std::vector<std::array<int, 3>> front = {{0, 0, 0}};
     state[0] = outside;
     while (!front.empty()) {
@@ -56,13 +56,15 @@ void floodOutside(const LabelLattice& lattice, std::vector<char>& state) {
 
 }  // namespace
 
-std::vector<char> findActiveCells(const TriangleMesh& surface, const LabelLattice& lattice) {
-    std::vector<char> state(lattice.nodes.size(), outside);
+std::vector<int> findActiveCells(const TriangleMesh& surface, const LatticeGrid& lattice) {
+    std::vector<char> state(lattice.nodeCount(), outside);
     lattice.forEachCell([&](int i, int j, int k) { state[lattice.index(i, j, k)] = unreached; });
     markNearSurface(surface, lattice, state);
     floodOutside(lattice, state);
-    for (char& s : state) s = s != outside;
-    return state;
+    std::vector<int> active;
+    for (std::size_t cell = 0; cell < state.size(); ++cell)
+        if (state[cell] != outside) active.push_back(static_cast<int>(cell));
+    return active;
 }
 
 }  // namespace sherd

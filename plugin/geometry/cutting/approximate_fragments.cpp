@@ -83,6 +83,7 @@ CutFaces toFaces(const CrackComplex& complex, const std::vector<int>& triangle_a
         faces.body_parent.push_back(std::max({triangle_at[t[0]], triangle_at[t[1]], triangle_at[t[2]]}));
     }
     faces.body_set = connectLabels(faces);
+    faces.body_set_count = static_cast<int>(faces.body.size());
     return faces;
 }
 
@@ -122,13 +123,15 @@ std::string describe(const std::string& why, double spacing, double ratio) {
 
 }  // namespace
 
-Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const Discretisation& solid,
-                                              const FragmentLabels& labels, const CutSettings& settings,
-                                              const std::string& why) {
-    const double spacing =
-        latticeSpacing(surface, solid, labels, largest_lattice, wallThickness(surface) / nodes_across_wall);
+Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const ParticleReach& reach,
+                                              const Discretisation& solid, const FragmentLabels& labels,
+                                              const CutSettings& settings, const std::string& why) {
+    const double spacing = latticeSpacing(surface, spacingAtBorders(solid, labels), largest_lattice,
+                                          wallThickness(surface) / nodes_across_wall);
     const int outside = labels.count;
-    LabelLattice lattice = buildLabelLattice(surface, solid, labels, {spacing, 0.15, settings.seed});
+    LabelLattice lattice =
+        buildLabelLattice(std::make_shared<const LatticeLayout>(layLattice(surface, solid, spacing)), solid,
+                          reach, labels, settings.seed);
     labelOutside(surface, outside, lattice);
     CrackComplex complex = buildCrackComplex(lattice);
     const TriangleTree tree(surface);

@@ -6,17 +6,20 @@ namespace sherd {
 
 bool ChainSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal,
                              const std::vector<int>& loop, const std::vector<std::pair<int, int>>& segments,
-                             std::vector<Triangle>& out) {
+                             std::vector<Triangle>& out, TrianglePolygons& polygons) {
     constexpr std::size_t most_points = 60;  // what follows searches linearly
     if (loop.size() + segments.size() > most_points) return false;
     points_.clear();
     triangles_.clear();
-    for (const int id : loop) points_.push_back({id, project(points[id], normal), {-1, -1}, 0});
+    for (const int id : loop) points_.push_back({id, project(points[id], normal), {-1, -1}, {-1, -1}, 0});
     if (!connect(points, normal, segments)) return false;
     const int edge_count = static_cast<int>(loop.size());
-    edge_done_.assign(loop.size(), false);
+    polygons.count = 0;
+    polygons.of_part.clear();
+    polygons.at_edge.assign(loop.size(), -1);
+    polygons.beside_segments.resize(segments.size());
     for (int edge = 0; edge < edge_count; ++edge)
-        if (!edge_done_[edge] && !addPolygon(edge, edge_count)) return false;
+        if (polygons.at_edge[edge] < 0 && !addPolygon(edge, edge_count, polygons)) return false;
     // Euler: a polygon with n points on its loop and m inside has n + 2 m - 2 triangles. There are fewer
     // where chains cross, or where some are closed.
     if (triangles_.size() != 2 * points_.size() - loop.size() - 2) return false;
@@ -28,10 +31,13 @@ bool ChainSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal
 bool ChainSubdivision::connect(const std::vector<Vec3>& points, const Vec3& normal,
                                const std::vector<std::pair<int, int>>& segments) {
     const std::size_t on_loop = points_.size();
+    int way = 0;
     for (const auto& [source, target] : segments) {
         const int a = localOf(source, points, normal), b = localOf(target, points, normal);
         if (a == b || points_[a].degree == 2 || points_[b].degree == 2) return false;
+        points_[a].ways[points_[a].degree] = way++;
         points_[a].neighbours[points_[a].degree++] = b;
+        points_[b].ways[points_[b].degree] = way++;
         points_[b].neighbours[points_[b].degree++] = a;
     }
     for (std::size_t p = 0; p < points_.size(); ++p)
@@ -42,35 +48,38 @@ bool ChainSubdivision::connect(const std::vector<Vec3>& points, const Vec3& norm
 int ChainSubdivision::localOf(int id, const std::vector<Vec3>& points, const Vec3& normal) {
     for (std::size_t p = 0; p < points_.size(); ++p)
         if (points_[p].id == id) return static_cast<int>(p);
-    points_.push_back({id, project(points[id], normal), {-1, -1}, 0});
+    points_.push_back({id, project(points[id], normal), {-1, -1}, {-1, -1}, 0});
     return static_cast<int>(points_.size()) - 1;
 }
 
 // Walks around the polygon on the left of an edge of the loop: where a chain begins it follows that one to
 // its end on the loop.
-bool ChainSubdivision::addPolygon(int first_edge, int edge_count) {
+bool ChainSubdivision::addPolygon(int first_edge, int edge_count, TrianglePolygons& polygons) {
     polygon_.clear();
     int edge = first_edge;
     do {
-        if (edge_done_[edge]) return false;
-        edge_done_[edge] = true;
+        if (polygons.at_edge[edge] >= 0) return false;
+        polygons.at_edge[edge] = polygons.count;
         polygon_.push_back(edge);
-        int at = (edge + 1) % edge_count;
-        if (points_[at].degree == 1) {
-            int before = at;
-            polygon_.push_back(at);
-            at = points_[at].neighbours[0];
-            while (at >= edge_count) {
-                polygon_.push_back(at);
-                const auto& [first, second] = points_[at].neighbours;
-                const int next = first == before ? second : first;
-                before = at;
-                at = next;
-            }
-        }
-        edge = at;
+        const int at = edge + 1 < edge_count ? edge + 1 : 0;
+        edge = points_[at].degree == 1 ? followChain(at, edge_count, polygons) : at;
     } while (edge != first_edge);
-    return triangulatePolygon();
+    if (!triangulatePolygon()) return false;
+    polygons.of_part.resize(triangles_.size(), polygons.count++);
+    return true;
+}
+
+// Adds its points to the polygon on its left, but for the last, which is returned.
+int ChainSubdivision::followChain(int at, int edge_count, TrianglePolygons& polygons) {
+    int slot = 0;
+    do {
+        const int way = points_[at].ways[slot], before = at;
+        polygons.beside_segments[way / 2][way % 2] = polygons.count;
+        polygon_.push_back(at);
+        at = points_[at].neighbours[slot];
+        slot = points_[at].neighbours[0] == before ? 1 : 0;
+    } while (at >= edge_count);
+    return at;
 }
 
 // Cuts off ears, then flips diagonals. All triangles are oriented as the polygon: rounding has turned none

@@ -8,6 +8,14 @@
 
 namespace sherd {
 
+/// The polygons that segments cut a triangle into, which the triangles in them connect.
+struct TrianglePolygons {
+    int count = 0;
+    std::vector<int> of_part;                         ///< #triangles, the polygon that each is part of
+    std::vector<int> at_edge;                         ///< #loop, that at the edge which begins at each point
+    std::vector<std::array<int, 2>> beside_segments;  ///< #segments, those on their left and right
+};
+
 /// Splits a triangle along segments that form chains from one point of its boundary to another, as nearly all
 /// do: the chains leave polygons, and these are triangulated, Delaunay within each. The same triangles as a
 /// constrained Delaunay triangulation of the whole, in a small part of its time.
@@ -15,20 +23,23 @@ class ChainSubdivision {
   public:
     /// As TriangleSubdivision::split. False too if a segment belongs to no such chain.
     bool split(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
-               const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out);
+               const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out,
+               TrianglePolygons& polygons);
 
   private:
     struct Point {
         int id;
         PlaneKernel::Point_2 place;
         int neighbours[2];  // along segments
+        int ways[2];        // to these: twice the segment, and 1 where it runs the other way
         int degree;
     };
 
     bool connect(const std::vector<Vec3>& points, const Vec3& normal,
                  const std::vector<std::pair<int, int>>& segments);
     int localOf(int id, const std::vector<Vec3>& points, const Vec3& normal);
-    bool addPolygon(int first_edge, int edge_count);
+    bool addPolygon(int first_edge, int edge_count, TrianglePolygons& polygons);
+    int followChain(int at, int edge_count, TrianglePolygons& polygons);
     bool triangulatePolygon();
     bool isEar(std::size_t corner) const;
     void flipToDelaunay(std::size_t first);
@@ -36,7 +47,6 @@ class ChainSubdivision {
     bool isLeftTurn(int a, int b, int c) const;
 
     std::vector<Point> points_;  // those of the loop, then the inner ones
-    std::vector<char> edge_done_;
     std::vector<int> polygon_;
     std::vector<Triangle> triangles_;  // of points_
 };

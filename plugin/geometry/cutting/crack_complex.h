@@ -32,7 +32,7 @@ struct CrackComplex {
     std::vector<Vec3> points;         ///< m
     std::vector<Triangle> triangles;
     std::vector<Sides> sides;        ///< #triangles
-    std::vector<int> first_of_cell;  ///< #nodes + 1, offsets: the triangles made in each lattice cell
+    std::vector<int> first_of_cell;  ///< #active cells + 1, offsets: the triangles made in each
 };
 
 /// Points on lattice edges keep at least this far from both ends, as a fraction of the edge: so there are no

@@ -1,8 +1,10 @@
 #include "geometry/cutting/cut_faces.h"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/point_location.h"
 #include "geometry/cutting/side_spreading.h"
 #include "geometry/cutting/split_surface.h"
@@ -26,7 +28,9 @@ int labelAt(const Vec3& x, const LabelLattice& lattice, const CrackComplex& crac
 // Labels the shells of the body that no crack crosses. False if one could not be labelled.
 bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice, const CrackComplex& crack,
                           CutFaces& faces) {
-    std::vector<int> of_set(faces.body.size(), -1);
+    if (std::find(faces.body_label.begin(), faces.body_label.end(), -1) == faces.body_label.end())
+        return true;
+    std::vector<int> of_set(faces.body_set_count, -1);
     for (std::size_t t = 0; t < faces.body.size(); ++t) {
         if (faces.body_label[t] >= 0) continue;
         int& label = of_set[faces.body_set[t]];
@@ -44,7 +48,7 @@ bool labelUntouchedShells(const TriangleMesh& body, const LabelLattice& lattice,
 // connected to the body's surface; of each such set one point is located.
 void keepInsideCracks(const SplitSurface& split, const SpreadValues& inside, const CrackComplex& crack,
                       const TriangleMesh& body, CutFaces& faces) {
-    std::vector<int> of_set(split.triangles.size(), -1);
+    std::vector<int> of_set(inside.set_count, -1);
     for (std::size_t t = 0; t < split.triangles.size(); ++t) {
         int is_inside = inside.value[t];
         if (is_inside < 0) {
@@ -75,39 +79,47 @@ CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice,
     attempt.troubled = crossing.degenerate;
     if (!attempt.troubled.empty()) return attempt;
 
-    const CrossedSurface crossed_body = {
-        body.triangles, surface.edges(), crossing.on_body_edges,
-        groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())};
-    const CrossedSurface crossed_crack = {
-        shifted(crack.triangles, crossing.first_crack_point), crack_edges, crossing.on_crack_edges,
-        groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())};
-    SplitSurface split_body = splitSurface(crossed_body, crossing, attempt.troubled);
-    const SplitSurface split_crack = splitSurface(crossed_crack, crossing, attempt.troubled);
+    const std::vector<Triangle> crack_triangles = shifted(crack.triangles, crossing.first_crack_point);
+    const CrossedSurface crossed[2] = {
+        {body.triangles, surface.edges(), crossing.on_body_edges,
+         groupSegments(crossing.segments, &CutSegment::body_triangle, body.triangles.size())},
+        {crack_triangles, crack_edges, crossing.on_crack_edges,
+         groupSegments(crossing.segments, &CutSegment::crack_triangle, crack.triangles.size())}};
+    std::vector<SideValues> values[2];
+    for (const CutSegment& s : crossing.segments) {
+        values[0].push_back({crack.sides[s.crack_triangle].below, crack.sides[s.crack_triangle].above});
+        values[1].push_back({0, 1});  // outside and inside
+    }
+    SplitSurface split[2];
+    std::optional<SpreadValues> spread[2];
+    std::vector<int> troubled[2];
+    forEachChunk(2, [&](int side) {
+        split[side] = splitSurface(crossed[side], crossing, troubled[side]);
+        if (troubled[side].empty())
+            spread[side] = spreadFromSegments(crossed[side], split[side], values[side]);
+    });
+    for (const std::vector<int>& crack_triangles_to_blame : troubled)
+        attempt.troubled.insert(attempt.troubled.end(), crack_triangles_to_blame.begin(),
+                                crack_triangles_to_blame.end());
     if (!attempt.troubled.empty()) return attempt;
 
     CutFaces& faces = attempt.faces;
-    std::vector<SideValues> labels, insides;
-    for (const CutSegment& s : crossing.segments) {
-        labels.push_back({crack.sides[s.crack_triangle].below, crack.sides[s.crack_triangle].above});
-        insides.push_back({0, 1});
-    }
-    const int point_count = static_cast<int>(crossing.points.size());
-    auto body_labels = spreadFromSegments(crossed_body, split_body, point_count, crossing.segments, labels);
-    const auto inside =
-        spreadFromSegments(crossed_crack, split_crack, point_count, crossing.segments, insides);
+    auto& body_labels = spread[0];
+    const auto& inside = spread[1];
     if (!body_labels || !inside) {
         attempt.failure = "the lines of the crack on the surface do not close";
         return attempt;
     }
     faces.body_label = std::move(body_labels->value);
     faces.body_set = std::move(body_labels->set);
+    faces.body_set_count = body_labels->set_count;
     faces.points = std::move(crossing.points);
-    faces.body = std::move(split_body.triangles);
-    faces.body_parent = std::move(split_body.parents);
+    faces.body = std::move(split[0].triangles);
+    faces.body_parent = std::move(split[0].parents);
     if (!labelUntouchedShells(body, lattice, crack, faces)) {
         attempt.failure = "a part of the surface could not be told from its neighbours";
     } else {
-        keepInsideCracks(split_crack, *inside, crack, body, faces);
+        keepInsideCracks(split[1], *inside, crack, body, faces);
     }
     return attempt;
 }

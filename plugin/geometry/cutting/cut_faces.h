@@ -14,6 +14,7 @@ struct CutFaces {
     std::vector<int> body_parent;  ///< #body
     std::vector<int> body_label;   ///< #body
     std::vector<int> body_set;     ///< #body; equal for triangles that are connected within one label
+    int body_set_count = 0;        ///< numbers of sets are below
     std::vector<Triangle> crack;   ///< inside the solid
     std::vector<CrackComplex::Sides> crack_sides;  ///< #crack
 };

@@ -20,7 +20,6 @@ namespace sherd {
 
 namespace {
 
-constexpr double largest_lattice = 2e6;  // nodes
 constexpr double volume_tolerance = 1e-9;
 constexpr int most_nudges = 8;  // rounds of moving single crack triangles before another lattice is tried
 
@@ -49,16 +48,21 @@ CutAttempt cutWithNudges(const CuttableSurface& surface, const LabelLattice& lat
     return attempt;
 }
 
-std::optional<FragmentSurfaces> tryLattice(const CuttableSurface& cuttable, const Discretisation& solid,
-                                           const FragmentLabels& labels,
-                                           const LatticeSettings& lattice_settings, double roughness,
-                                           std::string& why) {
-    const TriangleMesh& surface = cuttable.mesh();
-    const LabelLattice lattice = buildLabelLattice(surface, solid, labels, lattice_settings);
+struct LatticeChoice {
+    double spacing_m;
+    std::uint64_t seed;
+};
+
+std::optional<FragmentSurfaces> tryLattice(const CuttableSolid& cuttable, const Discretisation& solid,
+                                           const FragmentLabels& labels, const LatticeChoice& choice,
+                                           double roughness, std::string& why) {
+    const TriangleMesh& surface = cuttable.surface().mesh();
+    const LabelLattice lattice = buildLabelLattice(cuttable.layout(solid, choice.spacing_m), solid,
+                                                   cuttable.reach(), labels, choice.seed);
     CrackComplex crack = buildCrackComplex(lattice);
     smoothCracks(crack, lattice, smoothing_steps);
-    if (roughness > 0) roughenCracks(crack, lattice, roughness * solid.spacing, lattice_settings.seed);
-    const CutAttempt attempt = cutWithNudges(cuttable, lattice, crack, lattice_settings.seed);
+    if (roughness > 0) roughenCracks(crack, lattice, roughness * solid.spacing, choice.seed);
+    const CutAttempt attempt = cutWithNudges(cuttable.surface(), lattice, crack, choice.seed);
     if (attempt.failure) {
         why = attempt.failure;
         return {};
@@ -69,19 +73,19 @@ std::optional<FragmentSurfaces> tryLattice(const CuttableSurface& cuttable, cons
     return FragmentSurfaces{std::move(pieces).value(), {}};
 }
 
-Result<FragmentSurfaces> cutOrThrow(const CuttableSurface& cuttable, const Discretisation& solid,
+Result<FragmentSurfaces> cutOrThrow(const CuttableSolid& cuttable, const Discretisation& solid,
                                     const FragmentLabels& labels, const CutSettings& settings) {
-    if (const Status checked = checkInput(cuttable, solid, labels); !checked) return Error{checked.error()};
-    const TriangleMesh& surface = cuttable.mesh();
-    const double spacing = latticeSpacing(surface, solid, labels, largest_lattice);
+    if (const Status checked = checkInput(cuttable.surface(), solid, labels); !checked)
+        return Error{checked.error()};
+    const TriangleMesh& surface = cuttable.surface().mesh();
+    const double spacing = latticeSpacing(surface, spacingAtBorders(solid, labels), most_lattice_nodes);
     std::string why = "no lattice was tried";
     for (int k = 0; k < settings.lattices; ++k) {
         // Another jitter each time, and from the third lattice on a coarser one, whose faces are larger and
         // fewer.
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
-        LatticeSettings lattice;
-        lattice.spacing = spacing * coarser;
-        lattice.seed = settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k);
+        const LatticeChoice lattice = {spacing * coarser,
+                                       settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
         auto cut = tryLattice(cuttable, solid, labels, lattice, settings.roughness, why);
         if (!cut) continue;
         if (k > 1)
@@ -89,18 +93,18 @@ Result<FragmentSurfaces> cutOrThrow(const CuttableSurface& cuttable, const Discr
                                  " % coarser than usual, since finer ones could not be cut cleanly.");
         return std::move(*cut);
     }
-    return approximateFragments(surface, solid, labels, settings, why);
+    return approximateFragments(surface, cuttable.reach(), solid, labels, settings, why);
 }
 
 }  // namespace
 
-Result<FragmentSurfaces> cutFragments(const CuttableSurface& surface, const Discretisation& solid,
+Result<FragmentSurfaces> cutFragments(const CuttableSolid& cuttable, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings) {
     try {
-        auto cut = cutOrThrow(surface, solid, labels, settings);
+        auto cut = cutOrThrow(cuttable, solid, labels, settings);
         if (!cut) return Error{cut.error()};
         FragmentSurfaces fragments = std::move(cut).value();
-        carryAttributes(surface.mesh(), fragments.pieces);
+        carryAttributes(cuttable.surface().mesh(), fragments.pieces);
         return fragments;
     } catch (const std::exception& e) {
         return Error{std::string("The fragments' surfaces could not be cut (") + e.what() +
@@ -110,7 +114,7 @@ Result<FragmentSurfaces> cutFragments(const CuttableSurface& surface, const Disc
 
 Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings) {
-    return cutFragments(CuttableSurface(surface), solid, labels, settings);
+    return cutFragments(CuttableSolid(surface, solid), solid, labels, settings);
 }
 
 }  // namespace sherd

@@ -7,7 +7,7 @@
 
 #include "core/clustering/fragment_labels.h"
 #include "core/sampling/discretisation.h"
-#include "geometry/cutting/cuttable_surface.h"
+#include "geometry/cutting/cuttable_solid.h"
 #include "geometry/cutting/fragment_surfaces.h"
 
 namespace sherd {
@@ -29,10 +29,11 @@ struct CutSettings {
 /// their volumes, and with them their masses, add up to the body's. Their `parents` are triangles near by.
 ///
 /// An error if the input is bad, or if a quarter of the body has walls too thin for that lattice.
-Result<FragmentSurfaces> cutFragments(const CuttableSurface& surface, const Discretisation& solid,
+/// `cuttable` was made of `solid`.
+Result<FragmentSurfaces> cutFragments(const CuttableSolid& cuttable, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings);
 
-/// The same for a surface that is cut once.
+/// The same for a solid that is cut once.
 Result<FragmentSurfaces> cutFragments(const TriangleMesh& surface, const Discretisation& solid,
                                       const FragmentLabels& labels, const CutSettings& settings);
 

@@ -1,50 +1,24 @@
 #include "geometry/cutting/label_densities.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/particle_weights.h"
 
 namespace sherd {
 
 namespace {
 
-/// Spreads the kernel of one particle: a part of it to the runner-up, the rest to `label`.
-void spreadParticle(const LabelLattice& lattice, const Particle& particle, int label,
-                    const RunnerUp& runner_up, double weight, NodeDensities& densities) {
-    const double radius = kernelRadius(particle);
-    const Vec3 centre = (particle.position - lattice.origin) / lattice.spacing;
-    const double jitter = lattice.jitter + 1e-6, own_reach = radius / lattice.spacing,
-                 reach = own_reach + jitter;
-    const Eigen::Vector3i first = (centre.array() - reach).ceil().cast<int>().max(0);
-    const Eigen::Vector3i last = (centre.array() + reach).floor().cast<int>().min(lattice.size.array() - 1);
-    for (int k = first.z(); k <= last.z(); ++k)
-        for (int j = first.y(); j <= last.y(); ++j) {
-            // The part of the row that the kernel may reach.
-            const double dz = std::max(0.0, std::abs(k - centre.z()) - jitter),
-                         dy = std::max(0.0, std::abs(j - centre.y()) - jitter),
-                         squared_room = own_reach * own_reach - dz * dz - dy * dy;
-            if (squared_room < 0) continue;
-            const double room = std::sqrt(squared_room) + jitter;
-            const int begin = std::max(first.x(), static_cast<int>(std::ceil(centre.x() - room))),
-                      end = std::min(last.x(), static_cast<int>(std::floor(centre.x() + room)));
-            for (int i = begin; i <= end; ++i) {
-                const int node = lattice.index(i, j, k);
-                if (lattice.labels[node] == -1) continue;
-                const double squared = (lattice.nodes[node] - particle.position).squaredNorm();
-                if (squared >= radius * radius) continue;
-                const double value = kernel(squared / (radius * radius));
-                if (!(value > 0)) continue;
-                densities.add(node, label, (1 - runner_up.share) * weight * value);
-                if (runner_up.share > 0)
-                    densities.add(node, runner_up.label, runner_up.share * weight * value);
-            }
-        }
-}
+/// What a particle adds to the nodes around it, in the order in which it is used.
+struct Source {
+    Vec3 position;
+    double squared_radius;
+    double share;  // of its material that counts as the runner-up's
+    double weight;
+    int label, runner_up;  // clusters have numbers below zero while kernels are summed
+};
 
-/// While kernels are spread each cluster has a density of its own, under a number below zero: -1 is the
-/// first.
 int densityOfCluster(int cluster) {
     return -1 - cluster;
 }
@@ -52,49 +26,151 @@ int clusterOfDensity(int label) {
     return -1 - label;
 }
 
-/// Reweights the clusters at each node by their distances from it to their seeds: the nearest gets the sum of
-/// all their densities, each other one that sum times (smallest distance / own distance). From then on the
-/// densities are those of the clusters' fragments.
-void reweightByDistance(const LabelLattice& lattice, const FragmentLabels& labels, NodeDensities& densities) {
+std::vector<Source> sourcesOf(const Discretisation& solid, const ParticleReach& reach,
+                              const FragmentLabels& labels) {
+    const std::vector<double> weights = particleWeights(solid, reach, labels);
+    std::vector<Source> sources;
+    sources.reserve(weights.size());
+    for (int i = 0; i < static_cast<int>(weights.size()); ++i) {
+        const Particle& particle = solid.particles[i];
+        const double radius = kernelRadius(particle);
+        Source source = {particle.position, radius * radius, 0, weights[i], labels.of_particle[i], -1};
+        if (labels.distance && labels.cluster[i] >= 0) {
+            source.label = densityOfCluster(labels.cluster[i]);
+        } else if (const RunnerUp runner_up = labels.runnerUpOf(i); runner_up.share > 0) {
+            source.share = runner_up.share;
+            source.runner_up = runner_up.label;
+        }
+        sources.push_back(source);
+    }
+    return sources;
+}
+
+/// Which fragment each cluster belongs to.
+std::vector<int> fragmentsOfClusters(const FragmentLabels& labels) {
     std::vector<int> fragment_of(labels.seeds.size());
     for (std::size_t i = 0; i < labels.cluster.size(); ++i)
         if (labels.cluster[i] >= 0) fragment_of[labels.cluster[i]] = labels.of_particle[i];
-    std::vector<NodeDensities::Entry*> clusters;
-    std::vector<double> distances;
-    for (int node = 0; node < densities.nodeCount(); ++node) {
-        clusters.clear();
-        distances.clear();
-        double sum = 0, nearest = std::numeric_limits<double>::infinity();
-        densities.forEach(node, [&](NodeDensities::Entry& density) {
-            if (density.label >= 0) return;
-            const int cluster = clusterOfDensity(density.label);
-            clusters.push_back(&density);
-            distances.push_back(labels.distance(labels.seeds[cluster], lattice.nodes[node]));
-            nearest = std::min(nearest, distances.back());
-            sum += density.value;
-            density.label = fragment_of[cluster];
-        });
-        for (std::size_t i = 0; i < clusters.size(); ++i)
-            clusters[i]->value = sum * (distances[i] > 0 ? nearest / distances[i] : 1);
-    }
+    return fragment_of;
 }
+
+/// Labels a part of the nodes.
+class Labelling {
+  public:
+    Labelling(const std::vector<Source>& sources, const std::vector<int>& fragment_of,
+              const FragmentLabels& labels, LabelLattice& lattice)
+        : sources_(sources), fragment_of_(fragment_of), labels_(labels), lattice_(lattice) {}
+
+    NodeDensities::Part run(int from, int to) {
+        const LatticeLayout& layout = *lattice_.layout;
+        for (int n = from; n < to; ++n) {
+            const int* const begin = layout.particles.data() + layout.first_particle[n];
+            const int* const end = layout.particles.data() + layout.first_particle[n + 1];
+            if (begin != end) label(layout.nodes[n], begin, end);
+        }
+        return std::move(densities_);
+    }
+
+  private:
+    void label(int node, const int* begin, const int* end) {
+        entries_.clear();
+        if (haveOneLabel(begin, end))
+            findAny(node, begin, end);
+        else
+            sumUp(node, begin, end);
+        if (entries_.empty()) return;
+        if (labels_.distance) reweightByDistance(lattice_.nodes[node]);
+        double best = 0;
+        for (const Entry& density : entries_) {
+            if (density.value < best || (density.value == best && density.label > lattice_.labels[node]))
+                continue;
+            best = density.value;
+            lattice_.labels[node] = density.label;
+        }
+        densities_.add(node, entries_);
+    }
+
+    bool haveOneLabel(const int* begin, const int* end) const {
+        const int label = sources_[*begin].label;
+        return std::all_of(begin, end, [&](int particle) {
+            return sources_[particle].label == label && !(sources_[particle].share > 0);
+        });
+    }
+
+    /// The kernel of a particle at a node; 0 beyond it.
+    double kernelAt(int node, const Source& source) const {
+        const double squared = (lattice_.nodes[node] - source.position).squaredNorm();
+        return squared >= source.squared_radius ? 0 : kernel(squared / source.squared_radius);
+    }
+
+    void findAny(int node, const int* begin, const int* end) {
+        if (std::any_of(begin, end, [&](int p) { return kernelAt(node, sources_[p]) > 0; }))
+            entries_.push_back({sources_[*begin].label, 1});
+    }
+
+    void sumUp(int node, const int* begin, const int* end) {
+        for (const int* particle = begin; particle != end; ++particle) {
+            const Source& source = sources_[*particle];
+            const double value = kernelAt(node, source);
+            if (!(value > 0)) continue;
+            add(source.label, (1 - source.share) * source.weight * value);
+            if (source.share > 0) add(source.runner_up, source.share * source.weight * value);
+        }
+    }
+
+    void add(int label, double value) {
+        for (Entry& known : entries_)
+            if (known.label == label) {
+                known.value += value;
+                return;
+            }
+        entries_.push_back({label, value});
+    }
+
+    /// Reweights the clusters at a node by their distances from it to their seeds: the nearest gets the sum
+    /// of all their densities, each other one that sum times (smallest distance / own distance). From then on
+    /// the densities are those of the clusters' fragments.
+    void reweightByDistance(const Vec3& x) {
+        distances_.assign(entries_.size(), 0);
+        double sum = 0, nearest = std::numeric_limits<double>::infinity();
+        for (std::size_t e = entries_.size(); e-- > 0;) {
+            if (entries_[e].label >= 0) continue;
+            distances_[e] = labels_.distance(labels_.seeds[clusterOfDensity(entries_[e].label)], x);
+            nearest = std::min(nearest, distances_[e]);
+            sum += entries_[e].value;
+        }
+        for (std::size_t e = 0; e < entries_.size(); ++e) {
+            if (entries_[e].label >= 0) continue;
+            entries_[e].label = fragment_of_[clusterOfDensity(entries_[e].label)];
+            entries_[e].value = sum * (distances_[e] > 0 ? nearest / distances_[e] : 1);
+        }
+    }
+
+    using Entry = NodeDensities::Entry;
+    const std::vector<Source>& sources_;
+    const std::vector<int>& fragment_of_;  // clusters
+    const FragmentLabels& labels_;
+    LabelLattice& lattice_;
+    NodeDensities::Part densities_;
+    std::vector<Entry> entries_;  // at one node
+    std::vector<double> distances_;
+};
 
 }  // namespace
 
-NodeDensities labelDensities(const LabelLattice& lattice, const Discretisation& solid,
-                             const FragmentLabels& labels) {
-    NodeDensities densities(lattice.nodes.size());
-    const std::vector<double> weights = particleWeights(solid, labels);
-    for (int i = 0; i < static_cast<int>(solid.particles.size()); ++i) {
-        const Particle& particle = solid.particles[i];
-        if (labels.distance && labels.cluster[i] >= 0)
-            spreadParticle(lattice, particle, densityOfCluster(labels.cluster[i]), {}, weights[i], densities);
-        else
-            spreadParticle(lattice, particle, labels.of_particle[i], labels.runnerUpOf(i), weights[i],
-                           densities);
-    }
-    if (labels.distance) reweightByDistance(lattice, labels, densities);
-    return densities;
+void labelByDensities(const Discretisation& solid, const ParticleReach& reach, const FragmentLabels& labels,
+                      LabelLattice& lattice) {
+    const std::vector<Source> sources = sourcesOf(solid, reach, labels);
+    const std::vector<int> fragment_of = fragmentsOfClusters(labels);
+    const int count = static_cast<int>(lattice.layout->nodes.size());
+    const int chunks = labels.distance ? 1 : 8;  // a guide field may be a function of the user's
+    std::vector<NodeDensities::Part> parts(chunks);
+    forEachChunk(chunks, [&](int chunk) {
+        parts[chunk] = Labelling(sources, fragment_of, labels, lattice)
+                           .run(chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count));
+    });
+    lattice.densities = NodeDensities(lattice.nodes.size());
+    for (const NodeDensities::Part& part : parts) lattice.densities.append(part);
 }
 
 }  // namespace sherd

@@ -1,10 +1,8 @@
 #include "geometry/cutting/lattice_building.h"
 
-#include <algorithm>
+#include <utility>
 
 #include "core/numerics/hashed_random.h"
-#include "core/numerics/mesh_measures.h"
-#include "geometry/cutting/active_cells.h"
 #include "geometry/cutting/label_densities.h"
 
 namespace sherd {
@@ -14,40 +12,16 @@ namespace {
 constexpr int without_label = -1;  // nodes of no active cell
 constexpr int label_wanted = -2;
 
-LabelLattice layLattice(const TriangleMesh& surface, const LatticeSettings& settings) {
-    const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
-    LabelLattice lattice;
-    lattice.spacing = settings.spacing;
-    lattice.jitter = settings.jitter;
-    lattice.origin = box.min() - Vec3::Constant(lattice_margin * settings.spacing);
-    lattice.size =
-        ((box.max() - box.min()) / settings.spacing).array().ceil().cast<int>() + 2 * lattice_margin + 1;
-    lattice.nodes.resize(static_cast<std::size_t>(lattice.size.cast<double>().prod()), Vec3::Zero());
-    return lattice;
-}
-
 // Those that are to get a label.
 void placeNodes(LabelLattice& lattice, std::uint64_t seed) {
-    std::uint64_t node = 0;
-    for (int k = 0; k < lattice.size.z(); ++k)
-        for (int j = 0; j < lattice.size.y(); ++j)
-            for (int i = 0; i < lattice.size.x(); ++i, ++node) {
-                if (lattice.labels[node] != label_wanted) continue;
-                const Vec3 jitter(hashedRandom(seed, node, 0), hashedRandom(seed, node, 1),
-                                  hashedRandom(seed, node, 2));
-                lattice.nodes[node] =
-                    lattice.origin + lattice.spacing * (Vec3(i, j, k) + lattice.jitter * jitter);
-            }
-}
-
-// Which nodes are to get a label: those of active cells.
-std::vector<int> markNodes(const LabelLattice& lattice) {
-    std::vector<int> labels(lattice.nodes.size(), without_label);
-    lattice.forEachCell([&](int i, int j, int k) {
-        if (!lattice.active_cells[lattice.index(i, j, k)]) return;
-        for (int corner = 0; corner < 8; ++corner) labels[lattice.cornerOf(i, j, k, corner)] = label_wanted;
-    });
-    return labels;
+    for (const int node : lattice.layout->nodes) {
+        const auto counter = static_cast<std::uint64_t>(node);
+        const int row = node / lattice.size.x();
+        const Vec3 place(node % lattice.size.x(), row % lattice.size.y(), row / lattice.size.y());
+        const Vec3 jitter(hashedRandom(seed, counter, 0), hashedRandom(seed, counter, 1),
+                          hashedRandom(seed, counter, 2));
+        lattice.nodes[node] = lattice.origin + lattice.spacing * (place + lattice.jitter * jitter);
+    }
 }
 
 // Which labels have cracks that are placed better than by smoothing.
@@ -59,19 +33,6 @@ std::vector<char> findSharpLabels(const FragmentLabels& labels) {
     for (std::size_t i = 0; i < labels.cluster.size(); ++i)
         if (labels.cluster[i] >= 0) sharp[labels.of_particle[i]] = 1;
     return sharp;
-}
-
-// The densest label of each node that a kernel reaches; the lower of two that are equally dense.
-void chooseLabels(LabelLattice& lattice) {
-    for (int node = 0; node < lattice.densities.nodeCount(); ++node) {
-        double best = 0;
-        lattice.densities.forEach(node, [&](const NodeDensities::Entry& density) {
-            if (density.value < best || (density.value == best && density.label > lattice.labels[node]))
-                return;
-            best = density.value;
-            lattice.labels[node] = density.label;
-        });
-    }
 }
 
 int nearestParticle(const Discretisation& solid, const Vec3& x) {
@@ -89,8 +50,13 @@ void labelUnreached(LabelLattice& lattice, const Discretisation& solid, const Fr
     const int steps[3] = {1, lattice.size.x(), lattice.size.x() * lattice.size.y()};
     const int count = static_cast<int>(lattice.nodes.size());
     std::vector<int> front;
-    for (int node = 0; node < count; ++node)
-        if (lattice.labels[node] >= 0) front.push_back(node);
+    bool all_reached = true;
+    for (const int node : lattice.layout->nodes)
+        if (lattice.labels[node] >= 0)
+            front.push_back(node);
+        else
+            all_reached = false;
+    if (all_reached) return;
     const auto flood = [&] {
         for (std::size_t head = 0; head < front.size(); ++head)
             for (int step : steps)
@@ -101,7 +67,7 @@ void labelUnreached(LabelLattice& lattice, const Discretisation& solid, const Fr
                     }
     };
     flood();
-    for (int node = 0; node < count; ++node) {
+    for (const int node : lattice.layout->nodes) {
         if (lattice.labels[node] != label_wanted) continue;
         lattice.labels[node] = labels.of_particle[nearestParticle(solid, lattice.nodes[node])];
         front = {node};
@@ -111,15 +77,17 @@ void labelUnreached(LabelLattice& lattice, const Discretisation& solid, const Fr
 
 }  // namespace
 
-LabelLattice buildLabelLattice(const TriangleMesh& surface, const Discretisation& solid,
-                               const FragmentLabels& labels, const LatticeSettings& settings) {
-    LabelLattice lattice = layLattice(surface, settings);
-    lattice.active_cells = findActiveCells(surface, lattice);
-    lattice.labels = markNodes(lattice);
-    placeNodes(lattice, settings.seed);
-    lattice.densities = labelDensities(lattice, solid, labels);
+LabelLattice buildLabelLattice(std::shared_ptr<const LatticeLayout> layout, const Discretisation& solid,
+                               const ParticleReach& reach, const FragmentLabels& labels, std::uint64_t seed) {
+    LabelLattice lattice;
+    static_cast<LatticeGrid&>(lattice) = layout->grid;
+    lattice.layout = std::move(layout);
+    lattice.nodes.resize(lattice.nodeCount(), Vec3::Zero());
+    lattice.labels.resize(lattice.nodes.size(), without_label);
+    for (const int node : lattice.layout->nodes) lattice.labels[node] = label_wanted;
+    placeNodes(lattice, seed);
+    labelByDensities(solid, reach, labels, lattice);
     lattice.sharp = findSharpLabels(labels);
-    chooseLabels(lattice);
     labelUnreached(lattice, solid, labels);
     return lattice;
 }

@@ -155,42 +155,49 @@ class Marching {
     PointsByNodes points_;
 };
 
-// Freudenthal's six tetrahedra of a cube: the paths from its lowest to its highest corner. Neighbouring cubes
-// match.
-void addCell(Marching& marching, const LabelLattice& lattice, int i, int j, int k) {
-    const int lowest = lattice.index(i, j, k);
-    const int step[3] = {lattice.index(1, 0, 0), lattice.index(0, 1, 0), lattice.index(0, 0, 1)};
-    const int highest = lowest + step[0] + step[1] + step[2];
+// The six tetrahedra of a cube, by the steps from its lowest node to the three others: Freudenthal's, the
+// paths from its lowest to its highest corner. Neighbouring cubes match.
+std::vector<std::array<int, 3>> tetrahedraOfCell(const LatticeGrid& grid) {
+    const int step[3] = {grid.index(1, 0, 0), grid.index(0, 1, 0), grid.index(0, 0, 1)};
+    std::vector<std::array<int, 3>> tetrahedra;
     for (int first = 0; first < 3; ++first)
         for (int second = 0; second < 3; ++second)
             if (first != second)
-                marching.addTetrahedron(
-                    {lowest, lowest + step[first], lowest + step[first] + step[second], highest});
+                tetrahedra.push_back({step[first], step[first] + step[second], step[0] + step[1] + step[2]});
+    return tetrahedra;
 }
 
-bool isUniform(const LabelLattice& lattice, int i, int j, int k) {
-    for (int corner = 1; corner < 8; ++corner)
-        if (lattice.labels[lattice.cornerOf(i, j, k, corner)] != lattice.labels[lattice.index(i, j, k)])
-            return false;
-    return true;
-}
+/// Whether all corners of a cell have the same label.
+class Uniformity {
+  public:
+    explicit Uniformity(const LabelLattice& lattice) : labels_(lattice.labels) {
+        for (int corner = 1; corner < 8; ++corner) steps_[corner - 1] = lattice.stepToCorner(corner);
+    }
+    bool operator()(int cell) const {
+        const int* const at = labels_.data() + cell;
+        return std::all_of(steps_.begin(), steps_.end(), [&](int step) { return at[step] == *at; });
+    }
+
+  private:
+    const std::vector<int>& labels_;
+    std::array<int, 7> steps_{};
+};
 
 }  // namespace
 
 CrackComplex buildCrackComplex(const LabelLattice& lattice) {
     Marching marching(lattice);
-    int numbered = 0;  // nodes
-    std::vector<int> first_of_cell(lattice.nodes.size() + 1);
-    const auto number = [&](int until) {
-        while (numbered < until) first_of_cell[numbered++] = marching.triangleCount();
-    };
-    lattice.forEachCell([&](int i, int j, int k) {
-        const int cell = lattice.index(i, j, k);
-        if (!lattice.active_cells[cell] || isUniform(lattice, i, j, k)) return;
-        number(cell + 1);
-        addCell(marching, lattice, i, j, k);
-    });
-    number(static_cast<int>(first_of_cell.size()));
+    std::vector<int> first_of_cell;
+    first_of_cell.reserve(lattice.layout->active_cells.size() + 1);
+    const auto tetrahedra = tetrahedraOfCell(lattice);
+    const Uniformity is_uniform(lattice);
+    for (const int cell : lattice.layout->active_cells) {
+        first_of_cell.push_back(marching.triangleCount());
+        if (is_uniform(cell)) continue;
+        for (const auto& [second, third, fourth] : tetrahedra)
+            marching.addTetrahedron({cell, cell + second, cell + third, cell + fourth});
+    }
+    first_of_cell.push_back(marching.triangleCount());
     return marching.take(std::move(first_of_cell));
 }
 

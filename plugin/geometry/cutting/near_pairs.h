@@ -13,8 +13,8 @@ struct NearPair {
     int body_triangle, crack_triangle;
 };
 
-/// The pairs whose bounding boxes meet, by body triangle, then by crack triangle. The cells of the lattice,
-/// whose cracks these are, serve as the grid.
+/// The pairs whose bounding boxes meet, by body triangle, then by crack triangle. The lattice, whose
+/// cracks these are, knows the body's triangles in each of its cells.
 std::vector<NearPair> findNearPairs(const TriangleMesh& body, const LabelLattice& lattice,
                                     const CrackComplex& crack);
 

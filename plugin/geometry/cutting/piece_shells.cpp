@@ -1,8 +1,8 @@
 #include "geometry/cutting/piece_shells.h"
 
 #include <algorithm>
+#include <utility>
 
-#include "core/numerics/mesh_measures.h"
 #include "core/numerics/union_find.h"
 #include "geometry/cutting/point_location.h"
 
@@ -17,45 +17,89 @@ std::vector<char> findCrackPoints(const LabelBoundary& boundary, std::size_t poi
     return on_crack;
 }
 
-// The triangles of the body with a corner on a crack, and one side of every crack face.
-std::vector<int> selectTriangles(const LabelBoundary& boundary, const std::vector<char>& on_crack) {
-    std::vector<int> selected;
-    for (int t = 0; t < boundary.body_count; ++t) {
-        const auto& [a, b, c] = boundary.triangles[t];
-        if (on_crack[a] || on_crack[b] || on_crack[c]) selected.push_back(t);
-    }
-    for (int t = boundary.body_count; t < static_cast<int>(boundary.triangles.size()); t += 2)
-        selected.push_back(t);
-    return selected;
-}
-
 // A triangle that runs along an edge.
 struct EdgeSide {
     int triangle, label;
     bool from_lower;  // it runs from the edge's lower vertex to the higher one
 };
 
-// All of them, with both sides of crack faces.
-void collectSides(const LabelBoundary& boundary, const std::vector<int>& selected, const EdgeTable& edges,
-                  int edge, std::vector<EdgeSide>& sides) {
-    sides.clear();
-    for (int u = edges.first_use[edge]; u < edges.first_use[edge + 1]; ++u) {
-        const int t = selected[edges.uses[u] / 3];
-        const bool from_lower = boundary.triangles[t][edges.uses[u] % 3] == edges.edges[edge][0];
-        sides.push_back({t, boundary.labels[t], from_lower});
-        const int opposite = boundary.opposite(t);
-        if (opposite >= 0) sides.push_back({opposite, boundary.labels[opposite], !from_lower});
+/// The half-edges with an end on a crack, by their lower vertex: those of the body's triangles, and one side
+/// of every crack face.
+class CrackEdges {
+  public:
+    CrackEdges(const LabelBoundary& boundary, const std::vector<char>& on_crack)
+        : boundary_(boundary), first_(on_crack.size() + 1, 0) {
+        collect(on_crack);
+        std::vector<HalfEdge> sorted(found_.size());
+        for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
+        std::vector<int> next(first_.begin(), first_.end() - 1);
+        for (const HalfEdge& half_edge : found_) sorted[next[half_edge.lower]++] = half_edge;
+        found_ = std::move(sorted);
     }
-}
+
+    /// Calls visit(sides) for each edge with all triangles along it, both sides of crack faces among them,
+    /// until one is refused.
+    template <class Visit>
+    bool forEach(const Visit& visit) {
+        for (std::size_t v = 0; v + 1 < first_.size(); ++v) {
+            if (first_[v] == first_[v + 1]) continue;
+            HalfEdge* const begin = found_.data() + first_[v];
+            HalfEdge* const end = found_.data() + first_[v + 1];
+            for (HalfEdge* edge = begin; edge != end;) {
+                sides_.clear();
+                HalfEdge* other = edge;
+                for (HalfEdge* h = edge; h != end; ++h) {
+                    if (h->higher != edge->higher) continue;
+                    addSides(*h);
+                    std::swap(*h, *other++);
+                }
+                edge = other;
+                if (!visit(sides_)) return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    struct HalfEdge {
+        int lower, higher, triangle;
+        bool from_lower;
+    };
+
+    void collect(const std::vector<char>& on_crack) {
+        const int count = static_cast<int>(boundary_.triangles.size());
+        found_.reserve(3 * (boundary_.triangles.size() - boundary_.body_count));
+        for (int t = 0; t < count; t += t < boundary_.body_count ? 1 : 2) {
+            const Triangle& corners = boundary_.triangles[t];
+            for (int i = 0; i < 3; ++i) {
+                const int a = corners[i], b = corners[i < 2 ? i + 1 : 0];
+                if (!on_crack[a] && !on_crack[b]) continue;
+                found_.push_back({std::min(a, b), std::max(a, b), t, a < b});
+                ++first_[std::min(a, b) + 1];
+            }
+        }
+    }
+
+    void addSides(const HalfEdge& h) {
+        sides_.push_back({h.triangle, boundary_.labels[h.triangle], h.from_lower});
+        const int opposite = boundary_.opposite(h.triangle);
+        if (opposite >= 0) sides_.push_back({opposite, boundary_.labels[opposite], !h.from_lower});
+    }
+
+    const LabelBoundary& boundary_;
+    std::vector<int> first_;  // #points + 1, offsets into `found_`
+    std::vector<HalfEdge> found_;
+    std::vector<EdgeSide> sides_;  // of one edge
+};
 
 // Unites the two triangles of each label; false if a label has not two that run in opposite directions.
 bool uniteSides(const std::vector<EdgeSide>& sides, UnionFind& sets) {
-    for (const EdgeSide& own : sides) {
+    for (std::size_t s = 0; s < sides.size(); ++s) {
         int partners = 0;
-        for (const EdgeSide& other : sides) {
-            if (&other == &own || other.label != own.label) continue;
-            if (other.from_lower == own.from_lower) return false;
-            sets.unite(own.triangle, other.triangle);
+        for (std::size_t k = 0; k < sides.size(); ++k) {
+            if (k == s || sides[k].label != sides[s].label) continue;
+            if (sides[k].from_lower == sides[s].from_lower) return false;
+            if (k > s) sets.unite(sides[s].triangle, sides[k].triangle);
             ++partners;
         }
         if (partners != 1) return false;
@@ -67,20 +111,14 @@ bool uniteSides(const std::vector<EdgeSide>& sides, UnionFind& sets) {
 // have two triangles, which run along it in opposite directions; false if not. All other edges are the
 // body's, which is closed.
 bool connectShells(const LabelBoundary& boundary, const CutFaces& faces, UnionFind& sets) {
-    for (int t = 0; t < boundary.body_count; ++t) sets.unite(t, faces.body_set[t]);
-    const std::vector<char> on_crack = findCrackPoints(boundary, faces.points.size());
-    const std::vector<int> selected = selectTriangles(boundary, on_crack);
-    std::vector<Triangle> triangles;
-    triangles.reserve(selected.size());
-    for (int t : selected) triangles.push_back(boundary.triangles[t]);
-    const EdgeTable edges = buildEdgeTable(triangles, static_cast<int>(faces.points.size()));
-    std::vector<EdgeSide> sides;
-    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
-        if (!on_crack[edges.edges[e][0]] && !on_crack[edges.edges[e][1]]) continue;
-        collectSides(boundary, selected, edges, static_cast<int>(e), sides);
-        if (!uniteSides(sides, sets)) return false;
+    std::vector<int> first_of_set(faces.body_set_count, -1);
+    for (int t = 0; t < boundary.body_count; ++t) {
+        int& first = first_of_set[faces.body_set[t]];
+        if (first < 0) first = t;
+        sets.unite(first, t);
     }
-    return true;
+    CrackEdges edges(boundary, findCrackPoints(boundary, faces.points.size()));
+    return edges.forEach([&](const std::vector<EdgeSide>& sides) { return uniteSides(sides, sets); });
 }
 
 std::vector<Triangle> trianglesOf(const PieceShell& shell, const LabelBoundary& boundary) {
@@ -90,22 +128,37 @@ std::vector<Triangle> trianglesOf(const PieceShell& shell, const LabelBoundary& 
     return triangles;
 }
 
+// Of the surface of a shell.
+double signedVolumeOf(const PieceShell& shell, const LabelBoundary& boundary, const std::vector<Vec3>& points,
+                      const Vec3& origin) {
+    double six_volumes = 0;
+    for (const int t : shell.triangles) {
+        const auto& [a, b, c] = boundary.triangles[t];
+        six_volumes += (points[a] - origin).cross(points[b] - origin).dot(points[c] - origin);
+    }
+    return six_volumes / 6;
+}
+
 // The united sets, in the order of their first triangles. Cavities are shells with a negative volume.
 std::vector<PieceShell> collectShells(const LabelBoundary& boundary, const std::vector<Vec3>& points,
                                       const Vec3& origin, UnionFind& sets) {
-    std::vector<int> shell_of(boundary.triangles.size(), -1);
+    const int count = static_cast<int>(boundary.triangles.size());
+    std::vector<int> shell_of(count), sizes;  // the root of a set is its first triangle
     std::vector<PieceShell> shells;
-    for (int t = 0; t < static_cast<int>(boundary.triangles.size()); ++t) {
-        int& index = shell_of[sets.root(t)];
-        if (index < 0) {
-            index = static_cast<int>(shells.size());
+    for (int t = 0; t < count; ++t) {
+        const int root = sets.root(t);
+        if (root == t) {
+            shell_of[t] = static_cast<int>(sizes.size());
+            sizes.push_back(0);
             shells.emplace_back();
             shells.back().label = boundary.labels[t];
         }
-        shells[index].triangles.push_back(t);
+        shell_of[t] = shell_of[root];
+        ++sizes[shell_of[t]];
     }
-    for (PieceShell& shell : shells)
-        shell.volume = enclosedVolume(points, trianglesOf(shell, boundary), origin);
+    for (std::size_t s = 0; s < shells.size(); ++s) shells[s].triangles.reserve(sizes[s]);
+    for (int t = 0; t < count; ++t) shells[shell_of[t]].triangles.push_back(t);
+    for (PieceShell& shell : shells) shell.volume = signedVolumeOf(shell, boundary, points, origin);
     return shells;
 }
 

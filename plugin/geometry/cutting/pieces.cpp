@@ -1,12 +1,15 @@
 #include "geometry/cutting/pieces.h"
 
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/piece_shells.h"
 #include "geometry/cutting/stray_pieces.h"
 
 namespace sherd {
 
 namespace {
+
+constexpr int extraction_chunks = 2;
 
 // The surface of one piece. `new_index`: scratch memory, #points, all -1 before and after.
 FragmentSurface extract(const PieceShell& shell, const LabelBoundary& boundary, const TriangleMesh& body,
@@ -52,13 +55,15 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
     std::vector<PieceShell> shells = std::move(found).value();
     mergeStrayPieces(boundary, faces.points, solid, labels, shells);
 
-    std::vector<FragmentSurface> pieces;
-    const std::vector<int> piece_of = pieceOfTriangle(shells, boundary);
-    std::vector<int> new_index(faces.points.size(), -1);
-    for (const PieceShell& shell : shells) {
+    for (const PieceShell& shell : shells)
         if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};
-        pieces.push_back(extract(shell, boundary, body, faces, piece_of, new_index));
-    }
+    std::vector<FragmentSurface> pieces(shells.size());
+    const std::vector<int> piece_of = pieceOfTriangle(shells, boundary);
+    forEachChunk(extraction_chunks, [&](int chunk) {
+        std::vector<int> new_index(faces.points.size(), -1);
+        for (std::size_t s = chunk; s < shells.size(); s += extraction_chunks)
+            pieces[s] = extract(shells[s], boundary, body, faces, piece_of, new_index);
+    });
     return pieces;
 }
 

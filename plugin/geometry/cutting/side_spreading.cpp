@@ -6,49 +6,38 @@ namespace sherd {
 
 namespace {
 
-/// The parts of crossed triangles and their edges. The edges of all other triangles are those of the surface
-/// before it was split.
-struct PartEdges {
-    std::vector<int> parts;  // indices into the split surface
-    EdgeTable edges;         // triangle k of it is parts[k]
+/// The patches of a triangle along one of its edges.
+struct AlongEdge {
+    const int* begin;
+    int count;
+    bool from_lower;  // the triangle runs along it from its lower vertex to the higher one
+    int operator[](int k) const { return begin[from_lower ? k : count - 1 - k]; }
 };
 
-PartEdges findPartEdges(const CrossedSurface& surface, const SplitSurface& split, int point_count) {
-    PartEdges result;
-    std::vector<Triangle> triangles;
-    for (std::size_t t = 0; t < split.triangles.size(); ++t) {
-        if (surface.groups.isEmpty(split.parents[t])) continue;
-        result.parts.push_back(static_cast<int>(t));
-        triangles.push_back(split.triangles[t]);
-    }
-    result.edges = buildEdgeTable(triangles, point_count);
-    return result;
+/// `half_edge`: of the surface. `own`: memory for the patch of a triangle that is not crossed.
+AlongEdge patchesAlong(const CrossedSurface& surface, const SplitSurface& split, int half_edge, int& own) {
+    const int triangle = half_edge / 3, corner = half_edge % 3;
+    own = triangle;
+    if (split.crossed[triangle] < 0) return {&own, 1, true};
+    const int side = 3 * split.crossed[triangle] + corner, first = split.first_side[side];
+    const Triangle& t = surface.triangles[triangle];
+    return {split.along_sides.data() + first, split.first_side[side + 1] - first,
+            t[corner] < t[corner < 2 ? corner + 1 : 0]};
 }
 
-/// Sets of triangles that are connected without crossing a segment (`is_barrier`: #edges of the parts).
-UnionFind connectWithin(const CrossedSurface& surface, const SplitSurface& split, const PartEdges& part_edges,
-                        const std::vector<char>& is_barrier) {
-    UnionFind sets(split.triangles.size());
-    const auto& [parts, edges] = part_edges;
-    for (std::size_t e = 0; e < edges.edges.size(); ++e)
-        if (!is_barrier[e])
-            for (int u = edges.first_use[e] + 1; u < edges.first_use[e + 1]; ++u)
-                sets.unite(parts[edges.uses[u] / 3], parts[edges.uses[edges.first_use[e]] / 3]);
-    // A triangle that is not crossed has no crossing on its edges, so a split neighbour has a part with the
-    // same edge.
-    for (std::size_t e = 0; e < surface.edges.edges.size(); ++e) {
-        int first = -1;
-        for (int u = surface.edges.first_use[e]; u < surface.edges.first_use[e + 1]; ++u) {
-            const int parent = surface.edges.uses[u] / 3;
-            int t = split.first_part[parent];
-            if (!surface.groups.isEmpty(parent)) {
-                const Triangle& corners = surface.triangles[parent];
-                const int i = surface.edges.uses[u] % 3, edge = edges.find(corners[i], corners[(i + 1) % 3]);
-                if (edge < 0) break;
-                t = parts[edges.uses[edges.first_use[edge]] / 3];
-            }
-            if (first >= 0) sets.unite(first, t);
-            first = t;
+/// Sets of patches that are connected without crossing a segment. A triangle that is not crossed has no
+/// crossing on its edges, so a split neighbour has one patch there.
+UnionFind connectPatches(const CrossedSurface& surface, const SplitSurface& split) {
+    UnionFind sets(split.patch_count);
+    int patch, other_patch;
+    const EdgeTable& edges = surface.edges;
+    for (std::size_t e = 0; e < edges.edges.size(); ++e) {
+        const int begin = edges.first_use[e], end = edges.first_use[e + 1];
+        const AlongEdge first = patchesAlong(surface, split, edges.uses[begin], patch);
+        for (int u = begin + 1; u < end; ++u) {
+            const AlongEdge other = patchesAlong(surface, split, edges.uses[u], other_patch);
+            if (other.count != first.count) continue;
+            for (int k = 0; k < first.count; ++k) sets.unite(first[k], other[k]);
         }
     }
     return sets;
@@ -57,30 +46,24 @@ UnionFind connectWithin(const CrossedSurface& surface, const SplitSurface& split
 }  // namespace
 
 std::optional<SpreadValues> spreadFromSegments(const CrossedSurface& surface, const SplitSurface& split,
-                                               int point_count, const std::vector<CutSegment>& segments,
                                                const std::vector<SideValues>& values) {
-    const PartEdges part_edges = findPartEdges(surface, split, point_count);
-    const auto& [parts, edges] = part_edges;
-    std::vector<char> is_barrier(edges.edges.size(), false);
-    std::vector<int> edge_of(segments.size());
-    for (std::size_t s = 0; s < segments.size(); ++s) {
-        edge_of[s] = edges.find(segments[s].source, segments[s].target);
-        if (edge_of[s] < 0 || edges.first_use[edge_of[s] + 1] - edges.first_use[edge_of[s]] != 2) return {};
-        is_barrier[edge_of[s]] = true;
-    }
-    UnionFind sets = connectWithin(surface, split, part_edges, is_barrier);
-    std::vector<int> of_set(split.triangles.size(), -1);
-    for (std::size_t s = 0; s < segments.size(); ++s)
-        for (int u = edges.first_use[edge_of[s]]; u < edges.first_use[edge_of[s] + 1]; ++u) {
-            const int t = parts[edges.uses[u] / 3];
-            const bool on_left = split.triangles[t][edges.uses[u] % 3] == segments[s].source;
-            const int wanted = on_left ? values[s].left : values[s].right;
-            int& known = of_set[sets.root(t)];
+    UnionFind sets = connectPatches(surface, split);
+    std::vector<int> of_set(split.patch_count, -1);
+    for (std::size_t s = 0; s < values.size(); ++s)
+        for (int side = 0; side < 2; ++side) {
+            const int wanted = side == 0 ? values[s].left : values[s].right;
+            int& known = of_set[sets.root(split.beside_segments[s][side])];
             if (known >= 0 && known != wanted) return {};
             known = wanted;
         }
-    SpreadValues result = {{}, sets.roots()};
-    for (const int set : result.set) result.value.push_back(of_set[set]);
+    SpreadValues result;
+    result.set_count = split.patch_count;
+    result.set.reserve(split.patches.size());
+    result.value.reserve(split.patches.size());
+    for (const int patch : split.patches) {
+        result.set.push_back(sets.root(patch));
+        result.value.push_back(of_set[result.set.back()]);
+    }
     return result;
 }
 

@@ -17,12 +17,12 @@ struct SideValues {
 struct SpreadValues {
     std::vector<int> value;  ///< #triangles; -1 where no segment bounds the set
     std::vector<int> set;    ///< #triangles; equal within a set, else different
+    int set_count = 0;       ///< numbers of sets are below
 };
 
 /// Spreads the values beside the segments (`values`: #segments) over the triangles that are connected without
-/// crossing a segment. Nothing if two segments disagree about a set, or one is no edge between two triangles.
+/// crossing a segment. Nothing if two segments disagree about a set.
 std::optional<SpreadValues> spreadFromSegments(const CrossedSurface& surface, const SplitSurface& split,
-                                               int point_count, const std::vector<CutSegment>& segments,
                                                const std::vector<SideValues>& values);
 
 }  // namespace sherd

@@ -9,20 +9,87 @@ namespace sherd {
 
 namespace {
 
-/// Corners of a triangle and crossings along its edges, counter-clockwise. `crossings`: scratch memory.
-void collectLoop(const CrossedSurface& surface, int triangle, std::vector<int>& loop,
-                 std::vector<EdgeCrossing>& crossings) {
-    loop.clear();
-    for (int i = 0; i < 3; ++i) {
-        const int edge = surface.edges.of_triangle[triangle][i];
-        surface.on_edges.collect(edge, crossings);
-        loop.push_back(surface.triangles[triangle][i]);
-        const auto first = static_cast<long>(loop.size());
-        for (const EdgeCrossing& crossing : crossings) loop.push_back(crossing.point);
-        const bool from_lower = surface.triangles[triangle][i] < surface.triangles[triangle][(i + 1) % 3];
-        if (!from_lower) std::reverse(loop.begin() + first, loop.end());
+class Splitting {
+  public:
+    Splitting(const CrossedSurface& surface, const SurfaceCrossing& crossing)
+        : surface_(surface), crossing_(crossing) {
+        const std::size_t count = surface.triangles.size(), most = count + 6 * crossing.segments.size();
+        result_.triangles.reserve(most);
+        result_.parents.reserve(most);
+        result_.patches.reserve(most);
+        result_.crossed.assign(count, -1);
+        result_.patch_count = static_cast<int>(count);
+        result_.beside_segments.resize(crossing.segments.size(), {-1, -1});
     }
-}
+
+    SplitSurface run(std::vector<int>& troubled) {
+        for (int t = 0; t < static_cast<int>(surface_.triangles.size()); ++t) {
+            if (surface_.groups.isEmpty(t))
+                add(surface_.triangles[t], t, t);
+            else if (!split(t))
+                for (int k = surface_.groups.first[t]; k < surface_.groups.first[t + 1]; ++k)
+                    troubled.push_back(crossing_.segments[surface_.groups.segments[k]].crack_triangle);
+        }
+        result_.first_side.push_back(static_cast<int>(result_.along_sides.size()));
+        return std::move(result_);
+    }
+
+  private:
+    void add(const Triangle& triangle, int parent, int patch) {
+        result_.triangles.push_back(triangle);
+        result_.parents.push_back(parent);
+        result_.patches.push_back(patch);
+    }
+
+    bool split(int t) {
+        const int* const begin = surface_.groups.segments.data() + surface_.groups.first[t];
+        const int* const end = surface_.groups.segments.data() + surface_.groups.first[t + 1];
+        pairs_.clear();
+        for (const int* s = begin; s != end; ++s)
+            pairs_.emplace_back(crossing_.segments[*s].source, crossing_.segments[*s].target);
+        collectLoop(t);
+        const std::vector<Vec3>& x = crossing_.points;
+        const auto& [a, b, c] = surface_.triangles[t];
+        parts_.clear();
+        if (!subdivision_.split(x, (x[b] - x[a]).cross(x[c] - x[a]), loop_, pairs_, parts_, polygons_))
+            return false;
+        const int first = result_.patch_count;
+        for (std::size_t p = 0; p < parts_.size(); ++p) add(parts_[p], t, first + polygons_.of_part[p]);
+        for (std::size_t s = 0; s < pairs_.size(); ++s)
+            for (int side = 0; side < 2; ++side)
+                result_.beside_segments[begin[s]][side] = first + polygons_.beside_segments[s][side];
+        for (const int polygon : polygons_.at_edge) result_.along_sides.push_back(first + polygon);
+        result_.patch_count += polygons_.count;
+        return true;
+    }
+
+    /// Corners of a triangle and crossings along its edges, counter-clockwise.
+    void collectLoop(int triangle) {
+        const auto sides_before = static_cast<int>(result_.along_sides.size());
+        result_.crossed[triangle] = static_cast<int>(result_.first_side.size() / 3);
+        loop_.clear();
+        for (int i = 0; i < 3; ++i) {
+            result_.first_side.push_back(sides_before + static_cast<int>(loop_.size()));
+            surface_.on_edges.collect(surface_.edges.of_triangle[triangle][i], crossings_);
+            loop_.push_back(surface_.triangles[triangle][i]);
+            const auto first = static_cast<long>(loop_.size());
+            for (const EdgeCrossing& crossing : crossings_) loop_.push_back(crossing.point);
+            const bool from_lower =
+                surface_.triangles[triangle][i] < surface_.triangles[triangle][(i + 1) % 3];
+            if (!from_lower) std::reverse(loop_.begin() + first, loop_.end());
+        }
+    }
+
+    const CrossedSurface& surface_;
+    const SurfaceCrossing& crossing_;
+    SplitSurface result_;
+    TriangleSubdivision subdivision_;
+    TrianglePolygons polygons_;
+    std::vector<std::pair<int, int>> pairs_;
+    std::vector<int> loop_;
+    std::vector<EdgeCrossing> crossings_;  // along one edge
+    std::vector<Triangle> parts_;          // of one triangle
+};
 
 }  // namespace
 
@@ -41,36 +108,7 @@ SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegm
 
 SplitSurface splitSurface(const CrossedSurface& surface, const SurfaceCrossing& crossing,
                           std::vector<int>& troubled) {
-    SplitSurface result;
-    result.triangles.reserve(surface.triangles.size() + 2 * crossing.points.size());
-    result.first_part.reserve(surface.triangles.size() + 1);
-    TriangleSubdivision subdivision;
-    std::vector<std::pair<int, int>> pairs;
-    std::vector<int> loop;
-    std::vector<EdgeCrossing> crossings;
-    const std::vector<Vec3>& x = crossing.points;
-    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t) {
-        result.first_part.push_back(static_cast<int>(result.triangles.size()));
-        if (surface.groups.isEmpty(t)) {
-            result.triangles.push_back(surface.triangles[t]);
-            continue;
-        }
-        pairs.clear();
-        const auto begin = surface.groups.segments.begin() + surface.groups.first[t],
-                   end = surface.groups.segments.begin() + surface.groups.first[t + 1];
-        for (auto s = begin; s != end; ++s)
-            pairs.emplace_back(crossing.segments[*s].source, crossing.segments[*s].target);
-        const auto& [a, b, c] = surface.triangles[t];
-        collectLoop(surface, t, loop, crossings);
-        if (!subdivision.split(x, (x[b] - x[a]).cross(x[c] - x[a]), loop, pairs, result.triangles))
-            for (auto s = begin; s != end; ++s) troubled.push_back(crossing.segments[*s].crack_triangle);
-    }
-    result.first_part.push_back(static_cast<int>(result.triangles.size()));
-    result.parents.resize(result.triangles.size());
-    for (int t = 0; t < static_cast<int>(surface.triangles.size()); ++t)
-        std::fill(result.parents.begin() + result.first_part[t],
-                  result.parents.begin() + result.first_part[t + 1], t);
-    return result;
+    return Splitting(surface, crossing).run(troubled);
 }
 
 }  // namespace sherd

@@ -20,7 +20,7 @@ SegmentGroups groupSegments(const std::vector<CutSegment>& segments, int CutSegm
 
 /// One of two surfaces that cross, with points numbered as in `SurfaceCrossing`.
 struct CrossedSurface {
-    std::vector<Triangle> triangles;
+    const std::vector<Triangle>& triangles;
     const EdgeTable& edges;
     const EdgeCrossings& on_edges;
     SegmentGroups groups;
@@ -29,8 +29,16 @@ struct CrossedSurface {
 /// The triangles of a crossed surface, the crossed ones split along their segments.
 struct SplitSurface {
     std::vector<Triangle> triangles;
-    std::vector<int> parents;     ///< #triangles, the triangle before splitting
-    std::vector<int> first_part;  ///< #parents + 1, of the parts of each triangle before splitting
+    std::vector<int> parents;  ///< #triangles, the triangle before splitting
+
+    // A patch is a triangle that is not crossed, under its own number, or one of the polygons that a crossed
+    // one is cut into: what is connected without a look across its edges.
+    std::vector<int> patches;      ///< #triangles
+    int patch_count = 0;           ///< with the numbers of crossed triangles, which no patch has
+    std::vector<int> crossed;      ///< #parents, the number among the crossed ones, or -1
+    std::vector<int> first_side;   ///< 3 #crossed + 1, offsets into `along_sides`
+    std::vector<int> along_sides;  ///< patches from corner to corner around crossed triangles
+    std::vector<std::array<int, 2>> beside_segments;  ///< #segments, the patches on their left and right
 };
 
 /// Splits by constrained Delaunay triangulation. Where that fails the crack triangles to blame are appended

@@ -26,19 +26,25 @@ constexpr int next_corner[3] = {1, 2, 0};
 
 class Crossing {
   public:
-    Crossing(const TriangleMesh& body, const EdgeTable& body_edges, const CrackComplex& crack,
-             const EdgeTable& crack_edges)
-        : body_(body), body_edges_(body_edges), crack_(crack), crack_edges_(crack_edges) {
-        result_.points.reserve(body.vertices.size() + crack.points.size() + crack.points.size() / 2);
-        result_.points = body.vertices;
-        result_.first_crack_point = static_cast<int>(body.vertices.size());
+    Crossing(const CuttableSurface& surface, const CrackComplex& crack, const EdgeTable& crack_edges)
+        : body_(surface.mesh()), body_edges_(surface.edges()), crack_(crack), crack_edges_(crack_edges) {
+        result_.points.reserve(body_.vertices.size() + crack.points.size() + crack.points.size() / 2);
+        result_.points = body_.vertices;
+        result_.first_crack_point = static_cast<int>(body_.vertices.size());
         result_.points.insert(result_.points.end(), crack.points.begin(), crack.points.end());
-        result_.on_body_edges = EdgeCrossings(body_edges.edges.size());
+        result_.on_body_edges = EdgeCrossings(body_edges_.edges.size());
         result_.on_crack_edges = EdgeCrossings(crack_edges.edges.size());
     }
 
     SurfaceCrossing run(const LabelLattice& lattice) {
-        for (const auto& [b, c] : findNearPairs(body_, lattice, crack_)) crossPair(b, c);
+        const std::vector<NearPair> pairs = findNearPairs(body_, lattice, crack_);
+        for (auto pair = pairs.begin(); pair != pairs.end();) {
+            const int b = pair->body_triangle;
+            const Corners x = cornersOf(body_.triangles[b], body_.vertices);
+            const OrientedPlane plane(x.a, x.b, x.c);
+            for (; pair != pairs.end() && pair->body_triangle == b; ++pair)
+                crossPair(b, x, plane, pair->crack_triangle);
+        }
         findNearCrossings(result_.on_body_edges);
         findNearCrossings(result_.on_crack_edges);
         auto& bad = result_.degenerate;
@@ -49,17 +55,17 @@ class Crossing {
 
   private:
     // Signs of the corners of one triangle against the plane of the other; false if all are on one side.
-    static bool signsAgainst(const Corners& plane, const Corners& x, int (&sign)[3]) {
-        const OrientedPlane oriented(plane.a, plane.b, plane.c);
-        for (int i = 0; i < 3; ++i) sign[i] = oriented.side(x[i]);
+    static bool signsAgainst(const OrientedPlane& plane, const Corners& x, int (&sign)[3]) {
+        for (int i = 0; i < 3; ++i) sign[i] = plane.side(x[i]);
         return sign[0] != sign[1] || sign[1] != sign[2] || sign[0] == 0;
     }
 
-    void crossPair(int b, int c) {
-        const Corners x = cornersOf(body_.triangles[b], body_.vertices),
-                      y = cornersOf(crack_.triangles[c], crack_.points);
+    void crossPair(int b, const Corners& x, const OrientedPlane& body_plane, int c) {
+        const Corners y = cornersOf(crack_.triangles[c], crack_.points);
         int body_sign[3], crack_sign[3];
-        if (!signsAgainst(y, x, body_sign) || !signsAgainst(x, y, crack_sign)) return;
+        if (!signsAgainst(body_plane, y, crack_sign) ||
+            !signsAgainst(OrientedPlane(y.a, y.b, y.c), x, body_sign))
+            return;
         // twist[i][j]: on which side of body edge i crack edge j passes.
         int twist[3][3];
         bool zero = false;
@@ -140,7 +146,7 @@ class Crossing {
 
 SurfaceCrossing crossSurfaces(const CuttableSurface& body, const LabelLattice& lattice,
                               const CrackComplex& crack, const EdgeTable& crack_edges) {
-    return Crossing(body.mesh(), body.edges(), crack, crack_edges).run(lattice);
+    return Crossing(body, crack, crack_edges).run(lattice);
 }
 
 }  // namespace sherd

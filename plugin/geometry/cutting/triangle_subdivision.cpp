@@ -4,7 +4,9 @@
 #include <CGAL/Triangulation_face_base_with_info_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include "geometry/cutting/chain_subdivision.h"
+#include <algorithm>
+
+#include "core/numerics/union_find.h"
 
 namespace sherd {
 
@@ -18,6 +20,57 @@ using FaceBase =
 using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>;
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
+
+/// Joins the parts of one triangle to polygons. They are few, so edges are searched linearly.
+class Joining {
+  public:
+    explicit Joining(std::vector<Triangle> parts) : parts_(std::move(parts)) {}
+
+    /// False if an edge of the loop or a side of a segment has no part.
+    bool join(const std::vector<int>& loop, const std::vector<std::pair<int, int>>& segments,
+              TrianglePolygons& polygons) const {
+        UnionFind sets(parts_.size());
+        for (std::size_t p = 0; p < parts_.size(); ++p)
+            for (int i = 0; i < 3; ++i) {
+                const int a = parts_[p][i], b = parts_[p][(i + 1) % 3], other = partAt(b, a);
+                const bool is_segment = std::any_of(segments.begin(), segments.end(), [&](const auto& s) {
+                    return s == std::make_pair(a, b) || s == std::make_pair(b, a);
+                });
+                if (other >= 0 && !is_segment) sets.unite(static_cast<int>(p), other);
+            }
+        const std::vector<int> roots = sets.roots();
+        const auto polygonAt = [&](int a, int b) {
+            const int part = partAt(a, b);
+            return part < 0 ? -1 : roots[part];
+        };
+        bool complete = true;
+        polygons.at_edge.clear();
+        for (std::size_t k = 0; k < loop.size(); ++k) {
+            polygons.at_edge.push_back(polygonAt(loop[k], loop[(k + 1) % loop.size()]));
+            complete = complete && polygons.at_edge.back() >= 0;
+        }
+        polygons.beside_segments.clear();
+        for (const auto& [a, b] : segments) {
+            polygons.beside_segments.push_back({polygonAt(a, b), polygonAt(b, a)});
+            const auto& [left, right] = polygons.beside_segments.back();
+            complete = complete && left >= 0 && right >= 0;
+        }
+        polygons.of_part = roots;
+        polygons.count = static_cast<int>(parts_.size());
+        return complete;
+    }
+
+  private:
+    /// Where an edge runs from a to b, or -1.
+    int partAt(int a, int b) const {
+        for (std::size_t p = 0; p < parts_.size(); ++p)
+            for (int i = 0; i < 3; ++i)
+                if (parts_[p][i] == a && parts_[p][(i + 1) % 3] == b) return static_cast<int>(p);
+        return -1;
+    }
+
+    std::vector<Triangle> parts_;
+};
 
 }  // namespace
 
@@ -66,9 +119,9 @@ TriangleSubdivision::~TriangleSubdivision() = default;
 
 bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& normal,
                                 const std::vector<int>& loop,
-                                const std::vector<std::pair<int, int>>& segments,
-                                std::vector<Triangle>& out) {
-    if (impl_->chains.split(points, normal, loop, segments, out)) return true;
+                                const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out,
+                                TrianglePolygons& polygons) {
+    if (impl_->chains.split(points, normal, loop, segments, out, polygons)) return true;
     Triangulation& cdt = impl_->cdt;
     cdt.clear();
     impl_->vertices.clear();
@@ -92,7 +145,9 @@ bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& nor
         if (f->info()) out.push_back({f->vertex(0)->info(), f->vertex(1)->info(), f->vertex(2)->info()});
     // Euler: a polygon with n points on its loop and m inside has n + 2 m - 2 triangles.
     const std::size_t inner = impl_->vertices.size() - loop.size();
-    if (out.size() - before == loop.size() + 2 * inner - 2) return true;
+    if (out.size() - before == loop.size() + 2 * inner - 2 &&
+        Joining({out.begin() + static_cast<long>(before), out.end()}).join(loop, segments, polygons))
+        return true;
     out.resize(before);
     return false;
 }

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/cutting/edge_table.h"
+#include "geometry/cutting/chain_subdivision.h"
 
 namespace sherd {
 
@@ -18,10 +18,12 @@ class TriangleSubdivision {
     ~TriangleSubdivision();
 
     /// `loop`: the corners and the points on the edges, counter-clockwise about `normal`; `segments`: pairs
-    /// of points of the loop or inside it. Appends triangles of the same orientation. False, with nothing
+    /// of points of the loop or inside it. Appends triangles of the same orientation, and tells which
+    /// polygons they make up. False, with nothing
     /// appended, if rounding makes the segments cross or fold.
     bool split(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& loop,
-               const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out);
+               const std::vector<std::pair<int, int>>& segments, std::vector<Triangle>& out,
+               TrianglePolygons& polygons);
 
   private:
     struct Impl;

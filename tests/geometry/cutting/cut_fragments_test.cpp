@@ -144,7 +144,7 @@ TEST(FragmentSurfaces, StandLabelsWithoutOrder) {
 TEST(FragmentSurfaces, AreThoseOfANewSurfaceIfItWasCutBefore) {
     const TriangleMesh mesh = shapes::slab({1, 1, 0.09}, 24, 24, 3);
     const Discretisation solid = particlesOnly(mesh, 1 / 22.0);
-    const CuttableSurface kept(mesh);
+    const CuttableSolid kept(mesh, solid);
     for (unsigned seed = 0; seed < 3; ++seed) {
         const FragmentLabels labels = randomClusters(solid, 8, seed);
         const auto again = cutFragments(kept, solid, labels, {seed});
@@ -365,7 +365,7 @@ TEST(FragmentSurfaces, DivideNothingByZero) {
     const Discretisation solid = particlesOnly(mesh, 0.1);
     const FragmentLabels labels = randomClusters(solid, 6, 1);
     std::feclearexcept(FE_DIVBYZERO);
-    particleWeights(solid, labels);
+    particleWeights(solid, reachOfParticles(solid), labels);
     EXPECT_FALSE(std::fetestexcept(FE_DIVBYZERO));
 }
 
