@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <map>
+#include <string>
 #include <utility>
 
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/edge_table.h"
 #include "geometry/cutting/spread_colours.h"
 #include "geometry/mesh_attributes.h"
@@ -44,17 +46,36 @@ std::array<Vec2, 3> projected(const TriangleMesh& mesh, const Triangle& t, const
     return result;
 }
 
+// Where on a triangle of the body a point is.
+struct PlaceOnTriangle {
+    int corner;    // -1: at none
+    Vec3 weights;  // of the corners, if it is at none
+
+    template <class Vector>
+    Vector of(const std::array<Vector, 3>& values) const {
+        if (corner >= 0) return values[corner];
+        return weights[0] * values[0] + weights[1] * values[1] + weights[2] * values[2];
+    }
+};
+
 class AttributeCarrier {
   public:
-    explicit AttributeCarrier(const TriangleMesh& body) : body_(body) {
-        if (body_.material.empty() && !body_.texture_coordinates.empty())
-            body_.material.assign(body_.triangles.size(), findOrAddMaterial(body_, "original"));
-        if (!body_.material.empty()) crack_material_ = findOrAddMaterial(body_, "crack");
+    explicit AttributeCarrier(const TriangleMesh& body)
+        : body_(body), has_material_(!body.material.empty() || !body.texture_coordinates.empty()) {
+        TriangleMesh named;
+        named.materials = body.materials;
+        if (has_material_ && body.material.empty()) original_material_ = findOrAddMaterial(named, "original");
+        if (has_material_) crack_material_ = findOrAddMaterial(named, "crack");
+        materials_ = named.materials;
     }
 
     void carryCorners(FragmentSurface& piece) const {
         const std::map<int, int> axes = projectionAxes(piece);
-        piece.mesh.materials = body_.materials;
+        TriangleMesh& mesh = piece.mesh;
+        mesh.materials = materials_;
+        if (!body_.texture_coordinates.empty()) mesh.texture_coordinates.reserve(mesh.triangles.size());
+        if (!body_.normals.empty()) mesh.normals.reserve(mesh.triangles.size());
+        if (has_material_) mesh.material.reserve(mesh.triangles.size());
         for (int t = 0; t < static_cast<int>(piece.parents.size()); ++t) {
             if (piece.parents[t] < 0)
                 addCrackTriangle(piece, t, axes.at(piece.across[t]));
@@ -73,8 +94,9 @@ class AttributeCarrier {
                 for (int v : pieces[p].mesh.triangles[t]) {
                     Vec3& colour = colours[shared.of_piece[p][v]];
                     if (colour == unknown_colour)
-                        colour = at(pieces[p].mesh.vertices[v], parent,
-                                    std::array<Vec3, 3>{body_.colours[parent[0]], body_.colours[parent[1]],
+                        colour =
+                            placeOn(parent, pieces[p].mesh.vertices[v])
+                                .of(std::array<Vec3, 3>{body_.colours[parent[0]], body_.colours[parent[1]],
                                                         body_.colours[parent[2]]});
                 }
             }
@@ -92,38 +114,31 @@ class AttributeCarrier {
         return w / w.sum();
     }
 
-    template <class Vector>
-    Vector at(const Vec3& x, const Triangle& t, const std::array<Vector, 3>& values) const {
+    PlaceOnTriangle placeOn(const Triangle& t, const Vec3& x) const {
         for (int i = 0; i < 3; ++i)
-            if (x == body_.vertices[t[i]]) return values[i];
-        const Vec3 w = barycentric(t, x);
-        return w[0] * values[0] + w[1] * values[1] + w[2] * values[2];
-    }
-
-    template <class Vector>
-    std::array<Vector, 3> atCorners(const FragmentSurface& piece, int t,
-                                    const std::vector<std::array<Vector, 3>>& attribute) const {
-        const int parent = piece.parents[t];
-        std::array<Vector, 3> result;
-        for (int i = 0; i < 3; ++i)
-            result[i] = at(piece.mesh.vertices[piece.mesh.triangles[t][i]], body_.triangles[parent],
-                           attribute[parent]);
-        return result;
+            if (x == body_.vertices[t[i]]) return {i, Vec3::Zero()};
+        return {-1, barycentric(t, x)};
     }
 
     void addBodyTriangle(FragmentSurface& piece, int t) const {
         TriangleMesh& mesh = piece.mesh;
         const int parent = piece.parents[t];
-        if (!body_.texture_coordinates.empty())
-            mesh.texture_coordinates.push_back(atCorners(piece, t, body_.texture_coordinates));
-        if (!body_.normals.empty()) {
-            mesh.normals.push_back(atCorners(piece, t, body_.normals));
-            for (Vec3& n : mesh.normals.back()) {
-                const auto& given = body_.normals[parent];
-                if (std::find(given.begin(), given.end(), n) == given.end()) n.normalize();
-            }
+        std::array<PlaceOnTriangle, 3> places;
+        for (int i = 0; i < 3; ++i)
+            places[i] = placeOn(body_.triangles[parent], mesh.vertices[mesh.triangles[t][i]]);
+        if (!body_.texture_coordinates.empty()) {
+            const auto& given = body_.texture_coordinates[parent];
+            mesh.texture_coordinates.push_back(
+                {places[0].of(given), places[1].of(given), places[2].of(given)});
         }
-        if (!body_.material.empty()) mesh.material.push_back(body_.material[parent]);
+        if (!body_.normals.empty()) {
+            const auto& given = body_.normals[parent];
+            mesh.normals.push_back({places[0].of(given), places[1].of(given), places[2].of(given)});
+            for (Vec3& n : mesh.normals.back())
+                if (std::find(given.begin(), given.end(), n) == given.end()) n.normalize();
+        }
+        if (has_material_)
+            mesh.material.push_back(body_.material.empty() ? original_material_ : body_.material[parent]);
     }
 
     void addCrackTriangle(FragmentSurface& piece, int t, int axis) const {
@@ -132,11 +147,13 @@ class AttributeCarrier {
         if (!body_.texture_coordinates.empty())
             mesh.texture_coordinates.push_back(projected(mesh, mesh.triangles[t], normal, axis));
         if (!body_.normals.empty()) mesh.normals.push_back({normal, normal, normal});
-        if (!body_.material.empty()) mesh.material.push_back(crack_material_);
+        if (has_material_) mesh.material.push_back(crack_material_);
     }
 
-    TriangleMesh body_;
-    int crack_material_ = -1;
+    const TriangleMesh& body_;
+    bool has_material_;
+    std::vector<std::string> materials_;  // names
+    int original_material_ = -1, crack_material_ = -1;
 };
 
 Vec3 meanOf(const std::vector<Vec3>& colours) {
@@ -150,13 +167,15 @@ Vec3 meanOf(const std::vector<Vec3>& colours) {
 void carryAttributes(const TriangleMesh& body, std::vector<FragmentSurface>& pieces) {
     if (!hasAttributes(body)) return;
     const AttributeCarrier carrier(body);
-    for (FragmentSurface& piece : pieces) carrier.carryCorners(piece);
+    forEachChunk(static_cast<int>(pieces.size()), [&](int p) { carrier.carryCorners(pieces[p]); });
     if (body.colours.empty()) return;
     const SharedVertices shared = shareVertices(pieces);
     std::vector<Vec3> colours = carrier.colours(pieces, shared);
     spreadColours(pieces, shared, meanOf(body.colours), colours);
-    for (std::size_t p = 0; p < pieces.size(); ++p)
+    for (std::size_t p = 0; p < pieces.size(); ++p) {
+        pieces[p].mesh.colours.reserve(shared.of_piece[p].size());
         for (int v : shared.of_piece[p]) pieces[p].mesh.colours.push_back(colours[v]);
+    }
 }
 
 }  // namespace sherd

@@ -114,12 +114,15 @@ bool ChainSubdivision::isEar(std::size_t corner) const {
     return true;
 }
 
-// Lawson's flips of the diagonals of the polygon whose triangles begin at `first`.
+// Lawson's flips of the diagonals of the polygon whose triangles begin at `first`. Of two triangles the
+// diagonal is right after one look.
 void ChainSubdivision::flipToDelaunay(std::size_t first) {
-    for (bool flipped = triangles_.size() > first + 1; flipped;) {
+    const std::size_t count = triangles_.size() - first;
+    for (bool flipped = count > 1; flipped;) {
         flipped = false;
-        for (std::size_t t = first; t < triangles_.size(); ++t)
+        for (std::size_t t = first + 1; t < triangles_.size(); ++t)
             for (int edge = 0; edge < 3; ++edge) flipped |= flipAcross(first, t, edge);
+        if (count == 2) return;
     }
 }
 

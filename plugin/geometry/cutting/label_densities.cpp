@@ -46,6 +46,16 @@ std::vector<Source> sourcesOf(const Discretisation& solid, const ParticleReach& 
     return sources;
 }
 
+constexpr int no_sole_label = std::numeric_limits<int>::min();
+
+/// The labels of sources that add to one alone: a short list, since all nodes look at it.
+std::vector<int> soleLabelsOf(const std::vector<Source>& sources) {
+    std::vector<int> labels;
+    labels.reserve(sources.size());
+    for (const Source& source : sources) labels.push_back(source.share > 0 ? no_sole_label : source.label);
+    return labels;
+}
+
 /// Which fragment each cluster belongs to.
 std::vector<int> fragmentsOfClusters(const FragmentLabels& labels) {
     std::vector<int> fragment_of(labels.seeds.size());
@@ -57,9 +67,13 @@ std::vector<int> fragmentsOfClusters(const FragmentLabels& labels) {
 /// Labels a part of the nodes.
 class Labelling {
   public:
-    Labelling(const std::vector<Source>& sources, const std::vector<int>& fragment_of,
-              const FragmentLabels& labels, LabelLattice& lattice)
-        : sources_(sources), fragment_of_(fragment_of), labels_(labels), lattice_(lattice) {}
+    Labelling(const std::vector<Source>& sources, const std::vector<int>& sole_labels,
+              const std::vector<int>& fragment_of, const FragmentLabels& labels, LabelLattice& lattice)
+        : sources_(sources),
+          sole_labels_(sole_labels),
+          fragment_of_(fragment_of),
+          labels_(labels),
+          lattice_(lattice) {}
 
     NodeDensities::Part run(int from, int to) {
         const LatticeLayout& layout = *lattice_.layout;
@@ -91,10 +105,9 @@ class Labelling {
     }
 
     bool haveOneLabel(const int* begin, const int* end) const {
-        const int label = sources_[*begin].label;
-        return std::all_of(begin, end, [&](int particle) {
-            return sources_[particle].label == label && !(sources_[particle].share > 0);
-        });
+        const int label = sole_labels_[*begin];
+        return label != no_sole_label &&
+               std::all_of(begin, end, [&](int particle) { return sole_labels_[particle] == label; });
     }
 
     /// The kernel of a particle at a node; 0 beyond it.
@@ -148,6 +161,7 @@ class Labelling {
 
     using Entry = NodeDensities::Entry;
     const std::vector<Source>& sources_;
+    const std::vector<int>& sole_labels_;
     const std::vector<int>& fragment_of_;  // clusters
     const FragmentLabels& labels_;
     LabelLattice& lattice_;
@@ -161,12 +175,12 @@ class Labelling {
 void labelByDensities(const Discretisation& solid, const ParticleReach& reach, const FragmentLabels& labels,
                       LabelLattice& lattice) {
     const std::vector<Source> sources = sourcesOf(solid, reach, labels);
-    const std::vector<int> fragment_of = fragmentsOfClusters(labels);
+    const std::vector<int> sole_labels = soleLabelsOf(sources), fragment_of = fragmentsOfClusters(labels);
     const int count = static_cast<int>(lattice.layout->nodes.size());
     const int chunks = labels.distance ? 1 : 8;  // a guide field may be a function of the user's
     std::vector<NodeDensities::Part> parts(chunks);
     forEachChunk(chunks, [&](int chunk) {
-        parts[chunk] = Labelling(sources, fragment_of, labels, lattice)
+        parts[chunk] = Labelling(sources, sole_labels, fragment_of, labels, lattice)
                            .run(chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count));
     });
     lattice.densities = NodeDensities(lattice.nodes.size());

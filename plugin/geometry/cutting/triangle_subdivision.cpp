@@ -21,27 +21,31 @@ using DataStructure = CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>
 using Triangulation =
     CGAL::Constrained_Delaunay_triangulation_2<Kernel, DataStructure, CGAL::No_constraint_intersection_tag>;
 
-/// Joins the parts of one triangle to polygons. They are few, so edges are searched linearly.
+using Edge = std::pair<int, int>;
+
+/// Joins the parts of one triangle, which may be many, to polygons.
 class Joining {
   public:
-    explicit Joining(std::vector<Triangle> parts) : parts_(std::move(parts)) {}
+    /// The parts begin at `first`.
+    Joining(const std::vector<Triangle>& triangles, std::size_t first)
+        : count_(static_cast<int>(triangles.size() - first)) {
+        sides_.reserve(3 * static_cast<std::size_t>(count_));
+        for (int part = 0; part < count_; ++part)
+            for (int i = 0; i < 3; ++i) {
+                const Triangle& t = triangles[first + static_cast<std::size_t>(part)];
+                sides_.push_back({{t[i], t[(i + 1) % 3]}, part});
+            }
+        std::sort(sides_.begin(), sides_.end());
+    }
 
     /// False if an edge of the loop or a side of a segment has no part.
-    bool join(const std::vector<int>& loop, const std::vector<std::pair<int, int>>& segments,
+    bool join(const std::vector<int>& loop, const std::vector<Edge>& segments,
               TrianglePolygons& polygons) const {
-        UnionFind sets(parts_.size());
-        for (std::size_t p = 0; p < parts_.size(); ++p)
-            for (int i = 0; i < 3; ++i) {
-                const int a = parts_[p][i], b = parts_[p][(i + 1) % 3], other = partAt(b, a);
-                const bool is_segment = std::any_of(segments.begin(), segments.end(), [&](const auto& s) {
-                    return s == std::make_pair(a, b) || s == std::make_pair(b, a);
-                });
-                if (other >= 0 && !is_segment) sets.unite(static_cast<int>(p), other);
-            }
-        const std::vector<int> roots = sets.roots();
+        polygons.of_part = joined(segments);
+        polygons.count = count_;
         const auto polygonAt = [&](int a, int b) {
-            const int part = partAt(a, b);
-            return part < 0 ? -1 : roots[part];
+            const int part = partAt({a, b});
+            return part < 0 ? -1 : polygons.of_part[part];
         };
         bool complete = true;
         polygons.at_edge.clear();
@@ -55,21 +59,33 @@ class Joining {
             const auto& [left, right] = polygons.beside_segments.back();
             complete = complete && left >= 0 && right >= 0;
         }
-        polygons.of_part = roots;
-        polygons.count = static_cast<int>(parts_.size());
         return complete;
     }
 
   private:
-    /// Where an edge runs from a to b, or -1.
-    int partAt(int a, int b) const {
-        for (std::size_t p = 0; p < parts_.size(); ++p)
-            for (int i = 0; i < 3; ++i)
-                if (parts_[p][i] == a && parts_[p][(i + 1) % 3] == b) return static_cast<int>(p);
-        return -1;
+    /// For each part the lowest one that is connected to it without crossing a segment.
+    std::vector<int> joined(std::vector<Edge> segments) const {
+        const auto turned = [](const Edge& edge) { return Edge{edge.second, edge.first}; };
+        for (std::size_t s = 0, given = segments.size(); s < given; ++s)
+            segments.push_back(turned(segments[s]));
+        std::sort(segments.begin(), segments.end());
+        UnionFind sets(static_cast<std::size_t>(count_));
+        for (const auto& [edge, part] : sides_) {
+            const int other = partAt(turned(edge));
+            if (other >= 0 && !std::binary_search(segments.begin(), segments.end(), edge))
+                sets.unite(part, other);
+        }
+        return sets.roots();
     }
 
-    std::vector<Triangle> parts_;
+    /// Along which an edge runs, or -1.
+    int partAt(const Edge& edge) const {
+        const auto side = std::lower_bound(sides_.begin(), sides_.end(), std::make_pair(edge, -1));
+        return side == sides_.end() || side->first != edge ? -1 : side->second;
+    }
+
+    int count_;
+    std::vector<std::pair<Edge, int>> sides_;  // directed edges and the parts that run along them
 };
 
 }  // namespace
@@ -146,7 +162,7 @@ bool TriangleSubdivision::split(const std::vector<Vec3>& points, const Vec3& nor
     // Euler: a polygon with n points on its loop and m inside has n + 2 m - 2 triangles.
     const std::size_t inner = impl_->vertices.size() - loop.size();
     if (out.size() - before == loop.size() + 2 * inner - 2 &&
-        Joining({out.begin() + static_cast<long>(before), out.end()}).join(loop, segments, polygons))
+        Joining(out, before).join(loop, segments, polygons))
         return true;
     out.resize(before);
     return false;
