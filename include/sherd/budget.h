@@ -12,12 +12,12 @@ enum class Priority {
     largest,  ///< the largest body
 };
 
-/// What breaking may cost a step. A blow on a body that is whole is decided in its step, and so is every blow
-/// that something lighter than the body strikes, or that falls on a body that is held: what breaks there lets
-/// the striker through. All other blows on fragments wait: they are solved beside the steps that follow, by
-/// the world's executor, and the fragment breaks some steps later where it is by then. How many steps that
-/// are follows from the simulated time and from how large the bodies are, never from the clock: a run repeats
-/// bit for bit on any machine. Events tell (BlowEvent::waited_s, Outcome::dropped), and so do BlowCounts.
+/// What breaking may cost a step. A blow on a whole body is decided in its step, and so is every blow that
+/// something lighter than the body strikes, or that falls on a body that is held: what breaks there lets the
+/// striker through. Other blows on fragments wait, and those on whole bodies that strike each other, beyond
+/// `solves_per_step`: they are solved beside the steps that follow, by the world's executor; the body breaks
+/// steps later, where it is by then. How many follows from simulated time and the size of bodies, never from
+/// the clock: a run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.

@@ -93,46 +93,52 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     return Break{struck.breakable->body, decided, current_.size() - 1};
 }
 
+/// What the gate says of each blow; nothing where a stress problem is to be solved.
+FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBreakable>& struck,
+                                                     btScalar time_step_s) {
+    Gated gated;
+    gated.held.resize(struck.size());
+    gated.ms.resize(struck.size());
+    for (std::size_t i = 0; i < struck.size(); ++i) {
+        const Breakable& body = *struck[i].breakable;
+        if (isToBeRemoved(body)) continue;
+        gated.held[i] =
+            heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body), gated.ms[i].gate);
+        if (gated.held[i]) continue;
+        (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
+    }
+    if (time_step_s > 0) thinOut(struck, gated);
+    for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
+    return gated;
+}
+
 std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
     std::optional<OnThisThreadAlone> alone;
     if (executor_ && !*executor_) alone.emplace();
-    std::vector<std::optional<BlowOutcome>> held(struck.size());
-    std::vector<StageTimes> gates(struck.size());
-    std::vector<const StruckBreakable*> to_wait;
-    std::vector<std::size_t> now;
-    for (std::size_t i = 0; i < struck.size(); ++i) {
-        const StruckBreakable& body = struck[i];
-        if (isToBeRemoved(*body.breakable)) continue;
-        held[i] = heldByGate(*body.breakable->asset.solid(), body.blow, *body.breakable->fracture,
-                             seedOf(*body.breakable), gates[i].gate);
-        if (held[i]) continue;
-        if (time_step_s > 0 && mayWait(body)) {
-            times_.blows += gates[i];
-            to_wait.push_back(&body);
-        } else {
-            now.push_back(i);
-        }
-    }
-
+    const Gated gated = gate(struck, time_step_s);
+    const std::vector<std::size_t>& now = gated.now;
     std::vector<BlowToDecide> blows;
     const int room = std::min(roomForFragments(), budget_.fragments_per_step - new_fragments_);
     const int share = now.empty() ? 0 : room / static_cast<int>(now.size());
     for (const std::size_t i : now) {
         waiting_.settle(struck[i].breakable->serial, times_.steps.waiting);
         blows.push_back(toDecide(struck[i], share));
-        blows.back().before = gates[i];
+        blows.back().before = gated.ms[i];
     }
+    decided_now_ += static_cast<int>(now.size());
     const auto decided = decideNow(blows);
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
-        if (!is_now && !held[i]) continue;
-        const auto broken =
-            is_now ? tell(struck[i], decided[k]->outcome, decided[k]) : tell(struck[i], *held[i], nullptr);
+        if (!is_now && !gated.held[i]) continue;
+        const auto broken = is_now ? tell(struck[i], decided[k]->outcome, decided[k])
+                                   : tell(struck[i], *gated.held[i], nullptr);
         k += is_now;
         if (broken) breaks.push_back(*broken);
     }
+    std::vector<const StruckBreakable*> to_wait;
+    for (const std::size_t i : gated.later) to_wait.push_back(&struck[i]);
     if (!to_wait.empty()) timed(times_.steps.waiting, [&] { letWait(to_wait, time_step_s); });
     return breaks;
 }

@@ -20,7 +20,7 @@ constexpr int most_rounds = 8;  // of breaks in one step
 
 void FractureWorld::Impl::beforeSolve() {
     timed(times_.whole, [&] { prepareSolve(); });
-    new_fragments_ = 0;
+    new_fragments_ = decided_now_ = 0;
     solve_watch_ = {};
 }
 

@@ -69,6 +69,34 @@ bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
     return true;
 }
 
+/// Whether the blow may be decided later where many bodies are struck at once: nothing flies through the
+/// body, it is struck by other breakable bodies or by what does not move.
+bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
+    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        if (breakables_.find(struck.partners[p]) || struck.partners[p]->isStaticObject()) continue;
+        if (struck.blow.isStruckBy(static_cast<int>(p))) return false;
+    }
+    return true;
+}
+
+/// Where more bodies are struck at once than the budget has solves in a step, the least urgent wait.
+void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, Gated& gated) const {
+    const auto most = static_cast<std::size_t>(std::max(0, budget_.solves_per_step - decided_now_));
+    if (budget_.shortest_wait_s == 0 || gated.now.size() <= most) return;
+    std::stable_partition(gated.now.begin(), gated.now.end(),
+                          [&](std::size_t i) { return !lastsInACrowd(struck[i]); });
+    const auto in_crowd = std::find_if(gated.now.begin(), gated.now.end(),
+                                       [&](std::size_t i) { return lastsInACrowd(struck[i]); });
+    std::stable_sort(in_crowd, gated.now.end(), [&](std::size_t a, std::size_t b) {
+        return urgency(struck[a], budget_) > urgency(struck[b], budget_);
+    });
+    const auto first = std::max(in_crowd, gated.now.begin() + static_cast<long>(most));
+    gated.later.insert(gated.later.end(), first, gated.now.end());
+    gated.now.erase(first, gated.now.end());
+    std::sort(gated.now.begin(), gated.now.end());
+    std::sort(gated.later.begin(), gated.later.end());
+}
+
 void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
         return urgency(*a, budget_) > urgency(*b, budget_);

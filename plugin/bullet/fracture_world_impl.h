@@ -90,6 +90,14 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
 
     void prepareSolve();
     void endIntegration();
+    /// Blows of one step, by their numbers.
+    struct Gated {
+        std::vector<std::optional<BlowOutcome>> held;  // all of them; empty where the gate does not say
+        std::vector<StageTimes> ms;                    // all of them
+        std::vector<std::size_t> now, later;           // what the gate let through, ascending
+    };
+    Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
+    void thinOut(const std::vector<StruckBreakable>& struck, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
@@ -97,6 +105,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                               const std::shared_ptr<DecidedBlow>& decided);
     void tellDropped(const StruckBreakable& struck, double waited_s);
     bool mayWait(const StruckBreakable& struck) const;
+    bool lastsInACrowd(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
@@ -155,8 +164,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Budget budget_;
     std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
     WaitingBlows waiting_;
-    int new_fragments_ = 0;  // in this step
-    Stopwatch solve_watch_;  // of Bullet's own solve
+    int new_fragments_ = 0, decided_now_ = 0;  // in this step
+    Stopwatch solve_watch_;                    // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
     std::deque<QueuedBlow> blows_;   // the same

@@ -24,7 +24,7 @@ Vec3 longestAxis(const std::vector<Vec3>& contacts, const Vec3& push) {
 }
 
 /// Parts of a triangle that lie over the footprint.
-void collectParts(const TriangleCorners& t, const Footprint& footprint, double size,
+void collectParts(const TriangleCorners& t, const Footprint& footprint, const LengthOfParts& longest_of,
                   std::vector<FootprintPart>& parts) {
     const Vec3 centre = (t[0] + t[1] + t[2]) / 3;
     int longest = 0;
@@ -32,15 +32,15 @@ void collectParts(const TriangleCorners& t, const Footprint& footprint, double s
     for (int edge = 1; edge < 3; ++edge)
         if (length(edge) > length(longest)) longest = edge;
     if (footprint.outside(centre) > length(longest)) return;
-    if (length(longest) <= size) {
+    if (length(longest) <= longest_of(footprint.project(centre), length(longest))) {
         const double area = -areaVector(t).dot(footprint.push());
         if (area > 0 && footprint.outside(centre) == 0) parts.push_back({centre, area});
         return;
     }
     const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
     const Vec3 half = 0.5 * (a + b);
-    collectParts({a, half, c}, footprint, size, parts);
-    collectParts({half, b, c}, footprint, size, parts);
+    collectParts({a, half, c}, footprint, longest_of, parts);
+    collectParts({half, b, c}, footprint, longest_of, parts);
 }
 
 }  // namespace
@@ -67,15 +67,15 @@ double Footprint::area() const {
     return hullArea(hull_) + 2 * (length() + width()) * margin_;
 }
 
-std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint, double size,
-                                     double depth) {
+std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint,
+                                     const LengthOfParts& longest, double depth) {
     const auto reaches = [&](const Eigen::AlignedBox3d& box) {
         return footprint.outside(box.center()) <= box.diagonal().norm() / 2;
     };
     std::vector<FootprintPart> parts;
     for (const int i : tree.trianglesWhere(reaches)) {
         const TriangleCorners t = cornersOf(tree.surface(), i);
-        if (areaVector(t).dot(footprint.push()) < 0) collectParts(t, footprint, size, parts);
+        if (areaVector(t).dot(footprint.push()) < 0) collectParts(t, footprint, longest, parts);
     }
     double outermost = std::numeric_limits<double>::infinity();
     for (const FootprintPart& part : parts)

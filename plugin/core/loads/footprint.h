@@ -2,6 +2,7 @@
 
 #include <sherd/types.h>
 
+#include <functional>
 #include <vector>
 
 #include "core/loads/surface_tree.h"
@@ -38,9 +39,12 @@ struct FootprintPart {
     double area_m2 = 0;          ///< as seen along the push
 };
 
-/// The surface over a footprint that faces its push, in parts no longer than `size`; only what lies no deeper
-/// than `depth` inside of its outermost part.
-std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint, double size,
-                                     double depth);
+/// How long a part may be, m, that lies within `reach` of a place in the footprint's plane.
+using LengthOfParts = std::function<double(const Vec2& place, double reach)>;
+
+/// The surface over a footprint that faces its push, in parts no longer than `longest` says; only what lies
+/// no deeper than `depth` inside of its outermost part.
+std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint,
+                                     const LengthOfParts& longest, double depth);
 
 }  // namespace sherd

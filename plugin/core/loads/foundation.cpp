@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -19,14 +20,29 @@ constexpr double flatness = 0.05;      // depth of a foundation, in wall thickne
 constexpr double largest_tilt = 2e-3;  // of a body that rests, against its foundation
 constexpr double faint = 1e-3;         // stiffness that counts, against the foundation's greatest
 constexpr double widest = 4;           // heights over a foundation within which it is not faint
-constexpr double point_count = 200;    // of a foundation, about
+constexpr std::size_t most_foundations = 16;  // in a heap: those that carry most, which most of it goes to
+constexpr double point_count = 200;           // of a foundation, about
+constexpr double parts_per_way = 8;  // from a load to a part: the bed's stiffness changes over that way
 
 /// Contacts that become one foundation.
 struct Group {
     const ContactImpulse* first = nullptr;
     std::vector<Vec3> points;
     Vec3 push = Vec3::Zero();
+    double impulse_n_s = 0;
 };
+
+/// Leaves the groups that carry most.
+void keepHardest(std::vector<Group>& groups) {
+    if (groups.size() <= most_foundations) return;
+    std::vector<double> impulses;
+    for (const Group& group : groups) impulses.push_back(group.impulse_n_s);
+    std::nth_element(impulses.begin(), impulses.begin() + most_foundations, impulses.end(), std::greater<>());
+    const double enough = impulses[most_foundations];
+    groups.erase(std::remove_if(groups.begin(), groups.end(),
+                                [&](const Group& group) { return group.impulse_n_s <= enough; }),
+                 groups.end());
+}
 
 std::vector<Group> groupsOf(const Blow& blow) {
     std::vector<Group> groups;
@@ -39,7 +55,9 @@ std::vector<Group> groupsOf(const Blow& blow) {
         if (!group.first) group.first = &contact;
         group.points.push_back(contact.point);
         group.push += contact.normal;
+        group.impulse_n_s += contact.pushed();
     }
+    keepHardest(groups);
     for (Group& group : groups) group.push.normalize();
     return groups;
 }
@@ -54,8 +72,8 @@ struct Above {
 double stiffnessBelow(const std::vector<Above>& loads, const Vec2& place) {
     double stiffness = 0;
     for (const Above& load : loads) {
-        const double slope = (place - load.place).norm() / load.height_m;
-        stiffness += load.share * std::pow(1 + slope * slope, -2.5);
+        const double slope = (place - load.place).norm() / load.height_m, q = 1 + slope * slope;
+        stiffness += load.share / (q * q * std::sqrt(q));
     }
     return stiffness;
 }
@@ -78,6 +96,14 @@ double pointSpacing(const Footprint& footprint, const std::vector<Above>& loads)
     for (const Above& load : loads) height = std::min(height, load.height_m);
     const double loaded = std::min(footprint.area(), pi * widest * widest * height * height);
     return std::max(std::min(height / 2, footprint.width() / 4), std::sqrt(loaded / point_count));
+}
+
+/// Short below the loads and longer away from them, where the bed is faint and even.
+double longestPart(const Footprint& footprint, const std::vector<Above>& loads, double shortest,
+                   const Vec2& place, double reach) {
+    double way = std::numeric_limits<double>::infinity();
+    for (const Above& load : loads) way = std::min(way, (place - load.place).norm());
+    return std::max(shortest, std::min((way - reach) / parts_per_way, footprint.width() / 4));
 }
 
 /// Puts parts that lie in the same square of a grid together, each with its share of the stiffness.
@@ -126,7 +152,10 @@ Foundation foundationOf(const ContactBody& body, const Group& group, const Mobil
     const std::vector<Above> loads = loadsAbove(strikes, footprint, group.points.front(), margin);
     const double size = pointSpacing(footprint, loads);
     const double depth = flatness * body.wall_thickness_m + largest_tilt * footprint.length();
-    const std::vector<FootprintPart> parts = partsOver(body.surface, footprint, size, depth);
+    const auto longest = [&](const Vec2& place, double reach) {
+        return longestPart(footprint, loads, size, place, reach);
+    };
+    const std::vector<FootprintPart> parts = partsOver(body.surface, footprint, longest, depth);
     const std::vector<double> areas = countedAreas(parts, loads, footprint);
     const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
 

@@ -30,7 +30,8 @@ struct Foundation {
 /// flat contact. The bed is stiffest below the strike, as the pressure below a layer that carries a point
 /// load, (1 + r^2 / h^2)^(-5/2) at a distance r from the load's axis and h below it (Boussinesq; Johnson
 /// 1985, 3.2): a thick body presses on all of it, a thin plate only under the blow. The springs together are
-/// as stiff as a rigid disc of their area on a half-space, 2 E* a (Johnson 1985, 3.4).
+/// as stiff as a rigid disc of their area on a half-space, 2 E* a (Johnson 1985, 3.4). In a heap the 16 that
+/// carry most stand for all.
 std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
                                       const std::vector<Strike>& strikes, const ContactSettings& settings);
 

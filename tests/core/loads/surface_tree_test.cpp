@@ -86,7 +86,8 @@ TEST(SurfaceTree, HasAllPartsOverAFootprint) {
     const Footprint footprint({Vec3(-0.3, -0.2, 0), Vec3(0.4, -0.2, 0), Vec3(0.4, 0.5, 0)}, Vec3::UnitZ(),
                               0.05);
     double area = 0;
-    for (const FootprintPart& part : partsOver(SurfaceTree(mesh), footprint, 0.01, 0.02))
+    for (const FootprintPart& part : partsOver(
+             SurfaceTree(mesh), footprint, [](const Vec2&, double) { return 0.01; }, 0.02))
         area += part.area_m2;
     const double legs = 0.7, margin = 0.05, pi = std::acos(-1.0);
     const double wanted = legs * legs / 2 + (2 + std::sqrt(2.0)) * legs * margin + pi * margin * margin;
