@@ -62,6 +62,10 @@ void subdivideNear(const TriangleCorners& t, const Vec3& centre, double radius, 
         subdivideNear(part, centre, radius, size, depth - 1, visit);
 }
 
+double lowestAlong(const Vec3& direction, const Eigen::AlignedBox3d& box) {
+    return box.center().dot(direction) - (box.sizes() / 2).dot(direction.cwiseAbs());
+}
+
 }  // namespace
 
 SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, const Vec3& push) {
@@ -99,8 +103,12 @@ SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Ve
 double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach,
                      double depth) {
     const TriangleMesh& surface = tree.surface();
-    const std::vector<int> near = tree.trianglesNear(spot, reach);
     double furthest = spot.dot(push);
+    // What lies deeper than the cap below the spot lies deeper than the cap below what is further out.
+    const std::vector<int> near = tree.trianglesWhere([&](const Eigen::AlignedBox3d& box) {
+        return box.squaredExteriorDistance(spot) <= reach * reach &&
+               lowestAlong(push, box) <= furthest + depth;
+    });
     for (const int t : near)
         for (const Vec3& v : cornersOf(surface, t))
             if ((v - spot).squaredNorm() < reach * reach) furthest = std::min(furthest, v.dot(push));
