@@ -1,6 +1,8 @@
 // Blows that wait, and limits of what a step brings.
 
+#include <algorithm>
 #include <deque>
+#include <numeric>
 #include <set>
 #include <thread>
 
@@ -188,6 +190,47 @@ TEST(Budget, WhatAStrikerFliesThroughNeverWaits) {
         ASSERT_EQ(event.outcome, Outcome::broke);
         EXPECT_EQ(event.waited_s == 0, is_light) << "a heavy one goes on whether it breaks or not";
     }
+}
+
+/// Six plates that are struck in one step: by the floor, or by a ball each. How many broke after each step.
+std::vector<int> breaksOfACrowd(bool by_balls) {
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.solves_per_step = 2;
+    budget.milliseconds_per_step = 1000;
+    EXPECT_TRUE(fracture.setBudget(budget).ok());
+    Settings settings = FallingPlate::brittle();
+    settings.fracture.largest_generation = 1;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    for (int i = 0; i < 6; ++i) {
+        BodyOptions options;
+        options.start = at(i, 0, by_balls ? 1 : 0.035f);
+        if (!by_balls) options.velocity = btVector3(0, 0, -5);
+        EXPECT_TRUE(fracture.add(asset.value(), options).ok());
+        if (by_balls) scene.addBall(5, 0.1, btVector3(btScalar(i), 0, 1.135f), btVector3(0, 0, -5));
+    }
+    std::vector<int> broke;
+    for (int step = 0; step < 8; ++step) {
+        scene.step(1, 1.0 / 60);
+        broke.push_back(count(fracture.takeEvents(), Outcome::broke));
+    }
+    return broke;
+}
+
+TEST(Budget, OfACrowdTheLeastUrgentWait) {
+    const std::vector<int> broke = breaksOfACrowd(false);
+    const auto first = std::find_if(broke.begin(), broke.end(), [](int breaks) { return breaks > 0; });
+    ASSERT_NE(first, broke.end());
+    EXPECT_EQ(*first, 2);
+    EXPECT_EQ(std::accumulate(broke.begin(), broke.end(), 0), 6);
+}
+
+TEST(Budget, NoCrowdIsFlownThroughLater) {
+    const std::vector<int> broke = breaksOfACrowd(true);
+    EXPECT_EQ(*std::max_element(broke.begin(), broke.end()), 6);
 }
 
 TEST(Budget, FunctionsOfTheAppAreCalledOnTheSteppingThread) {
