@@ -10,7 +10,8 @@ build_packages=(build-essential cmake ninja-build pkg-config libbullet-dev libcg
 # shellcheck disable=SC2034
 picture_packages=(povray webp)
 # shellcheck disable=SC2034
-viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libgl1-mesa-dri libegl-mesa0 libegl1)
+viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libopenal-dev libgl1-mesa-dri libegl-mesa0
+  libegl1)
 # shellcheck disable=SC2034
 test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3 xvfb xauth)
 

@@ -23,6 +23,7 @@ MarkBuffer::MarkBuffer() {
     attribute(0, 3, offsetof(Marks::Point, position));
     attribute(1, 3, offsetof(Marks::Point, colour));
     attribute(2, 1, offsetof(Marks::Point, radius));
+    attribute(3, 1, offsetof(Marks::Point, opacity));
     glBindVertexArray(0);
 }
 

@@ -101,11 +101,25 @@ void Renderer::drawMarks(const Frame& frame, const View& view) const {
     mark_.use();
     mark_.set("view_projection", view.view_projection);
     mark_.set("pixels_at_one_metre", float(view.size.height) / 2 * view.projection(1, 1));
+    mark_.set("largest_pixels", 64.0f);
+    mark_.set("soft", 0);
     mark_.set("round", 0);
     mark_buffer_.draw(frame.marks.ends, GL_LINES);
     if (frame.marks_through) glEnable(GL_DEPTH_TEST);
     mark_.set("round", 1);
     mark_buffer_.draw(frame.marks.points, GL_POINTS);
+    drawPuffs(frame);
+}
+
+void Renderer::drawPuffs(const Frame& frame) const {
+    mark_.set("largest_pixels", 255.0f);
+    mark_.set("soft", 1);
+    glEnable(GL_BLEND);
+    glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+    glDepthMask(GL_FALSE);
+    mark_buffer_.draw(frame.marks.puffs, GL_POINTS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
 }
 
 void Renderer::drawScreen() const {

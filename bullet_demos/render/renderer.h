@@ -31,6 +31,7 @@ class Renderer {
     void drawBackground(const Frame& frame, const View& view) const;
     void darkenCorners(const View& view) const;
     void drawMarks(const Frame& frame, const View& view) const;
+    void drawPuffs(const Frame& frame) const;
     void drawScreen() const;
 
     ShadowPass shadows_;

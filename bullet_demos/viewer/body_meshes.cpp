@@ -7,8 +7,8 @@
 
 namespace demo {
 namespace {
-
 constexpr double crease_deg = 50;
+}  // namespace
 
 render::MeshData toMeshData(const sherd::TriangleMesh& surface) {
     const auto normals = cornerNormals(surface, crease_deg);
@@ -26,8 +26,6 @@ render::MeshData toMeshData(const sherd::TriangleMesh& surface) {
         }
     return data;
 }
-
-}  // namespace
 
 const render::Mesh& BodyMeshes::of(const sherd::BreakableAsset& asset) {
     const auto [entry, is_new] = entries_.try_emplace(&asset.surface(), Entry{asset, nullptr, true});

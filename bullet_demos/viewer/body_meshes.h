@@ -9,6 +9,9 @@
 
 namespace demo {
 
+/// What a surface is drawn with; its edges are sharp where faces meet at more than half a right angle.
+render::MeshData toMeshData(const sherd::TriangleMesh& surface);
+
 /// The meshes of assets on the graphics card, made when an asset is first drawn. Those that a frame did not
 /// ask for are given up at its end.
 class BodyMeshes {

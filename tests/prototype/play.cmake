@@ -1,0 +1,46 @@
+# Called by CTest, see CMakeLists.txt beside this file: five seconds of the game. Things break and count, the picture is written,
+# OpenGL reports no error, and a second start finds everything baked and comes to the same score.
+cmake_minimum_required(VERSION 3.20)
+
+function(play name seconds)
+  execute_process(
+    COMMAND "${PLAY}" --off-screen --script-seconds ${seconds} --baked "${WORK}/baked" --width 320 --height 180
+      --screenshot "${WORK}/${name}.png"
+    RESULT_VARIABLE failed OUTPUT_VARIABLE output ERROR_VARIABLE errors)
+  if(failed AND errors MATCHES "EGL")
+    message("There is no software OpenGL here: ${errors}The test is skipped.")
+    set(skipped TRUE PARENT_SCOPE)
+    return()
+  endif()
+  if(failed OR NOT output MATCHES "([0-9]+) points: ([0-9]+) things broken")
+    message(FATAL_ERROR "The game ended with ${failed}:\n${output}${errors}")
+  endif()
+  set(points_${name} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  set(broken_${name} "${CMAKE_MATCH_2}" PARENT_SCOPE)
+  if(NOT output MATCHES "[^0-9]0 OpenGL errors")
+    message(SEND_ERROR "OpenGL reported errors:\n${output}")
+  endif()
+  string(REGEX MATCH "([0-9]+) assets baked" ignored "${output}")
+  set(baked_${name} "${CMAKE_MATCH_1}" PARENT_SCOPE)
+  if(NOT EXISTS "${WORK}/${name}.png")
+    message(SEND_ERROR "There is no picture ${name}.png.")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE "${WORK}")
+file(MAKE_DIRECTORY "${WORK}")
+play(first 5)
+if(skipped)
+  return()
+endif()
+play(second 5)
+
+if(broken_first LESS 3 OR points_first LESS broken_first)
+  message(SEND_ERROR "${broken_first} things broke, for ${points_first} points.")
+endif()
+if(NOT "${baked_first} ${baked_second}" STREQUAL "4 0")
+  message(SEND_ERROR "The first start baked ${baked_first} assets, the second ${baked_second}.")
+endif()
+if(NOT "${points_first} ${broken_first}" STREQUAL "${points_second} ${broken_second}")
+  message(SEND_ERROR "The same throws came to ${points_first} points, then to ${points_second}.")
+endif()
