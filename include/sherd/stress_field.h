@@ -9,10 +9,10 @@ namespace sherd {
 
 /// The stress in a body under one set of loads, in Pa, in the asset frame. Tension is positive.
 struct StressField {
-    std::vector<SymmetricTensor> particles;  ///< #particles, in the order of StressModel::particlePositions
-    std::vector<SymmetricTensor> surface;  ///< #surface points, in the order of StressModel::surfacePositions
-    std::vector<SymmetricTensor> points;   ///< #points, at the points that were asked for, in their order
-    std::vector<double> point_spacing_m;   ///< #points, between the particles there; finer around loads
+    std::vector<SymmetricTensor> particles;  ///< one each, in the order of StressModel::particlePositions
+    std::vector<SymmetricTensor> surface;    ///< one each, in the order of StressModel::surfacePositions
+    std::vector<SymmetricTensor> points;     ///< one a point that was asked for, in their order
+    std::vector<double> point_spacing_m;     ///< one a point: between the particles there; finer around loads
     double strain_energy_j = 0;
     /// |K u - f| / |f| of the linear solve: stiffness matrix K, displacements u, load vector f.
     double residual_rel = 0;

@@ -58,10 +58,10 @@ class StressModel {
     const Settings& settings() const;  ///< as used: loads are always resampled here
     StressModelReport report() const;
 
-    std::vector<Vec3> particlePositions() const;  ///< #particles, m
-    std::vector<double> particleVolumes() const;  ///< #particles, m^3; they add up to the body's
-    std::vector<Vec3> surfacePositions() const;   ///< #surface points, m
-    /// #surface points, of unit length, outward; zero where the surface bends within a cell.
+    std::vector<Vec3> particlePositions() const;  ///< one a particle, m
+    std::vector<double> particleVolumes() const;  ///< one a particle, m^3; they add up to the body's
+    std::vector<Vec3> surfacePositions() const;   ///< one a surface point, m
+    /// One a surface point, of unit length, outward; zero where the surface bends within a cell.
     std::vector<Vec3> surfaceNormals() const;
 
   private:

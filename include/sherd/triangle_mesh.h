@@ -18,21 +18,21 @@ enum class UpAxis : std::uint8_t { x, y, z };
 
 /// A triangle surface. For a breakable body it is closed, oriented outward and free of self-intersection; it
 /// may have several parts, and cavities (oriented into the hollow).
-/// Below, #V is the number of vertices, #T that of triangles.
+/// Below, V is the number of vertices, T that of triangles.
 struct TriangleMesh {
-    std::vector<Vec3> vertices;                 ///< #V points, m
-    std::vector<std::array<int, 3>> triangles;  ///< #T, three vertices, counter-clockwise seen from outside
-    std::vector<SurfaceKind> kinds;             ///< #T; empty: all are original
-    /// #T, the face of the file that each triangle came from, counted from 1; empty for other meshes.
+    std::vector<Vec3> vertices;                 ///< V points, m
+    std::vector<std::array<int, 3>> triangles;  ///< T, three vertices, counter-clockwise seen from outside
+    std::vector<SurfaceKind> kinds;             ///< T; empty: all are original
+    /// T, the face of the file that each triangle came from, counted from 1; empty for other meshes.
     std::vector<int> file_faces;
 
     // What a renderer wants to know. Each is empty where a mesh has none of it. Fragments keep it: triangles
     // that no crack crosses have what they had, parts of crossed ones have it interpolated.
-    std::vector<std::array<Vec2, 3>> texture_coordinates;  ///< #T, at the corners; on crack faces in m
-    std::vector<std::array<Vec3, 3>> normals;  ///< #T, at the corners; zero where the mesh gives none
-    std::vector<int> material;                 ///< #T, index into `materials`
+    std::vector<std::array<Vec2, 3>> texture_coordinates;  ///< T, at the corners; on crack faces in m
+    std::vector<std::array<Vec3, 3>> normals;  ///< T, at the corners; zero where the mesh gives none
+    std::vector<int> material;                 ///< T, index into `materials`
     std::vector<std::string> materials;        ///< names; crack faces have one called `crack`
-    std::vector<Vec3> colours;                 ///< #V, red, green and blue from 0 to 1
+    std::vector<Vec3> colours;                 ///< V, red, green and blue from 0 to 1
 };
 
 /// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`,
