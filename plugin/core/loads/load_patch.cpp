@@ -105,7 +105,7 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
     const TriangleMesh& surface = tree.surface();
     double furthest = spot.dot(push);
     // What lies deeper than the cap below the spot lies deeper than the cap below what is further out.
-    const std::vector<int> near = tree.trianglesWhere([&](const Eigen::AlignedBox3d& box) {
+    const std::vector<int> near = tree.unsortedWhere([&](const Eigen::AlignedBox3d& box) {
         return box.squaredExteriorDistance(spot) <= reach * reach &&
                lowestAlong(push, box) <= furthest + depth;
     });

@@ -21,9 +21,16 @@ class SurfaceTree {
     /// not be ruled out if that one is not.
     template <class Reaches>
     std::vector<int> trianglesWhere(const Reaches& reaches) const {
+        std::vector<int> found = unsortedWhere(reaches);
+        std::sort(found.begin(), found.end());
+        return found;
+    }
+
+    /// The same in the tree's own order: where there are thousands, sorting takes longer than finding.
+    template <class Reaches>
+    std::vector<int> unsortedWhere(const Reaches& reaches) const {
         std::vector<int> found;
         if (!nodes_.empty()) collect(0, reaches, found);
-        std::sort(found.begin(), found.end());
         return found;
     }
 
