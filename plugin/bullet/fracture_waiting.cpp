@@ -83,10 +83,8 @@ bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, Gated& gated) const {
     const auto most = static_cast<std::size_t>(std::max(0, budget_.solves_per_step - decided_now_));
     if (budget_.shortest_wait_s == 0 || gated.now.size() <= most) return;
-    std::stable_partition(gated.now.begin(), gated.now.end(),
-                          [&](std::size_t i) { return !lastsInACrowd(struck[i]); });
-    const auto in_crowd = std::find_if(gated.now.begin(), gated.now.end(),
-                                       [&](std::size_t i) { return lastsInACrowd(struck[i]); });
+    const auto in_crowd = std::stable_partition(gated.now.begin(), gated.now.end(),
+                                                [&](std::size_t i) { return !lastsInACrowd(struck[i]); });
     std::stable_sort(in_crowd, gated.now.end(), [&](std::size_t a, std::size_t b) {
         return urgency(struck[a], budget_) > urgency(struck[b], budget_);
     });
