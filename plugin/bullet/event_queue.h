@@ -28,6 +28,7 @@ class EventQueue {
     /// Deletes the broken bodies whose events were taken before this step, or dropped. For the start of a
     /// solve: by then no contact of an earlier step points to them.
     void deleteReleased();
+    bool hasReleased() const { return !released_.empty() || !released_inside_step_.empty(); }
 
   private:
     std::deque<QueuedEvent> events_;

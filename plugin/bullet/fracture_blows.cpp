@@ -43,7 +43,12 @@ Result<int> FractureWorld::Impl::applyBlows(
 }
 
 /// What waited for the end of the step, or of the blow that is applied between steps.
+bool FractureWorld::Impl::hasWork() const {
+    return !to_remove_.empty() || !blows_.empty() || !current_.empty() || !waiting_.empty();
+}
+
 void FractureWorld::Impl::finish(btScalar time_step_s) {
+    if (!hasWork()) return;
     const InsideStep guard(world_);
     timed(times_.steps.sync, [&] { removeRequested(); });
     if (time_step_s > 0) answerWaiting(time_step_s);

@@ -35,13 +35,14 @@ void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDr
 }
 
 void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
-    timed(times_.whole, [&] {
-        finish(info.m_timeStep);
-        if (!awake_) return;
-        const AddedTime time(times_.steps.sweep);
-        sweep_exceptions_.begin(
-            world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
-    });
+    if (awake_ || hasWork())
+        timed(times_.whole, [&] {
+            finish(info.m_timeStep);
+            if (!awake_) return;
+            const AddedTime time(times_.steps.sweep);
+            sweep_exceptions_.begin(
+                world_, [&](const auto& object) { return isFragment(object); }, info.m_timeStep);
+        });
     integrating_ = true;
     if (released_)
         delete this;
@@ -50,10 +51,12 @@ void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
 }
 
 void FractureWorld::Impl::afterIntegration() {
-    timed(times_.whole, [&] {
-        if (awake_) timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
-        endIntegration();
-    });
+    if (awake_ || hasWork())
+        timed(times_.whole, [&] {
+            if (awake_) timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+            endIntegration();
+        });
+    integrating_ = false;
     markBetweenSteps(world_);
     deleteIfReleased();
 }
@@ -66,10 +69,11 @@ void FractureWorld::Impl::endIntegration() {
 
 void FractureWorld::Impl::prepareSolve() {
     StepTimes& ms = times_.steps;
-    timed(ms.release, [&] {
-        to_delete_.clear();
-        events_.deleteReleased();
-    });
+    if (!to_delete_.empty() || events_.hasReleased())
+        timed(ms.release, [&] {
+            to_delete_.clear();
+            events_.deleteReleased();
+        });
     if (integrating_) {  // the world went on without calling its actions
         world_calls_actions_ = false;
         endIntegration();

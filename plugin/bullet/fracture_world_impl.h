@@ -132,6 +132,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                                              std::vector<std::unique_ptr<Breakable>> pieces,
                                              btScalar time_step_s);
     void findNewContacts(const std::vector<btCollisionObject*>& new_bodies);
+    /// Whether the end of a step has anything to do but for bodies that move.
+    bool hasWork() const;
     void finish(btScalar time_step_s);
     void finishBetweenSteps();
     void removeRequested();

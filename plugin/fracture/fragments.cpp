@@ -3,8 +3,17 @@
 #include <utility>
 
 #include "fracture/voxel_owners.h"
+#include "geometry/cutting/cut_fragments.h"
 
 namespace sherd {
+
+Result<FragmentSurfaces> cutPieces(const StrikeContext& struck, const FragmentLabels& labels) {
+    CutSettings settings;
+    settings.seed = struck.seed;
+    settings.roughness = struck.fracture.crack_roughness;
+    settings.most_pieces = struck.fracture.largest_fragment_count;
+    return cutFragments(struck.solid.cuttable(struck.sampling), struck.sampling, labels, settings);
+}
 
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     FragmentSurfaces surfaces) {

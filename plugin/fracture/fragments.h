@@ -19,6 +19,11 @@ struct Fragment {
     bool dropped = false;    ///< takes its share of the momentum, and leaves the world
 };
 
+/// Cuts the surface between particles of different labels. The particles of one label may come apart in the
+/// cut, at a neck of few particles; where that makes more pieces than the settings allow, the smallest stay
+/// part of a neighbour.
+Result<FragmentSurfaces> cutPieces(const StrikeContext& struck, const FragmentLabels& labels);
+
 /// Makes a solid of every cut surface, and the boxes that stand for it in collisions if they are asked for.
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     FragmentSurfaces surfaces);

@@ -7,7 +7,6 @@
 #include "fracture/blow_damage.h"
 #include "fracture/conservation.h"
 #include "fracture/crack_energy.h"
-#include "fracture/cut_within_limit.h"
 #include "fracture/damage_waves.h"
 #include "fracture/debris.h"
 #include "fracture/failed_if_thrown.h"
@@ -67,13 +66,12 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
         furtherWaves(struck, forces.loads, out.peak_force_n, strength, std::move(damage), out.ms));
     noteDamage(damage, out);
 
-    FragmentLabels labels = timed(out.ms.cluster, [&] {
+    const FragmentLabels labels = timed(out.ms.cluster, [&] {
         return labelParticles(struck, damage, forces.strain_energy_j, axisOf(forces.strike));
     });
     if (labels.count < 2) return;
 
-    FragmentSurfaces surfaces =
-        valueOrFail(timed(out.ms.surface, [&] { return cutWithinLimit(struck, labels); }));
+    FragmentSurfaces surfaces = valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, labels); }));
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
     if (surfaces.pieces.size() < 2) return;
 

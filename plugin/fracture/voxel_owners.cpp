@@ -32,8 +32,14 @@ int nearestPiece(const Vec3& point, const std::vector<int>& candidates, const Fr
 std::vector<int> voxelOwners(const Discretisation& sampling, const FragmentLabels& labels,
                              const FragmentSurfaces& surfaces) {
     std::vector<std::vector<int>> pieces_of_label(labels.count);
-    for (std::size_t p = 0; p < surfaces.pieces.size(); ++p)
-        pieces_of_label[surfaces.pieces[p].label].push_back(static_cast<int>(p));
+    for (std::size_t p = 0; p < surfaces.pieces.size(); ++p) {
+        const FragmentSurface& piece = surfaces.pieces[p];
+        pieces_of_label[piece.label].push_back(static_cast<int>(p));
+        for (const int label : piece.merged_labels) {
+            std::vector<int>& pieces = pieces_of_label[label];
+            if (pieces.empty() || pieces.back() != static_cast<int>(p)) pieces.push_back(static_cast<int>(p));
+        }
+    }
     std::vector<int> owner(sampling.voxels.size(), -1);
     for (std::size_t v = 0; v < sampling.voxels.size(); ++v) {
         const int label = labels.of_particle[sampling.cells[sampling.voxels[v].cell].particle];

@@ -20,7 +20,6 @@
 #include "core/clustering/clusters.h"
 #include "core/numerics/mesh_measures.h"
 #include "fracture/conservation.h"
-#include "fracture/cut_within_limit.h"
 #include "fracture/fragments.h"
 #include "support/shapes.h"
 
@@ -120,13 +119,12 @@ void measure(const Case& c, int repeats) {
     unsigned long long hash = 0;
     std::size_t pieces = 0, triangles = 0, notes = 0;
     for (int repeat = 0; repeat < repeats; ++repeat) {
-        FragmentLabels own = labels;
         std::clock_t start = std::clock();
-        const FragmentSurfaces surfaces = valueOrExit(cutWithinLimit(struck, own));
+        const FragmentSurfaces surfaces = valueOrExit(cutPieces(struck, labels));
         cut_ms = std::min(cut_ms, millisecondsSince(start));
         FragmentSurfaces kept = surfaces;
         start = std::clock();
-        const std::vector<Fragment> fragments = makeFragments(struck, own, std::move(kept));
+        const std::vector<Fragment> fragments = makeFragments(struck, labels, std::move(kept));
         make_ms = std::min(make_ms, millisecondsSince(start));
         start = std::clock();
         const ConservationErrors errors = conservationErrors(*solid, fragments);

@@ -139,7 +139,8 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     smoothCracks(complex, lattice, smoothing_steps);
     if (settings.roughness > 0)
         roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
-    auto assembled = assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels);
+    auto assembled =
+        assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels, settings.most_pieces);
     if (!assembled)
         return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " +
                      assembled.error() +

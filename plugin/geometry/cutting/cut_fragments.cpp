@@ -55,19 +55,20 @@ struct LatticeChoice {
 
 std::optional<FragmentSurfaces> tryLattice(const CuttableSolid& cuttable, const Discretisation& solid,
                                            const FragmentLabels& labels, const LatticeChoice& choice,
-                                           double roughness, std::string& why) {
+                                           const CutSettings& settings, std::string& why) {
     const TriangleMesh& surface = cuttable.surface().mesh();
     const LabelLattice lattice = buildLabelLattice(cuttable.layout(solid, choice.spacing_m), solid,
                                                    cuttable.reach(), labels, choice.seed);
     CrackComplex crack = buildCrackComplex(lattice);
     smoothCracks(crack, lattice, smoothing_steps);
-    if (roughness > 0) roughenCracks(crack, lattice, roughness * solid.spacing, choice.seed);
+    if (settings.roughness > 0)
+        roughenCracks(crack, lattice, settings.roughness * solid.spacing, choice.seed);
     const CutAttempt attempt = cutWithNudges(cuttable.surface(), lattice, crack, choice.seed);
     if (attempt.failure) {
         why = attempt.failure;
         return {};
     }
-    auto pieces = assemblePieces(surface, attempt.faces, solid, labels);
+    auto pieces = assemblePieces(surface, attempt.faces, solid, labels, settings.most_pieces);
     why = pieces ? "the volumes of the fragments do not add up" : pieces.error();
     if (!pieces || !(std::abs(volumeRatio(surface, pieces.value()) - 1) <= volume_tolerance)) return {};
     return FragmentSurfaces{std::move(pieces).value(), {}};
@@ -86,7 +87,7 @@ Result<FragmentSurfaces> cutOrThrow(const CuttableSolid& cuttable, const Discret
         const double coarser = 1 + 0.15 * std::max(0, k - 1);
         const LatticeChoice lattice = {spacing * coarser,
                                        settings.seed + 0x51ed2701ULL * static_cast<std::uint64_t>(k)};
-        auto cut = tryLattice(cuttable, solid, labels, lattice, settings.roughness, why);
+        auto cut = tryLattice(cuttable, solid, labels, lattice, settings, why);
         if (!cut) continue;
         if (k > 1)
             cut->notes.push_back("Crack faces are " + std::to_string(static_cast<int>(100 * coarser - 99.5)) +

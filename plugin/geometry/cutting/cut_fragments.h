@@ -4,6 +4,7 @@
 #include <sherd/triangle_mesh.h>
 
 #include <cstdint>
+#include <limits>
 
 #include "core/clustering/fragment_labels.h"
 #include "core/sampling/discretisation.h"
@@ -17,6 +18,8 @@ struct CutSettings {
     /// How far crack faces are displaced at random, as a fraction of the particle spacing.
     double roughness = 0;
     int lattices = 6;  ///< tried before the fallback
+    /// Where more come out, the smallest become part of their neighbours; two at least are left.
+    int most_pieces = std::numeric_limits<int>::max();
 };
 
 /// Cuts a closed surface along the faces between fragments. Cracks run where the smoothed densities of two

@@ -12,8 +12,9 @@ struct FragmentSurface {
     TriangleMesh mesh;
     std::vector<int>
         parents;  ///< #T, the triangle of the cut surface that each is a part of; -1 for new crack faces
-    std::vector<int> across;  ///< #T, the piece on the other side of a new crack face; -1 elsewhere
-    int label = -1;           ///< several connected pieces may come from one label
+    std::vector<int> across;         ///< #T, the piece on the other side of a new crack face; -1 elsewhere
+    int label = -1;                  ///< several connected pieces may come from one label
+    std::vector<int> merged_labels;  ///< of small pieces that became part of it
 };
 
 /// All fragments of a body.

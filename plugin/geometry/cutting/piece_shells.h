@@ -12,8 +12,9 @@ namespace sherd {
 struct PieceShell {
     std::vector<int> triangles;
     int label = -1;
-    double volume = 0;        ///< m^3
-    Eigen::AlignedBox3d box;  ///< of its outer surface, m; empty until `findBoxes`
+    std::vector<int> merged_labels;  ///< of the pieces that became part of it
+    double volume = 0;               ///< m^3
+    Eigen::AlignedBox3d box;         ///< of its outer surface, m; empty until `findBoxes`
 };
 
 /// The connected pieces of all labels. Each cavity is part of the smallest shell of its label around it.

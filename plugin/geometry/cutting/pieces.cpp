@@ -17,6 +17,7 @@ FragmentSurface extract(const PieceShell& shell, const LabelBoundary& boundary, 
                         std::vector<int>& new_index) {
     FragmentSurface piece;
     piece.label = shell.label;
+    piece.merged_labels = shell.merged_labels;
     piece.mesh.vertices.reserve(shell.triangles.size() / 2 + 2);
     piece.mesh.triangles.reserve(shell.triangles.size());
     piece.mesh.kinds.reserve(shell.triangles.size());
@@ -47,13 +48,13 @@ FragmentSurface extract(const PieceShell& shell, const LabelBoundary& boundary, 
 }  // namespace
 
 Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, const CutFaces& faces,
-                                                    const Discretisation& solid,
-                                                    const FragmentLabels& labels) {
+                                                    const Discretisation& solid, const FragmentLabels& labels,
+                                                    int most_pieces) {
     const LabelBoundary boundary = labelBoundary(faces);
     auto found = pieceShells(boundary, faces, body.vertices.front());
     if (!found) return Error{found.error()};
     std::vector<PieceShell> shells = std::move(found).value();
-    mergeStrayPieces(boundary, faces.points, solid, labels, shells);
+    mergeStrayPieces(boundary, faces.points, solid, labels, most_pieces, shells);
 
     for (const PieceShell& shell : shells)
         if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};

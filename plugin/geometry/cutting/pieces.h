@@ -12,8 +12,8 @@ namespace sherd {
 /// The closed surface of every connected piece, cavities included, after stray pieces were merged into
 /// neighbours (see stray_pieces.h). The error says what is not closed.
 Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, const CutFaces& faces,
-                                                    const Discretisation& solid,
-                                                    const FragmentLabels& labels);
+                                                    const Discretisation& solid, const FragmentLabels& labels,
+                                                    int most_pieces);
 
 /// The volume of all pieces over that of the body.
 double volumeRatio(const TriangleMesh& body, const std::vector<FragmentSurface>& pieces);

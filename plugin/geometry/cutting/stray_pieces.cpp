@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "core/numerics/union_find.h"
 
@@ -36,6 +37,16 @@ std::vector<char> findStrays(const LabelBoundary& boundary, const std::vector<Ve
     return is_stray;
 }
 
+// Makes strays of the smallest pieces, so that at most so many others are left.
+void addSmallest(const std::vector<PieceShell>& shells, int most_pieces, std::vector<char>& is_stray) {
+    std::vector<std::pair<double, int>> kept;  // volume and number
+    for (std::size_t s = 0; s < shells.size(); ++s)
+        if (!is_stray[s]) kept.push_back({shells[s].volume, static_cast<int>(s)});
+    std::sort(kept.begin(), kept.end());
+    const int excess = static_cast<int>(kept.size()) - std::max(2, most_pieces);
+    for (int i = 0; i < excess; ++i) is_stray[kept[i].second] = true;
+}
+
 // The crack area that each piece shares with each neighbour, m^2.
 std::vector<std::map<int, double>> contactAreas(const std::vector<PieceShell>& shells,
                                                 const LabelBoundary& boundary,
@@ -54,7 +65,7 @@ std::vector<std::map<int, double>> contactAreas(const std::vector<PieceShell>& s
 // shares most crack area, decided in ascending order of volume.
 std::vector<int> chooseTargets(const std::vector<PieceShell>& shells, const LabelBoundary& boundary,
                                const std::vector<Vec3>& points, const std::vector<char>& is_stray) {
-    const auto areas = contactAreas(shells, boundary, points);
+    auto areas = contactAreas(shells, boundary, points);
     std::vector<int> order;
     for (int s = 0; s < static_cast<int>(shells.size()); ++s)
         if (is_stray[s]) order.push_back(s);
@@ -63,11 +74,16 @@ std::vector<int> chooseTargets(const std::vector<PieceShell>& shells, const Labe
     });
     UnionFind merged(shells.size());
     for (int s : order) {
+        std::map<int, double> shared;  // with what became of the neighbours
+        for (const auto& [other, area] : areas[s])
+            if (merged.root(other) != s) shared[merged.root(other)] += area;
         int best = -1;
         double most = 0;
-        for (const auto& [other, area] : areas[s])
-            if (area > most && merged.root(other) != s) best = merged.root(other), most = area;
-        if (best >= 0) merged.uniteInto(best, s);
+        for (const auto& [other, area] : shared)
+            if (area > most) best = other, most = area;
+        if (best < 0) continue;
+        merged.uniteInto(best, s);
+        for (const auto& [other, area] : areas[s]) areas[best][other] += area;
     }
     return merged.roots();
 }
@@ -83,6 +99,7 @@ void applyMerges(const std::vector<int>& target_of, const LabelBoundary& boundar
         target.triangles.insert(target.triangles.end(), shells[s].triangles.begin(),
                                 shells[s].triangles.end());
         target.volume += shells[s].volume;
+        target.merged_labels.push_back(shells[s].label);
         shells[s].triangles.clear();
     }
     for (PieceShell& shell : shells) {
@@ -99,9 +116,10 @@ void applyMerges(const std::vector<int>& target_of, const LabelBoundary& boundar
 }  // namespace
 
 void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
-                      const Discretisation& solid, const FragmentLabels& labels,
+                      const Discretisation& solid, const FragmentLabels& labels, int most_pieces,
                       std::vector<PieceShell>& shells) {
-    const std::vector<char> is_stray = findStrays(boundary, points, solid, labels, shells);
+    std::vector<char> is_stray = findStrays(boundary, points, solid, labels, shells);
+    addSmallest(shells, most_pieces, is_stray);
     if (std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end()) return;
     applyMerges(chooseTargets(shells, boundary, points, is_stray), boundary, shells);
 }

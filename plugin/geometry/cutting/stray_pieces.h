@@ -11,9 +11,9 @@ namespace sherd {
 /// Merges stray pieces, the smallest first, each into the neighbour with which it shares most crack area; the
 /// crack faces between the two vanish. A piece is a stray if it has less than a twentieth of a particle's
 /// volume, or if it holds no particle of its label and is not the largest piece of it: there the smoothed
-/// labels reached across a gap.
+/// labels reached across a gap. If more than `most_pieces` are left, so are the smallest of them.
 void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
-                      const Discretisation& solid, const FragmentLabels& labels,
+                      const Discretisation& solid, const FragmentLabels& labels, int most_pieces,
                       std::vector<PieceShell>& shells);
 
 }  // namespace sherd

@@ -140,6 +140,25 @@ TEST(FragmentSurfaces, StandLabelsWithoutOrder) {
     EXPECT_EQ(faultOfCut(mesh, fragments), "");
 }
 
+TEST(FragmentSurfaces, AtMostAsManyAsAreWanted) {
+    const TriangleMesh mesh = shapes::hollowSphere(0.5, 0.4, 3);
+    const Discretisation solid = particlesOnly(mesh, 0.1);
+    std::mt19937 random(5);
+    const FragmentLabels labels =
+        labelled(solid, 40, [&](const Vec3&) { return static_cast<int>(random() % 40); });
+    CutSettings settings;
+    const std::size_t unlimited = cut(mesh, solid, labels, settings).pieces.size();
+    for (const int most : {20, 7, 2}) {
+        settings.most_pieces = most;
+        ASSERT_GT(unlimited, static_cast<std::size_t>(most));
+        const FragmentSurfaces fragments = cut(mesh, solid, labels, settings);
+        EXPECT_EQ(static_cast<int>(fragments.pieces.size()), most);
+        const double volume = solidMoments(mesh).volume;
+        EXPECT_NEAR(volumeOf(fragments), volume, 1e-9 * volume);
+        EXPECT_EQ(faultOfCut(mesh, fragments), "");
+    }
+}
+
 // What is kept of a surface serves any number of cuts.
 TEST(FragmentSurfaces, AreThoseOfANewSurfaceIfItWasCutBefore) {
     const TriangleMesh mesh = shapes::slab({1, 1, 0.09}, 24, 24, 3);

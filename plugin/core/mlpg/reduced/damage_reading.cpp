@@ -5,6 +5,7 @@
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/stress/loaded_places.h"
 #include "core/stress/surface_traction.h"
 
@@ -57,7 +58,7 @@ class DamageReading::Reader {
           strength_(strength),
           bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
-          equivalent(of.problem_->solid->particles.size(), 0.0) {}
+          equivalent_(of.problem_->solid->particles.size(), 0.0) {}
 
     /// Reads the points of a part that may be as near to failure as `overstress`, or under the largest
     /// tension.
@@ -72,6 +73,27 @@ class DamageReading::Reader {
                 return read<3>(part, overstress);
         }
     }
+
+    /// What another has read of the same displacement.
+    void include(const Reader& other) {
+        tension = std::max(tension, other.tension);
+        for (std::size_t i = 0; i < equivalent_.size(); ++i)
+            equivalent_[i] = std::max(equivalent_[i], other.equivalent_[i]);
+    }
+
+    Damage damage() const {
+        Damage damage;
+        damage.damaged.resize(equivalent_.size());
+        damage.overstress.resize(equivalent_.size());
+        for (std::size_t i = 0; i < equivalent_.size(); ++i) {
+            damage.overstress[i] = scale_ / strength_.of_particle[i] * equivalent_[i];
+            damage.damaged[i] = damage.overstress[i] > 1;
+            damage.count += damage.damaged[i];
+        }
+        return damage;
+    }
+
+    double tension = 0;  ///< the largest that was read
 
   private:
     using Quad = Eigen::Array4f;  // a vector and a zero
@@ -97,7 +119,7 @@ class DamageReading::Reader {
             if (is_on_surface && doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing))
                 continue;
             const PrincipalStresses principal = principalStresses(stress);
-            double& largest = equivalent[point.particle];
+            double& largest = equivalent_[point.particle];
             largest =
                 std::max(largest, strength_.criterion.equivalent_stress_pa(principal, strength_.material));
             tension = std::max(tension, principal.largest);
@@ -161,11 +183,8 @@ class DamageReading::Reader {
     double scale_;
     const Strength& strength_;
     EquivalentBound bound_;
-    Eigen::Vector3f per_edge_;  ///< of a cell
-
-  public:
-    std::vector<double> equivalent;  ///< per particle, the largest that was read
-    double tension = 0;              ///< the largest that was read
+    Eigen::Vector3f per_edge_;        ///< of a cell
+    std::vector<double> equivalent_;  ///< per particle, the largest that was read
 };
 
 /// The least strength of the particles that the points of a part count for.
@@ -174,6 +193,18 @@ double DamageReading::weakest(int part, const Strength& strength) const {
     for (int at = particle_starts_[part]; at < particle_starts_[part + 1]; ++at)
         least = std::min(least, strength.of_particle[particles_[at]]);
     return least;
+}
+
+/// Has parts read, some at a time on all cores; what is found does not depend on their number.
+void DamageReading::readAll(const std::vector<int>& parts, double overstress, Reader& reader) const {
+    constexpr int parts_at_once = 64;
+    const int total = static_cast<int>(parts.size()), chunks = (total + parts_at_once - 1) / parts_at_once;
+    std::vector<Reader> found(static_cast<std::size_t>(chunks), reader);
+    forEachChunk(chunks, [&](int chunk) {
+        for (int i = chunkBegin(chunk, chunks, total); i < chunkBegin(chunk + 1, chunks, total); ++i)
+            found[chunk].read(parts[i], overstress);
+    });
+    for (const Reader& other : found) reader.include(other);
 }
 
 Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads,
@@ -199,25 +230,22 @@ Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<
         reader.read(by_tension.back().second, 1);
         by_tension.pop_back();
     }
-    for (const auto& [tension, part] : by_tension)
-        if (overstress_bound[part] >= 1) reader.read(part, 1);
 
-    Damage damage;
-    damage.damaged.resize(strength.of_particle.size());
-    damage.overstress.resize(strength.of_particle.size());
-    const auto count = [&] {
-        damage.count = 0;
-        for (std::size_t i = 0; i < reader.equivalent.size(); ++i) {
-            damage.overstress[i] = scale / strength.of_particle[i] * reader.equivalent[i];
-            damage.damaged[i] = damage.overstress[i] > 1;
-            damage.count += damage.damaged[i];
-        }
-    };
-    count();
+    Damage damage = reader.damage();
+    if (damage.count == 0) {
+        std::vector<int> may_fail;
+        for (const auto& [tension, part] : by_tension)
+            if (overstress_bound[part] >= 1) may_fail.push_back(part);
+        std::sort(may_fail.begin(), may_fail.end());
+        readAll(may_fail, 1, reader);
+        damage = reader.damage();
+    }
     if (damage.count > 0) {  // what is near to failure steers the cracks
+        std::vector<int> near;
         for (int part = 0; part < part_count; ++part)
-            if (overstress_bound[part] >= near_to_failure) reader.read(part, near_to_failure);
-        count();
+            if (overstress_bound[part] >= near_to_failure) near.push_back(part);
+        readAll(near, near_to_failure, reader);
+        damage = reader.damage();
     }
     damage.largest_stress_pa = scale * reader.tension;
     return damage;

@@ -30,6 +30,7 @@ class DamageReading {
     class Reader;
 
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
+    void readAll(const std::vector<int>& parts, double overstress, Reader& reader) const;
     double weakest(int part, const Strength& strength) const;
 
     std::shared_ptr<const SplineProblem> problem_;
