@@ -70,6 +70,13 @@ void BodyGraphics::watch(PlacedScene& scene) {
 }
 
 void BodyGraphics::addMissing(btDiscreteDynamicsWorld& world, const PlacedScene& scene) {
+    if (is_full_ || tryToAddMissing(world, scene)) return;
+    forgetAll(world);
+    is_full_ = !tryToAddMissing(world, scene);
+}
+
+/// False at the first body that the browser has no room for: it would keep a record of each further try.
+bool BodyGraphics::tryToAddMissing(btDiscreteDynamicsWorld& world, const PlacedScene& scene) {
     for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
         btRigidBody* body = btRigidBody::upcast(world.getCollisionObjectArray()[i]);
         if (!body || body->getUserIndex() != no_instance) continue;
@@ -77,6 +84,17 @@ void BodyGraphics::addMissing(btDiscreteDynamicsWorld& world, const PlacedScene&
             addBreakable(*body, scene);
         else
             addPlain(*body);
+        if (body->getUserIndex() == no_instance) return false;
+    }
+    return true;
+}
+
+void BodyGraphics::forgetAll(btDiscreteDynamicsWorld& world) {
+    removeAll();
+    for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
+        btCollisionObject* body = world.getCollisionObjectArray()[i];
+        body->setUserIndex(no_instance);
+        body->getCollisionShape()->setUserIndex(no_instance);  // the browser's number of its vertices
     }
 }
 
@@ -106,10 +124,12 @@ void BodyGraphics::remove(btRigidBody& body) {
     if (body.getUserIndex() == no_instance) return;
     helper_.removeGraphicsInstance(body.getUserIndex());
     body.setUserIndex(no_instance);
+    is_full_ = false;
 }
 
 void BodyGraphics::removeAll() {
     helper_.removeAllGraphicsInstances();
+    is_full_ = false;
 }
 
 int BodyGraphics::textureOf(const Look& look) {

@@ -40,7 +40,7 @@ void FractureExample::initPhysics() {
     graphics_ = std::make_unique<BodyGraphics>(*m_guiHelper);
     registerSliders(*m_guiHelper, knobs_);
     if (CommonParameterInterface* panel = m_guiHelper->getParameterInterface()) {
-        ButtonParams button("start again", left_out, true);
+        ButtonParams button("start again", left_out, false);  // no switch that stays pressed
         button.m_userPointer = this;
         // The panel is in the middle of its own work then, so the next step does it.
         button.m_callback = [](int, bool, void* example) {

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <limits>
 #include <memory>
 #include <set>
 
@@ -104,6 +105,7 @@ TEST(FractureExample, StartsAgainTenTimesAndKeepsNoMemory) {
         const auto example = make("Plaster wall", browser);
         example->initPhysics();
         const int bodies = example->m_dynamicsWorld->getNumCollisionObjects();
+        EXPECT_FALSE(browser.buttons.at(0).m_isTrigger) << "it would stay pressed";
         long blocks = 0;
         for (int round = 0; round < 10; ++round) {
             ASSERT_TRUE(stepToABreak(*example));
@@ -119,6 +121,36 @@ TEST(FractureExample, StartsAgainTenTimesAndKeepsNoMemory) {
         example->exitPhysics();
     }
     EXPECT_EQ(BulletMemory::blocks(), 0);
+}
+
+TEST(FractureExample, DrawsAllAnewWhereTheBrowserKeepsTooManyVertices) {
+    RecordingBrowser browser;
+    const auto example = make("Plaster wall", browser);
+    example->initPhysics();
+    ASSERT_TRUE(stepToABreak(*example));
+    browser.capacity = browser.vertices_kept;  // of the wall and of its pieces, so the ball finds no room
+    EXPECT_TRUE(example->keyboardCallback('.', 1));
+    EXPECT_LT(browser.vertices_kept, browser.capacity) << "the vertices of the whole wall are let go";
+    for (int step = 0; step < 5; ++step) {
+        expectEveryBodyIsDrawnOnce(*example, browser);
+        example->stepSimulation(1.0f / 60);
+    }
+    example->exitPhysics();
+}
+
+TEST(FractureExample, TriesOnceToDrawWhatTheBrowserHasNoRoomFor) {
+    RecordingBrowser browser;
+    const auto example = make("Coffee cup", browser);
+    browser.capacity = 1000;
+    example->initPhysics();
+    EXPECT_EQ(browser.instances.size(), 1u) << "the floor";
+    const int tries = browser.shape_tries;
+    for (int step = 0; step < 5; ++step) example->stepSimulation(1.0f / 60);
+    EXPECT_EQ(browser.shape_tries, tries);
+    browser.capacity = std::numeric_limits<long>::max();
+    example->restart();
+    expectEveryBodyIsDrawnOnce(*example, browser);
+    example->exitPhysics();
 }
 
 TEST(FractureExample, ShootsABallFromTheCamera) {
