@@ -255,6 +255,9 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
           s.largest_collision_part_count);
     visit(Field{"rest_after_break_s", "how long new fragments cannot break", Range::atLeast(0, "s")},
           s.rest_after_break_s);
+    visit(Field{"same_blow_s", "how long new fragments cannot be broken by what made them, nor by each other",
+                Range::atLeast(0, "s")},
+          s.same_blow_s);
     visit(Field{"largest_generation", "how often a body may break in turn",
                 Range::atLeast(1).orSpecial(0, "no limit")},
           s.largest_generation);

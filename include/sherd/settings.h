@@ -203,9 +203,12 @@ struct FractureSettings {
     CollisionShape collision_shape = CollisionShape::automatic;
     /// Convex hulls that stand for one body at most, with CollisionShape::automatic.
     int largest_collision_part_count = 8;
-    /// Fragments cannot break for this time after they were made: they still fly apart from the same blow. A
-    /// very large value lets them never break.
-    double rest_after_break_s = 0.05;
+    /// Fragments cannot break for this time after they were made. A very large value lets them never break.
+    double rest_after_break_s = 0;
+    /// For this time after they were made, fragments cannot be broken by what belongs to the same blow: the
+    /// bodies that touched the one that broke, what came of these, and other fragments as young as they are.
+    /// What else strikes them does so as it would strike any body.
+    double same_blow_s = 0.05;
     /// How often a body may break in turn: at 1 its fragments never break, at 2 theirs never do. At 0 there
     /// is no limit.
     int largest_generation = 0;

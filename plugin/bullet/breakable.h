@@ -51,6 +51,14 @@ struct Breakable {
     std::uint64_t serial =
         0;  ///< counts the bodies of this world in the order in which they became breakable
     double unbreakable_until_s = 0;  ///< simulated time
+    /// A body that belongs to the blow that made a fragment, until a simulated time.
+    struct Company {
+        BodyToken body = no_token;
+        double until_s = 0;
+    };
+    std::vector<Company> in_one_blow_with;
+    std::vector<BodyToken> came_of;  ///< the bodies that it was part of
+    double young_until_s = 0;        ///< simulated time; 0 for what is no fragment
     bool in_world = true;            ///< at the last syncWithWorld
     bool warned = false;             ///< an event has said what the asset warns of
     BodyToken token = no_token;      ///< tells `body` from a new one at its address

@@ -12,6 +12,8 @@
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/missed_vertices.h"
+#include "bullet/piles.h"
+#include "bullet/same_blow.h"
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
 
@@ -19,9 +21,7 @@ namespace sherd {
 
 namespace {
 
-constexpr double resting_steps = 2;  // of free fall: slower contacts are those of a body at rest
 constexpr btScalar slowest_landing_m_s = btScalar(0.1);  // below it, what Bullet gives is taken
-constexpr double largest_gap_m = 1e-3;                   // between bodies that rest on each other
 
 /// Predictive contacts (continuous collision) put the centre of the swept sphere where other contacts have
 /// the point.
@@ -37,8 +37,7 @@ std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold
                                             const ContactCollector& collector) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
-    if (tolerance == 0 || !collector.mayStrike(manifold))
-        return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
+    if (tolerance == 0) return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
     btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
@@ -49,6 +48,17 @@ std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold
         if (vertex.getDistance() < deepest + tolerance)
             vertex.setDistance(std::min(vertex.getDistance(), deepest));
     return vertices;
+}
+
+/// What bodies that rest on each other touch with, pressed or not: which points of a flat contact Bullet
+/// presses depends on the step, and a face that leans against another is tilted by hardly anything.
+void pressEvenly(std::vector<btManifoldPoint>& points) {
+    constexpr btScalar faint = btScalar(1e-3);  // of the whole impulse: the point counts as pressed
+    btScalar sum = 0;
+    for (const btManifoldPoint& point : points) sum += std::max(btScalar(0), point.m_appliedImpulse);
+    for (btManifoldPoint& point : points)
+        if (point.getDistance() <= btScalar(largestRestingGap()))
+            point.m_appliedImpulse = std::max(point.m_appliedImpulse, faint * sum);
 }
 
 /// Gives the impulses of a point to others, in equal parts.
@@ -67,7 +77,12 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
                                              -1);
     const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
                                              -1);
-    std::vector<btManifoldPoint> vertices = landedVertices(manifold, collector);
+    const bool rests = !predictive && !collector.mayStrike(manifold);
+    std::vector<btManifoldPoint> vertices =
+        rests ? missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
+                               btScalar(largestRestingGap()))
+              : landedVertices(manifold, collector);
+    std::vector<btManifoldPoint> points;
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint point = manifold.getContactPoint(i);
         if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
@@ -79,10 +94,11 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
             moveToSurface(point, *a);
             point.m_index0 = point.m_index1 = -1;
         }
-        collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
-                                  point.m_partId1, point.m_index1);
+        points.push_back(point);
     }
-    for (btManifoldPoint& point : vertices)
+    points.insert(points.end(), vertices.begin(), vertices.end());
+    if (rests) pressEvenly(points);
+    for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);
 }
@@ -120,8 +136,9 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     if (!breakable || !listens(*breakable)) return;
     const btTransform asset_from_world = breakable->placed(stoodAt(*own.object)).inverse();
     ContactImpulse contact = contactOn(own, other, asset_from_world, point);
-    const bool rests = contact.supports() && point.getDistance() <= largest_gap_m;
+    const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
     if (!contact.strikes() && !rests) return;
+    if (isOfTheSameBlow(*breakable, *other.object, breakables_.find(other.object), time_s_)) return;
     StruckBreakable& entry = entryOf(*breakable);
     contact.partner = entry.numberOf(other.object);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
@@ -179,6 +196,11 @@ void ContactCollector::expect(const btPersistentManifold& manifold) {
     possible_.add(manifold);
 }
 
+void ContactCollector::lookForPiles(const std::vector<const btPersistentManifold*>& solved,
+                                    const std::vector<const btPersistentManifold*>& predictive) {
+    piles_ = std::make_shared<const Piles>(solved, predictive, breakables_, before_, time_s_, time_step_s_);
+}
+
 bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
         const Breakable* breakable = breakables_.find(object);
@@ -188,8 +210,9 @@ bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
 }
 
 bool ContactCollector::listens(const Breakable& breakable) const {
-    return possible_.mayBreak(breakable) && breakable.canBeStruck() &&
-           (!breakable.isDynamic() || breakable.body->isActive()) && breakable.breaksAt(time_s_);
+    const bool may_break = possible_.mayBreak(breakable) || (piles_ && piles_->squeeze(breakable));
+    return may_break && breakable.canBeStruck() && (!breakable.isDynamic() || breakable.body->isActive()) &&
+           breakable.breaksAt(time_s_);
 }
 
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
@@ -207,8 +230,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
     // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
-    const double rest = resting_steps * time_step_s_ * (std::abs(self.gravity) + std::abs(partner.gravity));
-    contact.approach_m_s = closing > rest
+    contact.approach_m_s = closing > slowestStrike(self, partner, time_step_s_)
                                ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
                                : std::min(closing, 0.0);
     contact.touched_s = closing > 0 ? std::clamp(depth_m / closing, -time_step_s_, time_step_s_) : 0;
@@ -227,6 +249,8 @@ std::vector<StruckBreakable> ContactCollector::takeStruck() {
         return a.breakable->serial < b.breakable->serial;
     });
     place_in_struck_.clear();
+    if (piles_)
+        for (StruckBreakable& struck : struck_) piles_->attachTo(struck);
     return std::move(struck_);
 }
 
@@ -240,10 +264,13 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
     }
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     const auto& predictive = WorldInternals::predictiveManifolds(world);
+    std::vector<const btPersistentManifold*> foreseen;
+    for (int i = 0; i < predictive.size(); ++i) foreseen.push_back(predictive[i]);
+    collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
-        const bool foreseen = predictive.findLinearSearch(manifold) != predictive.size();
-        feedManifold(*manifold, foreseen, collector);
+        const bool is_foreseen = predictive.findLinearSearch(manifold) != predictive.size();
+        feedManifold(*manifold, is_foreseen, collector);
     }
 }
 

@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
 
+#include <memory>
 #include <tuple>
 #include <unordered_map>
 #include <vector>
@@ -15,6 +16,8 @@ class btDiscreteDynamicsWorld;
 struct btContactSolverInfo;
 
 namespace sherd {
+
+class Piles;
 
 /// A breakable body and what a solved step did to it.
 struct StruckBreakable {
@@ -50,6 +53,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
     /// left out.
     void expect(const btPersistentManifold& manifold);
+    /// Looks for bodies that a strike on another one squeezes; these are not left out either.
+    void lookForPiles(const std::vector<const btPersistentManifold*>& solved,
+                      const std::vector<const btPersistentManifold*>& predictive);
     /// Whether a body of the manifold is not left out.
     bool listensTo(const btPersistentManifold& manifold) const;
 
@@ -85,6 +91,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     double time_step_s_;
     bool two_friction_directions_;
     PossibleStrikes possible_;
+    std::shared_ptr<const Piles> piles_;
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only
 };

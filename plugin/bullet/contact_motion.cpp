@@ -23,6 +23,11 @@ bool canMove(const btRigidBody& body) {
     return !body.isStaticOrKinematicObject() && body.getInvMass() > 0;
 }
 
+bool givesWay(const btCollisionObject& object) {
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    return body && canMove(*body);
+}
+
 PointMotion motionAt(const btCollisionObject& object, const BodyState* state, const btVector3& point,
                      const btVector3& normal, double time_step_s) {
     PointMotion motion;
@@ -44,6 +49,15 @@ double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, dou
     const double now = closing_m_s + gravity_m_s2 * time_step_s / 2;
     const double way = std::clamp(depth_m, -now * time_step_s, now * time_step_s);
     return std::sqrt(std::max(now * now - 2 * gravity_m_s2 * way, closing_m_s * closing_m_s / 4));
+}
+
+double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s) {
+    constexpr double resting_steps = 2;
+    return resting_steps * time_step_s * (std::abs(a.gravity) + std::abs(b.gravity));
+}
+
+double largestRestingGap() {
+    return 1e-3;
 }
 
 Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,

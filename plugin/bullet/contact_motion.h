@@ -30,6 +30,12 @@ PointMotion motionAt(const btCollisionObject& object, const BodyState* state, co
 /// this step's pull.
 double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, double time_step_s);
 
+/// Closing speed of two points, m/s, up to which they rest on each other: two steps of free fall of both.
+double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s);
+
+/// Between bodies that rest on each other, at most, m.
+double largestRestingGap();
+
 /// How an object gives way, in the frame that `frame_from_world` leads to. Of a multi-body's link only its
 /// own mass counts, felt at `point` (world frame).
 Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,
@@ -37,6 +43,9 @@ Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_fr
 
 /// Whether a body is dynamic and has a finite mass.
 bool canMove(const btRigidBody& body);
+
+/// Whether an object is a rigid body that can move.
+bool givesWay(const btCollisionObject& object);
 
 /// Whether gravity has had its way with a body: what rests, or has been let go just now, moves by less than
 /// half of what a step of it gives.

@@ -10,6 +10,7 @@
 #include "bullet/collision_exceptions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
+#include "bullet/same_blow.h"
 #include "bullet/steady_contacts.h"
 #include "core/numerics/split_mix.h"
 
@@ -149,10 +150,12 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
 std::vector<Breakable*> FractureWorld::Impl::registerFragments(
     const Breakable& parent, std::vector<std::unique_ptr<Breakable>> pieces) {
     std::vector<Breakable*> fragments;
+    const std::vector<BodyToken> same_blow = partOfTheBlowOn(world_, *parent.body);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Breakable& fragment = registerBreakable(std::move(pieces[i]));
         if (parent.seed) fragment.seed = splitMix64(*parent.seed + golden_step * (i + 1));
         fragment.unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
+        noteBlow(same_blow, parent, time_s_, fragment);
         fragment.generation = parent.generation + 1;
         fragment.being_born = true;
         fragments.push_back(&fragment);

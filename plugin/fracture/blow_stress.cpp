@@ -1,6 +1,8 @@
 #include "fracture/blow_stress.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/loads/support_answer.h"
 #include "core/numerics/stopwatch.h"
@@ -14,8 +16,70 @@ namespace {
 constexpr int most_solves = 4;         // of one blow
 constexpr double same_answer = 0.005;  // of the strike: a change of the answer that changes nothing
 
+constexpr double least_part = 0.1;    // of a body's energy that is not about the patches, at least
+constexpr double least_share = 0.02;  // of a strike on another body: with less, nothing is heard of it
+
+/// Sum of the forces that push along `direction`, N.
+double forceAlong(const Vec3& direction, const std::vector<PointForce>& forces) {
+    double sum = 0;
+    for (const PointForce& force : forces) sum += std::max(0.0, force.force.dot(direction));
+    return sum;
+}
+
+std::vector<PointForce> scaled(std::vector<PointForce> forces, double factor) {
+    for (PointForce& force : forces) force.force *= factor;
+    return forces;
+}
+
 std::vector<PointForce> together(std::vector<PointForce> forces, const std::vector<PointForce>& more) {
     forces.insert(forces.end(), more.begin(), more.end());
+    return forces;
+}
+
+/// Shortening over force of a body as a rod along a direction: as long as it is, and of its volume, m/N.
+double rodCompliance(const ContactBody& body, const Vec3& along) {
+    double low = std::numeric_limits<double>::infinity(), high = -low;
+    for (const Vec3& vertex : body.surface.surface().vertices) {
+        low = std::min(low, vertex.dot(along));
+        high = std::max(high, vertex.dot(along));
+    }
+    const double volume = body.mobility.mass() / body.material.density_kg_m3;
+    return (high - low) * (high - low) / (body.material.youngs_modulus_pa * volume);
+}
+
+/// The forces on a body that nothing strikes, from a strike on another body of its stack: what its beds do
+/// under 1 N there, made into 1 N on the side that the load comes from. The stack stores what rods do, this
+/// body included: so the force is the same that the others hear of.
+Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSettings& contact,
+                                   const Blow& blow, const StressOfLoads& solve, StageTimes& ms) {
+    const AddedTime time(ms.loads);
+    const ContactBody body = struckBody(solid);
+    const Stack& stack = blow.stack;
+    const std::vector<Strike> strikes = {strikeOn(stack)};
+    const auto foundations = foundationsOf(body, blow, {}, contact);
+    const double compliance = rodCompliance(body, stack.strike.push);
+    BlowForces forces;
+    forces.pulse = contactPulse(impactOf(strikes, 1), 0, contact.shortest_contact_s);
+    SupportAnswer answer;
+    double pressed = 0;
+    for (int round = 0; round < most_solves; ++round) {
+        answer = supportAnswer(body, foundations, {}, forces.pulse.duration_s, stack);
+        const double before = pressed;
+        pressed = forceAlong(stack.strike.push, answer.forces);
+        if (!(pressed > least_share)) return BlowForces{};
+        if (std::abs(pressed - before) < same_answer) break;
+        forces.pulse = contactPulse(impactOf(strikes, answer.held),
+                                    0.5 * compliance * pressed * pressed + answer.others_energy_j,
+                                    contact.shortest_contact_s);
+    }
+    forces.pulse.peak_force_n *= pressed;
+    forces.loads = scaled(answer.forces, 1 / pressed);
+    for (const PointForce& load : forces.loads)
+        if (load.force.dot(stack.strike.push) > 0) forces.strike.push_back(load);
+    const Result<double> energy = solve(forces.loads);
+    if (!energy) return Error{energy.error()};
+    forces.strain_energy_j = std::min(energy.value() * forces.pulse.peak_force_n * forces.pulse.peak_force_n,
+                                      stack.largestEnergy());
     return forces;
 }
 
@@ -51,6 +115,7 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
                               const StressOfLoads& solve, StageTimes& ms) {
     const ContactBody body = struckBody(solid);
+    if (blow.isSqueezed()) return squeezingForces(solid, contact, blow, solve, ms);
     const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
     BlowForces forces;
     forces.strike = forces.loads = timed(ms.loads, [&] { return unitLoads(body, strikes, contact); });
@@ -62,22 +127,27 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     else
         foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strikes, contact); });
 
-    double unit_energy_j = 0;
+    const double patch_energy_j = patchEnergy(body, strikes, contact, solid.spacing());
+    double unit_energy_j = 0, brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
         const Result<double> energy = solve(forces.loads);
         if (!energy) return Error{energy.error()};
         unit_energy_j = energy.value();
+        const double body_energy_j = std::max(unit_energy_j - patch_energy_j, least_part * unit_energy_j);
+        const Impact impact = impactOf(strikes, answer.held);
         forces.pulse =
-            contactPulse(impactOf(strikes, answer.held), unit_energy_j, contact.shortest_contact_s);
+            contactPulse(impact, body_energy_j + answer.others_energy_j, contact.shortest_contact_s);
+        brought_j = impact.energy();
         if (foundations.empty()) break;
         SupportAnswer next = timed(ms.loads, [&] {
-            return supportAnswer(body, foundations, forces.strike, forces.pulse.duration_s);
+            return supportAnswer(body, foundations, forces.strike, forces.pulse.duration_s, blow.stack);
         });
         if (std::abs(next.sum_n - answer.sum_n) < same_answer || solved == most_solves) break;
         answer = std::move(next);
         forces.loads = together(forces.strike, answer.forces);
     }
-    forces.strain_energy_j = unit_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n;
+    forces.strain_energy_j =
+        std::min(unit_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n, brought_j);
     return forces;
 }
 

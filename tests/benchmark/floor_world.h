@@ -13,10 +13,10 @@ struct FloorWorld {
     btDbvtBroadphase broadphase;
     btSequentialImpulseConstraintSolver solver;
     btDiscreteDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration};
-    btBoxShape floor_shape{btVector3(5, 5, 0.5)};
+    btBoxShape floor_shape;
     btRigidBody floor{0, nullptr, &floor_shape};
 
-    FloorWorld() {
+    explicit FloorWorld(btScalar half_length = 5) : floor_shape(btVector3(half_length, half_length, 0.5)) {
         floor.setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -0.5)));
         world.addRigidBody(&floor);
         world.setGravity(btVector3(0, 0, btScalar(-gravity_m_s2)));

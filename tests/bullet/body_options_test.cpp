@@ -103,7 +103,7 @@ TEST(BodyOptions, BodiesOfOneAssetBreakEachByItsOwnSettings) {
     BodyOptions few(at(0, 0, 0)), boxed(at(2, 0, 0)), as_the_asset(at(4, 0, 0));
     few.fracture = boxed.fracture = asset.settings().fracture;
     few.fracture->fragment_count = 2;
-    few.fracture->rest_after_break_s = 0;
+    few.fracture->rest_after_break_s = few.fracture->same_blow_s = 0;
     few.fracture->smallest_fragment_m3 = 1e-6;
     boxed.fracture->collision_shape = CollisionShape::boxes;
 
@@ -130,7 +130,7 @@ TEST(BodyOptions, ASeedOfItsOwnMakesABodyBreakAlikeAnywhere) {
         BodyOptions options;
         options.seed = seed;
         options.fracture = asset.settings().fracture;
-        options.fracture->rest_after_break_s = 0;
+        options.fracture->rest_after_break_s = options.fracture->same_blow_s = 0;
         options.fracture->smallest_fragment_m3 = 1e-6;
         const BlowEvent first = struck(fracture, fracture.add(asset, options).value());
         std::vector<double> result = masses(first);

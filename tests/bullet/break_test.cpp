@@ -254,11 +254,47 @@ TEST(Break, FragmentsBreakAgainAfterTheirRestAndNotBefore) {
     EXPECT_TRUE(again);
 }
 
+/// How often pieces of a plate break in the 40 ms after a ball broke it, with another ball that is shot at
+/// one of them then or without.
+int breaksOfPieces(bool shoot, double same_blow_s) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    EXPECT_TRUE(fracture.setBudget(Budget::none()));
+    Settings settings = coarse(0.06);
+    settings.fracture.fragment_count = 2;
+    settings.fracture.same_blow_s = same_blow_s;
+    settings.fracture.smallest_fragment_m3 = 1e-9;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    EXPECT_TRUE(fracture.add(asset.value(), at(0, 0, 0)).ok());
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+    const BlowEvent first = stepUntilBreak(scene, fracture);
+    EXPECT_EQ(first.outcome, broke) << first.message;
+    if (first.outcome != broke) return 0;
+    const btRigidBody* piece = first.fragments.front();
+    const btVector3 centre = piece->getCenterOfMassPosition();
+    if (shoot)
+        scene.addBall(20, 0.05, centre - btVector3(0, 0, 0.15f),
+                      piece->getLinearVelocity() + btVector3(0, 0, 20));
+    int breaks = 0;
+    for (int i = 0; i < 10; ++i) {
+        scene.step();
+        for (const BlowEvent& event : fracture.takeEvents()) breaks += event.outcome == broke;
+    }
+    return breaks;
+}
+
+TEST(Break, YoungFragmentsAreBrokenByWhatComesNewAndNotByTheirOwnBlow) {
+    EXPECT_EQ(breaksOfPieces(false, 0.05), 0);
+    EXPECT_GT(breaksOfPieces(true, 0.05), 0);
+    EXPECT_GT(breaksOfPieces(false, 0), 0) << "nothing was tested";
+}
+
 TEST(Break, PiecesBelowTheSmallestSizeAreNeverSolved) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
     Settings settings = coarse(0.06);
-    settings.fracture.rest_after_break_s = 0;
+    settings.fracture.rest_after_break_s = settings.fracture.same_blow_s = 0;
     settings.fracture.smallest_fragment_m3 = 0.6 * 0.6 * 0.06 * 0.99;
     const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
                                                 crumbly(), settings);

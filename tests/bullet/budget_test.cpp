@@ -33,7 +33,7 @@ struct FallingPlate {
     static Settings brittle() {
         Settings settings = coarse(0.06);
         settings.fracture.smallest_fragment_m3 = 3e-4;
-        settings.fracture.rest_after_break_s = 0;
+        settings.fracture.rest_after_break_s = settings.fracture.same_blow_s = 0;
         settings.fracture.fragment_count = 4;
         return settings;
     }

@@ -240,7 +240,7 @@ TEST(CollisionShapes, FragmentsOfAFragmentAreNotPushedOutOfItsNeighbours) {
         settings.fracture.collision_shape = shape;
         settings.fracture.fragment_count = 3;
         settings.fracture.smallest_fragment_m3 = 1e-4;
-        settings.fracture.rest_after_break_s = 0;
+        settings.fracture.rest_after_break_s = settings.fracture.same_blow_s = 0;
         TestWorld scene;
         FractureWorld fracture(scene.world.get());
         fracture.add(BreakableAsset::fromMesh(::cup(), brittle(), settings).value(), at(0, 0, 0)).value();

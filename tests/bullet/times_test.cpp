@@ -15,7 +15,7 @@ BreakableAsset checkedPlate() {
     Settings settings = coarse(0.06);
     settings.fracture.fragment_count = 4;
     settings.fracture.smallest_fragment_m3 = 1e-6;
-    settings.fracture.rest_after_break_s = 0;
+    settings.fracture.rest_after_break_s = settings.fracture.same_blow_s = 0;
     settings.fracture.check_with_full_solve = true;
     settings.fracture.collision_shape = CollisionShape::hull;  // which overlap at birth
     return BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), crumbly(),

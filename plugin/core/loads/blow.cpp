@@ -31,6 +31,12 @@ bool Blow::isStruckBy(int partner) const {
     });
 }
 
+bool Blow::isStruck() const {
+    for (int number = 0; number < partnerCount(); ++number)
+        if (isStruckBy(number)) return true;
+    return false;
+}
+
 bool Blow::isSupported() const {
     return std::any_of(contacts.begin(), contacts.end(),
                        [](const ContactImpulse& contact) { return contact.supports(); });
@@ -43,7 +49,7 @@ double normalImpulse(const Blow& blow) {
 }
 
 double blowEnergy(const Blow& blow, double mass_kg, bool held) {
-    double energy = 0;
+    double energy = blow.isSqueezed() ? blow.stack.largestEnergy() : 0;
     for (int number = 0; number < blow.partnerCount(); ++number) {
         if (!blow.isStruckBy(number)) continue;
         double speed = 0;

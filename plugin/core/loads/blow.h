@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/loads/mobility.h"
+#include "core/loads/stack.h"
 
 namespace sherd {
 
@@ -35,12 +36,17 @@ struct ContactImpulse {
 struct Blow {
     std::vector<ContactImpulse> contacts;
     std::vector<Mobility> partners;  ///< by their numbers; those that are not there do not give way
+    Stack stack = {};                ///< empty: what the partners touch in turn is not known
 
     Mobility partner(int number) const;
     /// All numbers of partners are below it.
     int partnerCount() const;
     /// Whether a partner strikes: some contact of it closes, and some impulse came of that.
     bool isStruckBy(int partner) const;
+    /// Whether any partner does.
+    bool isStruck() const;
+    /// Whether nothing strikes the body itself, but a strike on another body may press on it.
+    bool isSqueezed() const { return stack.strike.strikes() && !isStruck(); }
     /// Whether something touches the body without striking it.
     bool isSupported() const;
 };
@@ -51,7 +57,8 @@ double normalImpulse(const Blow& blow);
 /// Energy that all strikes together bring to a body of `mass_kg` at most, J: whatever the body stands on or
 /// leans against, and wherever on the body a partner touches first. `held`: something keeps the body from
 /// giving way, so that a partner is stopped with all of its own mass. A partner that cannot give way brings
-/// what it takes to stop the body's mass, held or not.
+/// what it takes to stop the body's mass, held or not. A body that is squeezed gets no more than what the
+/// strike on the other body brings.
 double blowEnergy(const Blow& blow, double mass_kg, bool held);
 
 /// Where and along which direction a body is struck.

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/pi.h"
+
 namespace sherd {
 
 namespace {
@@ -96,6 +98,12 @@ Strike strikeOf(const ContactBody& body, const Blow& blow, int partner, const Co
     return strike;
 }
 
+double momentumOf(const std::vector<Strike>& strikes) {
+    double momentum = 0;
+    for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
+    return momentum;
+}
+
 }  // namespace
 
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,
@@ -129,23 +137,42 @@ Impact impactOf(const std::vector<Strike>& strikes, double held) {
     return all;
 }
 
-std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
-                                  const ContactSettings& settings) {
-    double momentum = 0;
-    for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
+double patchRadius(const ContactBody& body, const Strike& strike, const StrikePoint& point,
+                   const ContactSettings& settings) {
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
+    const double given = point.contact->patch_radius_m;
+    if (given > 0) return std::max(given, smallest);
+    const double peak = hertzPeakForce(point.hertz, point.share * strike.mass(0), strike.speed_m_s);
+    return std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
+}
+
+double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
+                   const ContactSettings& settings, double spacing_m) {
+    constexpr double sharpest = 0.5;  // of a spacing: what is smaller looks like that on the grid
+    const Material& m = body.material;
+    const double compliance =
+        16 * (1 - m.poisson_ratio * m.poisson_ratio) / (3 * pi * pi * m.youngs_modulus_pa);
+    const double momentum = momentumOf(strikes);
+    double energy = 0;
+    for (const Strike& strike : strikes)
+        for (const StrikePoint& point : strike.points) {
+            const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
+            const double radius = std::max(patchRadius(body, strike, point, settings), sharpest * spacing_m);
+            energy += 0.5 * compliance * share * share / radius;
+        }
+    return energy;
+}
+
+std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
+                                  const ContactSettings& settings) {
+    const double momentum = momentumOf(strikes);
     std::vector<PointForce> loads;
     for (const Strike& strike : strikes)
         for (const StrikePoint& point : strike.points) {
-            const double mass = point.share * strike.mass(0);
-            const double peak = hertzPeakForce(point.hertz, mass, strike.speed_m_s);
-            const double given = point.contact->patch_radius_m;
-            const double patch = given > 0
-                                     ? std::max(given, smallest)
-                                     : std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
-            const auto forces = spreadForce(body.surface, point.spot, point.contact->normal, patch,
-                                            mass * strike.speed_m_s / momentum * point.push);
+            const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
+            const auto forces = spreadForce(body.surface, point.spot, point.contact->normal,
+                                            patchRadius(body, strike, point, settings), share * point.push);
             loads.insert(loads.end(), forces.begin(), forces.end());
         }
     return loads;

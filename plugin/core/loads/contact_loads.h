@@ -31,6 +31,16 @@ std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const C
 /// Of all strikes, with supports that take the share `held` of the body's mobility away.
 Impact impactOf(const std::vector<Strike>& strikes, double held);
 
+/// Radius of the disc over which a strike's force at one of its points is spread, m.
+double patchRadius(const ContactBody& body, const Strike& strike, const StrikePoint& point,
+                   const ContactSettings& settings);
+
+/// Strain energy that the patches of strikes store about themselves at 1 N in total, J. Even pressure on a
+/// disc of radius a on a half-space gives way by 16 (1 - nu^2) F / (3 pi^2 E a) in the mean (Johnson 1985,
+/// 3.4). A Hertz contact gives way by that, too: what a grid of that spacing stores there is counted twice.
+double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
+                   const ContactSettings& settings, double spacing_m);
+
 /// The strikes as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
 /// patch on the true surface.
 std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,

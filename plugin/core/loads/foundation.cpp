@@ -78,15 +78,27 @@ double stiffnessBelow(const std::vector<Above>& loads, const Vec2& place) {
     return stiffness;
 }
 
-std::vector<Above> loadsAbove(const std::vector<Strike>& strikes, const Footprint& footprint,
+/// Where a load comes from.
+struct Source {
+    Vec3 point;
+    double share;
+};
+
+std::vector<Source> sourcesOf(const Blow& blow, const std::vector<Strike>& strikes) {
+    std::vector<Source> sources;
+    for (const Strike& strike : strikes)
+        for (const StrikePoint& point : strike.points) sources.push_back({point.spot.point, point.share});
+    if (sources.empty() && blow.stack.strike.strikes()) sources.push_back({blow.stack.strike.point, 1});
+    return sources;
+}
+
+std::vector<Above> loadsAbove(const std::vector<Source>& sources, const Footprint& footprint,
                               const Vec3& plane, double least_height) {
     std::vector<Above> loads;
-    for (const Strike& strike : strikes)
-        for (const StrikePoint& point : strike.points) {
-            const double height = std::abs((point.spot.point - plane).dot(footprint.push()));
-            loads.push_back(
-                {footprint.project(point.spot.point), std::max(height, least_height), point.share});
-        }
+    for (const Source& source : sources) {
+        const double height = std::abs((source.point - plane).dot(footprint.push()));
+        loads.push_back({footprint.project(source.point), std::max(height, least_height), source.share});
+    }
     return loads;
 }
 
@@ -136,20 +148,19 @@ std::vector<double> countedAreas(const std::vector<FootprintPart>& parts, const 
     return areas;
 }
 
-double nearestDistance(const std::vector<FoundationPoint>& points, const std::vector<Strike>& strikes) {
+double nearestDistance(const std::vector<FoundationPoint>& points, const std::vector<Source>& sources) {
     double nearest = std::numeric_limits<double>::infinity();
     for (const FoundationPoint& point : points)
-        for (const Strike& strike : strikes)
-            for (const StrikePoint& struck : strike.points)
-                nearest = std::min(nearest, (point.position - struck.spot.point).norm());
+        for (const Source& source : sources)
+            nearest = std::min(nearest, (point.position - source.point).norm());
     return nearest;
 }
 
 Foundation foundationOf(const ContactBody& body, const Group& group, const Mobility& partner,
-                        const std::vector<Strike>& strikes, const ContactSettings& settings) {
+                        const std::vector<Source>& sources, const ContactSettings& settings) {
     const double margin = settings.smallest_patch * body.wall_thickness_m;
     const Footprint footprint(group.points, group.push, margin);
-    const std::vector<Above> loads = loadsAbove(strikes, footprint, group.points.front(), margin);
+    const std::vector<Above> loads = loadsAbove(sources, footprint, group.points.front(), margin);
     const double size = pointSpacing(footprint, loads);
     const double depth = flatness * body.wall_thickness_m + largest_tilt * footprint.length();
     const auto longest = [&](const Vec2& place, double reach) {
@@ -163,7 +174,7 @@ Foundation foundationOf(const ContactBody& body, const Group& group, const Mobil
     foundation.push = group.push;
     foundation.points = merged(parts, areas, footprint, size);
     foundation.stiffness_n_m = 2 * contactModulus(body, *group.first, settings) * std::sqrt(area / pi);
-    foundation.distance_m = nearestDistance(foundation.points, strikes);
+    foundation.distance_m = nearestDistance(foundation.points, sources);
     foundation.partner_number = group.first->partner;
     foundation.partner = partner;
     return foundation;
@@ -174,10 +185,11 @@ Foundation foundationOf(const ContactBody& body, const Group& group, const Mobil
 std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
                                       const std::vector<Strike>& strikes, const ContactSettings& settings) {
     std::vector<Foundation> foundations;
-    if (strikes.empty()) return foundations;
+    const std::vector<Source> sources = sourcesOf(blow, strikes);
+    if (sources.empty()) return foundations;
     for (const Group& group : groupsOf(blow)) {
         Foundation foundation =
-            foundationOf(body, group, blow.partner(group.first->partner), strikes, settings);
+            foundationOf(body, group, blow.partner(group.first->partner), sources, settings);
         if (!foundation.points.empty()) foundations.push_back(std::move(foundation));
     }
     return foundations;

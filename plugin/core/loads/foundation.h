@@ -31,7 +31,8 @@ struct Foundation {
 /// load, (1 + r^2 / h^2)^(-5/2) at a distance r from the load's axis and h below it (Boussinesq; Johnson
 /// 1985, 3.2): a thick body presses on all of it, a thin plate only under the blow. The springs together are
 /// as stiff as a rigid disc of their area on a half-space, 2 E* a (Johnson 1985, 3.4). In a heap the 16 that
-/// carry most stand for all.
+/// carry most stand for all. Of a body that is squeezed the beds on all sides count, with the load where the
+/// other body is struck.
 std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
                                       const std::vector<Strike>& strikes, const ContactSettings& settings);
 

@@ -116,6 +116,18 @@ void shareOut(const Mobility& body, const Mobility& partner, Strike& strike) {
     strike.partner_mobility = feltMobility(partner, strike);
 }
 
+Strike strikeOn(const Stack& stack) {
+    const DistantStrike& distant = stack.strike;
+    Strike strike;
+    const StackBody* struck = stack.body(distant.number);
+    if (!struck) return strike;
+    strike.points.push_back({nullptr, {}, distant.hertz, 1, distant.push});
+    strike.body_mobility = distant.push.dot(struck->mobility.at(distant.point) * distant.push);
+    strike.partner_mobility = distant.striker_mobility;
+    strike.speed_m_s = distant.speed_m_s;
+    return strike;
+}
+
 double Strike::mass(double held) const {
     return 1 / (partner_mobility > 0 ? (1 - held) * body_mobility + partner_mobility : body_mobility);
 }

@@ -48,4 +48,7 @@ double presence(double later_s, double duration_s);
 /// of the resultant: it holds, or slides with its coefficient times the normal force.
 void shareOut(const Mobility& body, const Mobility& partner, Strike& strike);
 
+/// The strike on another body of a stack; its point has no contact and no spot.
+Strike strikeOn(const Stack& stack);
+
 }  // namespace sherd

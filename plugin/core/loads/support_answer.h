@@ -10,7 +10,9 @@ namespace sherd {
 struct SupportAnswer {
     std::vector<PointForce> forces;  ///< N
     double sum_n = 0;                ///< of their sizes
-    double held = 0;                 ///< share of the body's mobility under the strike that they take away
+    double held = 0;  ///< share of the struck body's mobility under the strike that they take away
+    /// Strain energy of the other bodies that the strike goes through, J at 1 N, each as a rod.
+    double others_energy_j = 0;
 };
 
 /// The share of its static answer that a spring has given when a half sine wave of `duration_s` presses
@@ -34,7 +36,12 @@ double movingShare(const ContactBody& body, double duration_s);
 /// what a flexural wave sets going in a wall meanwhile (C. Zener, Phys. Rev. 59 (1941) 669: an infinite plate
 /// resists a force like a damper of 8 sqrt(D m)). There is no friction: what it could hold while the strike
 /// lasts is the weight's share, not that of the time step.
+///
+/// With a `stack` the bodies that the partners touch in turn belong to the system, and the springs between
+/// them: a brick in a column gives way as the column does. Without forces in `unit_strike` it is the stack's
+/// own strike, on another body, that presses with 1 N.
 SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundation>& foundations,
-                            const std::vector<PointForce>& unit_strike, double duration_s);
+                            const std::vector<PointForce>& unit_strike, double duration_s,
+                            const Stack& stack = {});
 
 }  // namespace sherd

@@ -54,7 +54,8 @@ struct Standing {
     }
     SupportAnswer answer(double duration_s) const {
         return supportAnswer(body(), foundations(),
-                             unitLoads(body(), strikesOf(body(), blow, settings), settings), duration_s);
+                             unitLoads(body(), strikesOf(body(), blow, settings), settings), duration_s,
+                             blow.stack);
     }
 
     Vec3 half;
@@ -126,6 +127,46 @@ TEST(SupportAnswer, APartnerGivesWayAsItsMassLetsIt) {
         EXPECT_NEAR(answer.sum_n, share, 0.01 * share) << mass;
         EXPECT_NEAR(answer.held, share, 0.01 * share) << mass;
     }
+}
+
+/// Lies on partner 1, and that on a body of 3 kg, number 2, which lies on nothing.
+Standing onTwoOthers(double partner_kg) {
+    Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0, 0, 0.05), -Vec3::UnitZ());
+    brick.blow.partners[1] = Mobility::ofPoint(partner_kg);
+    brick.blow.stack.bodies = {{1, brick.blow.partners[1], 1e-9}, {2, Mobility::ofPoint(3), 2e-9}};
+    brick.blow.stack.contacts = {{1, 2, Vec3(0, 0, -0.1), Vec3::UnitZ(), 1e9}};
+    return brick;
+}
+
+TEST(SupportAnswer, AStackGivesWayAsAll) {
+    const double brick_kg = 0.2 * 0.1 * 0.1 * Material::brick().density_kg_m3;
+    for (const double partner_kg : {1.0, 5.0}) {
+        Standing brick = onTwoOthers(partner_kg);
+        const double share = (partner_kg + 3) / (partner_kg + 3 + brick_kg);  // all three move on together
+        EXPECT_NEAR(brick.answer(5e-3).sum_n, share, 0.01 * share) << partner_kg;
+        brick.blow.stack.contacts.push_back({2, -1, Vec3(0, 0, -0.2), Vec3::UnitZ(), 1e9});  // on a floor
+        const SupportAnswer held = brick.answer(5e-3);
+        EXPECT_NEAR(held.sum_n, 1, 0.01);
+        EXPECT_NEAR(held.held, 1, 0.01);
+        EXPECT_NEAR(held.others_energy_j, 0.5 * (1e-9 + 2e-9), 0.05e-9) << "two rods that carry 1 N";
+    }
+}
+
+TEST(SupportAnswer, ABodyBetweenAStruckOneAndTheFloorIsSqueezed) {
+    Standing brick(Vec3(0.2, 0.1, 0.1), Vec3(0, 0, 0.05), -Vec3::UnitZ());
+    brick.blow.partners.push_back(Mobility::ofPoint(5));
+    for (ContactImpulse& contact : brick.blow.contacts) contact.approach_m_s = 0;
+    brick.blow.contacts[0].partner = 2;  // lies on the brick, and is struck
+    brick.blow.stack.bodies = {{2, brick.blow.partners[2], 0}};
+    brick.blow.stack.strike = {2, Vec3(0, 0, 0.1), -Vec3::UnitZ(), 1, 1, {0.01, 1e10}};
+    ASSERT_TRUE(brick.blow.isSqueezed());
+    const auto answerTo = [&](double duration_s) {
+        return supportAnswer(brick.body(), brick.foundations(), {}, duration_s, brick.blow.stack);
+    };
+    const SupportAnswer slow = answerTo(5e-3);
+    EXPECT_NEAR(slow.sum_n, 2, 0.02) << "from above and from below";
+    EXPECT_NEAR(sum(slow).z(), 0, 0.01);
+    EXPECT_LT(answerTo(1e-5).sum_n, 0.1) << "inertia of the body above takes it up";
 }
 
 TEST(SupportAnswer, AThinPlateIsPressedRightBelow) {

@@ -55,6 +55,7 @@ TEST(Settings, WhatIsOutOfRangeIsNamed) {
     named([](Settings& s) { s.fracture.crack_roughness = 0.6; }, "crack_roughness");
     named([](Settings& s) { s.fracture.rest_after_break_s = std::numeric_limits<double>::quiet_NaN(); },
           "rest_after_break_s");
+    named([](Settings& s) { s.fracture.same_blow_s = -1; }, "same_blow_s");
     named([](Settings& s) { s.sampling.spacing_m = std::numeric_limits<double>::infinity(); }, "spacing_m");
 }
 

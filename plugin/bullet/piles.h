@@ -1,0 +1,68 @@
+#pragma once
+
+#include <unordered_map>
+#include <vector>
+
+#include "bullet/breakable.h"
+#include "bullet/contact_collector.h"
+#include "bullet/island_state.h"
+
+class btPersistentManifold;
+
+namespace sherd {
+
+/// What bodies that rest on each other hear of a strike on one of them: a hammer on a column squeezes each of
+/// its bricks. Nothing strikes the lower ones, and Bullet's impulses there are those of a time step; so the
+/// pile goes into the blow as it stands (`Stack`), and the loads follow from how it gives way while the
+/// strike lasts. A pile is the struck body and up to eleven others that move, the nearest by contacts. Of
+/// several strikes on one pile, the one that brings most energy counts for those that it does not touch.
+class Piles {
+  public:
+    /// From the solved manifolds of a step. `predictive` are those of continuous collision.
+    Piles(const std::vector<const btPersistentManifold*>& solved,
+          const std::vector<const btPersistentManifold*>& predictive, const BreakableRegistry& breakables,
+          const StepSnapshot& before, double time_s, double time_step_s);
+
+    /// Whether a body is squeezed by a strike on another one that may break it.
+    bool squeeze(const Breakable& breakable) const;
+    /// Gives a blow its stack.
+    void attachTo(StruckBreakable& struck) const;
+
+  private:
+    /// Where and how a body is struck; world frame.
+    struct Strike {
+        const btCollisionObject *striker = nullptr, *struck = nullptr;
+        btVector3 point, push;  // on the struck body
+        double speed_m_s = 0, energy_j = 0;
+        int striker_child = -1, struck_child = -1;
+    };
+    struct Pile {
+        Strike strike;
+        std::vector<const btCollisionObject*> bodies;  // those that move; the struck one first
+        std::vector<const btPersistentManifold*> contacts;
+    };
+    using Neighbours = std::unordered_map<const btCollisionObject*, std::vector<const btPersistentManifold*>>;
+
+    /// How the bodies of a manifold meet: as strikes, if they do; false if they neither meet nor rest.
+    void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
+              Neighbours& neighbours) const;
+    Pile pileOf(const Strike& strike, const Neighbours& neighbours) const;
+    void assign(Pile pile);
+    Stack stackOf(const Pile& pile, StruckBreakable& struck) const;
+    StackBody stackBody(const btCollisionObject& object, const Pile& pile, StruckBreakable& struck,
+                        const btTransform& from_world) const;
+    void addContacts(const btPersistentManifold& manifold, StruckBreakable& struck,
+                     const btTransform& from_world, Stack& stack) const;
+    DistantStrike distantStrike(const Strike& strike, StruckBreakable& struck,
+                                const btTransform& from_world) const;
+    HertzContact contactBetween(const btCollisionObject& a, const btCollisionObject& b,
+                                const ContactSettings& settings) const;
+
+    const BreakableRegistry& breakables_;
+    const StepSnapshot& before_;
+    double time_s_, time_step_s_;
+    std::vector<Pile> piles_;
+    std::unordered_map<const btCollisionObject*, std::size_t> pile_of_;  // for look-up only
+};
+
+}  // namespace sherd
