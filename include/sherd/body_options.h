@@ -17,8 +17,9 @@ namespace sherd {
 struct BreakableOptions {
     std::string name;  ///< for the app's own use: events carry it, fragments inherit it
     /// A body with a seed of its own, and whatever comes of it, breaks along the same cracks under the same
-    /// blows, in any world. Without one, FractureSettings::seed and the order in which bodies became
-    /// breakable decide.
+    /// blows, in any world; its strength scatters in a way of its own, too. Without one,
+    /// FractureSettings::seed and the order in which bodies became breakable decide where it cracks, and
+    /// bodies of one asset are equally strong at equal places (StrengthSettings::seed).
     std::optional<std::uint64_t> seed;
     /// Parts of the surface that the world holds, in the asset frame; empty: those of the asset, if it is
     /// anchored. The stress of a blow is solved with these parts at rest. A body that `add` makes with

@@ -7,6 +7,7 @@
 #include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
+#include <cstdint>
 #include <functional>
 #include <future>
 #include <memory>
@@ -94,11 +95,18 @@ class BreakableAsset {
     int unknownCount() const;   ///< of the stress problem; 0 until it is prepared
     double mass() const;        ///< kg
     double volume() const;      ///< m^3
+    /// The material's tensile strength at the point x (m, asset frame), Pa, as it is scattered and as the
+    /// strength field has it. It belongs to the point: all qualities have the same, and a fragment has what
+    /// the body that it came from had there, to the last bit. Calls the strength field, and throws what that
+    /// throws, or std::invalid_argument where it is out of range.
+    double tensileStrength(const Vec3& x) const;
 
     // Internal.
     /// Of a surface that nothing was changed in, and that nothing is to be said of: a fragment.
     explicit BreakableAsset(std::shared_ptr<const BreakableSolid> solid);
     const std::shared_ptr<const BreakableSolid>& solid() const { return solid_; }
+    /// The asset of one body, which has a seed of its own.
+    BreakableAsset ofBody(std::uint64_t seed) const;
 
   private:
     BreakableAsset(std::shared_ptr<const BreakableSolid> solid, std::shared_ptr<const RepairReport> repairs,

@@ -124,7 +124,7 @@ IfFieldsOf<Self, Material> visitFields(Self& m, Visitor&& visit) {
           m.density_kg_m3);
     visit(Field{"tensile_strength_pa", "largest tension that it bears", Range::positive("Pa"), to_break},
           m.tensile_strength_pa);
-    visit(Field{"strength_scatter", "how much the strength differs from particle to particle",
+    visit(Field{"strength_scatter", "how much the strength differs from place to place",
                 Range::between(0, 1).with("standard deviation over mean")},
           m.strength_scatter);
     visit(

@@ -18,6 +18,7 @@ namespace sherd {
 ///   gravity, threshold and (as far as it fits) radius of continuous collision, DISABLE_DEACTIVATION;
 /// - collision group and mask, objects that it does not collide with, user pointer, the three user indices,
 ///   custom debug colour, the name and the FractureSettings;
+/// - the strength of each of its places, and what earlier blows damaged there (Outcome::held);
 /// - its share of the momentum and of the forces that wait for the solver. Where the world holds it on a
 ///   support (BreakableOptions::supports) it is static; then, and where it comes off a static body, Bullet
 ///   chooses its group and mask anew unless the app had chosen them.

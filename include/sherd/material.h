@@ -18,7 +18,9 @@ struct Material {
     double density_kg_m3 = 2000;
     /// Strength under tension in one direction.
     double tensile_strength_pa = 3e6;
-    /// Coefficient of variation of the strength from particle to particle: standard deviation over mean.
+    /// Coefficient of variation of the strength from place to place: standard deviation over mean. Its value
+    /// at a place depends neither on the quality nor on breaks (BreakableAsset::tensileStrength). It changes
+    /// over about the thickness of walls, or a quarter of the size of compact bodies.
     double strength_scatter = 0.1;
     /// Energy G_c that a unit of crack area costs (a crack has one area, though two faces); it decides how
     /// many fragments a blow can pay for.
@@ -27,10 +29,13 @@ struct Material {
     /// Scatters as the tensile strength does.
     double compressive_strength_pa = std::numeric_limits<double>::infinity();
     /// Weibull's modulus m (W. Weibull, A statistical theory of the strength of materials, 1939). At 0 the
-    /// strength scatters normally, as above, whatever the size of a body. Otherwise the mean strength of a
-    /// volume V is `tensile_strength_pa` (`weibull_volume_m3` / V)^(1/m), so that large pieces are weaker.
+    /// strength scatters normally, as above, whatever the size of a body. Otherwise the weakest place of a
+    /// volume V under even tension has the mean strength `tensile_strength_pa` (`weibull_volume_m3` /
+    /// V)^(1/m), so that large bodies are weaker. Volumes smaller than that over which the strength changes
+    /// are as strong as that one.
     double weibull_modulus = 0;
-    /// Volume of the specimens whose mean strength is `tensile_strength_pa`.
+    /// Volume of the specimens whose mean strength is `tensile_strength_pa`: of the part that the test pulls
+    /// evenly. For a bent bar of volume V that is V / (2 (m + 1)^2) in three-point bending.
     double weibull_volume_m3 = 1e-6;
     /// How stresses in several directions are compared with the two strengths:
     /// - "largest_principal_stress": the largest tension with the one, the largest compression with the other

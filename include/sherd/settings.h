@@ -93,11 +93,13 @@ struct StressSettings {
 
 /// Where a solid is strong and where it is weak, beside what its material says.
 struct StrengthSettings {
-    /// Of the material's scatter from particle to particle.
+    /// Of how the material's strength scatters from place to place. Bodies with a seed of their own
+    /// (BreakableOptions::seed) scatter each in a way of their own, for each value of this one.
     std::uint64_t seed = 1;
     /// What the strength at x (m, asset frame) is multiplied with, above 0; empty: 1 everywhere. An artist's
     /// way to say where a body breaks (paper, section 6.2); `strengthFromColours` makes one of a painted
-    /// mesh. Called during a blow, on the thread that steps; if it throws, the blow fails and the body stays
+    /// mesh. Called during a blow, on the thread that steps, for every point where stress is read: some ten
+    /// thousand a body, once, and again for its fragments. If it throws, the blow fails and the body stays
     /// whole.
     std::function<double(const Vec3& x)> field;
     /// What `field` is nowhere below; 0: not known, and then weak blows are solved too. Where it is known, a

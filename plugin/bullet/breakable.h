@@ -13,6 +13,7 @@
 #include "bullet/body_token.h"
 #include "bullet/inner_ball.h"
 #include "bullet/rigid_body_factory.h"
+#include "core/damage/damaged_material.h"
 
 namespace sherd {
 
@@ -46,8 +47,10 @@ struct Breakable {
     btTransform body_from_asset = btTransform::getIdentity();
     std::string name;
     std::optional<std::uint64_t> seed;  ///< given by the app, or derived from that of the body it was part of
-    CollisionFilter filter;             ///< with which a fragment enters the world
-    OwnedBody owned;                    ///< empty when the app owns the body
+    /// What blows that it held damaged of it, or of the body that it was part of; nullptr: nothing.
+    std::shared_ptr<const DamagedMaterial> damaged;
+    CollisionFilter filter;  ///< with which a fragment enters the world
+    OwnedBody owned;         ///< empty when the app owns the body
     std::uint64_t serial =
         0;  ///< counts the bodies of this world in the order in which they became breakable
     double unbreakable_until_s = 0;  ///< simulated time

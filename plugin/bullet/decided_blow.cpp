@@ -43,8 +43,9 @@ std::shared_ptr<DecidedBlow> DecidedBlow::make(BlowToDecide blow) {
 }
 
 void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
-    BlowOutcome outcome = failedIfThrown(
-        [&](BlowOutcome& out) { out = solveBlow(*blow.solid, blow.blow, *blow.fracture, blow.seed); });
+    BlowOutcome outcome = failedIfThrown([&](BlowOutcome& out) {
+        out = solveBlow(*blow.solid, blow.blow, *blow.fracture, blow.seed, blow.earlier);
+    });
     outcome.ms += blow.before;
     try {
         const AddedTime time(outcome.ms.bodies);

@@ -19,7 +19,8 @@ struct BlowToDecide {
     Blow blow;
     std::shared_ptr<const FractureSettings> fracture;
     std::uint64_t seed = 0;
-    StageTimes before;  ///< what was done of it already
+    std::shared_ptr<const DamagedMaterial> earlier;  ///< what is damaged of the body
+    StageTimes before;                               ///< what was done of it already
 
     /// Whether it calls no function of the app's: those are called on the thread that steps.
     bool mayRunElsewhere() const;

@@ -93,7 +93,8 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const auto sampling = asset.solid()->discretisation();
     if (!sampling) return Error{sampling.error()};
     auto breakable = std::make_unique<Breakable>(
-        asset, fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
+        options.seed ? asset.ofBody(*options.seed) : asset,
+        fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
     const auto shape = shapes_.shapeOf(asset.solid(), ShapeChoice(*breakable->fracture));
     if (!shape) return Error{shape.error()};
     breakable->owned = makeRigidBody(*asset.solid(), shape.value(), is_static ? 0 : 1);
@@ -164,6 +165,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     auto asset = BreakableAsset::fromMesh(surface.value(), own, settings);
     if (asset && !options.supports.empty()) asset = asset.value().anchored(options.supports);
     if (!asset) return Error{asset.error()};
+    if (options.seed) asset = asset.value().ofBody(*options.seed);
     auto breakable =
         std::make_unique<Breakable>(asset.value(), fractureSettingsFor(asset.value(), settings.fracture));
     breakable->body = body;

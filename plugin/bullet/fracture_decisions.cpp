@@ -45,7 +45,8 @@ const Executor& FractureWorld::Impl::executor() {
 
 BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int most_fragments) const {
     const Breakable& breakable = *struck.breakable;
-    BlowToDecide blow{breakable.asset.solid(), struck.blow, breakable.fracture, seedOf(breakable), {}};
+    BlowToDecide blow{breakable.asset.solid(), struck.blow,       breakable.fracture,
+                      seedOf(breakable),       breakable.damaged, {}};
     if (most_fragments < breakable.fracture->largest_fragment_count) {
         auto fewer = std::make_shared<FractureSettings>(*breakable.fracture);
         fewer->largest_fragment_count = std::max(fewest_fragments, most_fragments);
@@ -89,6 +90,8 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     event.warnings.insert(event.warnings.begin(), warnings.begin(), warnings.end());
     const bool elsewhere = decided && decided->doneElsewhere();
     current_.push_back({std::move(event), elsewhere ? outcome.ms : StageTimes{}});
+    std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
+    damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) return std::nullopt;
     return Break{struck.breakable->body, decided, current_.size() - 1};
 }
@@ -102,8 +105,8 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     for (std::size_t i = 0; i < struck.size(); ++i) {
         const Breakable& body = *struck[i].breakable;
         if (isToBeRemoved(body)) continue;
-        gated.held[i] =
-            heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body), gated.ms[i].gate);
+        gated.held[i] = heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body),
+                                   gated.ms[i].gate, body.damaged);
         if (gated.held[i]) continue;
         (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
     }

@@ -154,6 +154,7 @@ std::vector<Breakable*> FractureWorld::Impl::registerFragments(
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         Breakable& fragment = registerBreakable(std::move(pieces[i]));
         if (parent.seed) fragment.seed = splitMix64(*parent.seed + golden_step * (i + 1));
+        fragment.damaged = parent.damaged;
         fragment.unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
         noteBlow(same_blow, parent, time_s_, fragment);
         fragment.generation = parent.generation + 1;

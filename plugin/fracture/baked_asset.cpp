@@ -48,10 +48,10 @@ namespace {
 
 template <class Archive>
 void archiveSolid(Archive& archive, BakedSolid& solid) {
-    auto& [surface, material, settings, supports, moments, bounding_radius, wall_thickness, spacing, sampling,
-           reduced] = solid;
+    auto& [surface, material, settings, supports, moments, bounding_radius, wall_thickness, spacing,
+           scatter_length, sampling, reduced] = solid;
     archiveAll(archive, surface, material, settings, supports, moments, bounding_radius, wall_thickness,
-               spacing);
+               spacing, scatter_length);
     if constexpr (Archive::reads) {
         auto sampled = std::make_shared<Discretisation>();
         archiveFields(archive, *sampled);

@@ -29,7 +29,7 @@ std::string whyNot(const Settings& settings) {
 }  // namespace
 
 BreakableSolid::BreakableSolid(BakedSolid baked)
-    : surface_(std::move(baked.surface)),
+    : shared_(std::make_shared<Shared>(std::move(baked.surface))),
       material_(std::move(baked.material)),
       settings_(std::move(baked.settings)),
       supports_(std::move(baked.supports)),
@@ -38,8 +38,10 @@ BreakableSolid::BreakableSolid(BakedSolid baked)
       wall_thickness_(baked.wall_thickness),
       spacing_(baked.spacing),
       is_baked_(true) {
-    sampled_.get([&] { return Sampled{std::move(baked.sampling), 0}; });
-    reduced_.get([&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(baked.reduced); });
+    scatterOver(baked.scatter_length);
+    shared_->sampled.get([&] { return Sampled{std::move(baked.sampling), 0}; });
+    shared_->reduced.get(
+        [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(baked.reduced); });
 }
 
 std::shared_ptr<const BreakableSolid> BreakableSolid::fromBaked(BakedSolid baked) {
@@ -50,11 +52,18 @@ Result<BakedSolid> BreakableSolid::baked() const {
     if (const std::string reason = whyNot(settings_); !reason.empty())
         return Error{"The asset cannot be baked: " + reason + "."};
     if (const Status prepared = makeReduced({}); !prepared) return Error{prepared.error()};
-    const auto& reduced = *reduced_.ifMade();
+    const auto& reduced = *shared_->reduced.ifMade();
     if (!reduced) return Error{"The asset cannot be baked: " + reduced.error()};
-    return BakedSolid{surface_,        material_, settings_,
-                      supports_,       moments_,  bounding_radius_,
-                      wall_thickness_, spacing_,  discretisation().value(),
+    return BakedSolid{surface(),
+                      material_,
+                      settings_,
+                      supports_,
+                      moments_,
+                      bounding_radius_,
+                      wall_thickness_,
+                      spacing_,
+                      strength().scatterLength(),
+                      discretisation().value(),
                       reduced.value()};
 }
 

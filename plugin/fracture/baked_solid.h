@@ -19,8 +19,8 @@ struct BakedSolid {
     Settings settings;
     std::vector<SurfaceRegion> supports;
     Moments moments;
-    double bounding_radius = 0, wall_thickness = 0, spacing = 0;  ///< m
-    std::shared_ptr<const Discretisation> sampling;               ///< as archiveFields keeps it
+    double bounding_radius = 0, wall_thickness = 0, spacing = 0, scatter_length = 0;  ///< m
+    std::shared_ptr<const Discretisation> sampling;  ///< as archiveFields keeps it
     std::shared_ptr<const ReducedStress> reduced;
 };
 

@@ -12,11 +12,16 @@ const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms) {
     return solver;
 }
 
+Strength strengthAtSamples(const BreakableSolid& solid, const BodyStrength& strength) {
+    return {solid.failureCriterion(), solid.material(),
+            strength.atSamples(*valueOrFail(solid.completeDiscretisation()))};
+}
+
 namespace {
 
 /// False if the reduced model cannot answer.
 bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
-                     const Strength& strength, StageTimes& ms, BlowDamage& found) {
+                     const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
@@ -33,12 +38,14 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     found.warnings = reduced.warnings;
     if (found.forces.strike.empty()) return true;
     const AddedTime time(ms.damage);
-    found.damage = reduced.reading.damage(response.unknowns, found.forces.loads,
-                                          found.forces.pulse.peak_force_n, strength);
+    const BreakableSolid& solid = struck.solid;
+    found.damage = reduced.reading.damage(
+        response.unknowns, found.forces.loads, found.forces.pulse.peak_force_n,
+        {solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)});
     return true;
 }
 
-void solveFully(const StrikeContext& struck, const Blow& blow, const Strength& strength, StageTimes& ms,
+void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength, StageTimes& ms,
                 BlowDamage& found) {
     BlowStress stress = valueOrFail(blowStress(struck, solverOf(struck.solid, ms), blow, ms));
     found.level = Level::full;
@@ -47,14 +54,15 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const Strength& s
     if (!stress.strike.empty()) {
         const AddedTime time(ms.damage);
         found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n,
-                                        *valueOrFail(struck.solid.completeDiscretisation()), strength);
+                                        *valueOrFail(struck.solid.completeDiscretisation()),
+                                        strengthAtSamples(struck.solid, strength));
     }
     found.forces = std::move(stress);
 }
 
 }  // namespace
 
-BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const Strength& strength,
+BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength,
                       StageTimes& ms) {
     BlowDamage found;
     const ReducedStress* reduced = struck.fracture.use_reduced_model ? struck.solid.reducedStress() : nullptr;

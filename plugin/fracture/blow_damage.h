@@ -21,10 +21,13 @@ struct BlowDamage {
 /// that does. Throws StageFailed if it cannot be made.
 const StressSolver& solverOf(const BreakableSolid& solid, StageTimes& ms);
 
+/// `strength` where full solves of the solid read the stress.
+Strength strengthAtSamples(const BreakableSolid& solid, const BodyStrength& strength);
+
 /// Asks the reduced model, if the solid has one and `fracture.use_reduced_model` allows it, else a full
 /// solve; so, too, where the reduced model cannot answer, as under loads on most of the body. Throws
 /// StageFailed with the sentence of a stage that fails.
-BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const Strength& strength,
+BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength,
                       StageTimes& ms);
 
 }  // namespace sherd

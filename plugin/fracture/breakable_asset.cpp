@@ -106,6 +106,12 @@ const Settings& BreakableAsset::settings() const {
 const std::vector<SurfaceRegion>& BreakableAsset::supports() const {
     return solid_->supports();
 }
+double BreakableAsset::tensileStrength(const Vec3& x) const {
+    return solid_->strength().at().at(x);
+}
+BreakableAsset BreakableAsset::ofBody(std::uint64_t seed) const {
+    return BreakableAsset(solid_->ofBody(seed), repairs_, warnings_);
+}
 double BreakableAsset::mass() const {
     return solid_->mass();
 }

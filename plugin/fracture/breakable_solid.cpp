@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/damage/particle_strengths.h"
+#include "core/damage/material_strength.h"
+#include "core/numerics/split_mix.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
 #include "fracture/spacing.h"
@@ -29,11 +30,11 @@ int momentOrder(const StressSettings& stress) {
 }  // namespace
 
 BreakableSolid::BreakableSolid(TriangleMesh surface, const Material& material, const Settings& settings)
-    : surface_(std::move(surface)),
+    : shared_(std::make_shared<Shared>(std::move(surface))),
       material_(material),
       settings_(settings),
-      moments_(solidMoments(surface_)),
-      bounding_radius_(boundingRadiusAbout(moments_.centroid, surface_)) {}
+      moments_(solidMoments(this->surface())),
+      bounding_radius_(boundingRadiusAbout(moments_.centroid, this->surface())) {}
 
 Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh surface,
                                                                    const Material& material,
@@ -45,10 +46,11 @@ Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh 
     const double volume = solid->moments_.volume;
     solid->supports_ = std::move(supports);
     solid->settings_.sampling.moment_order = momentOrder(settings.stress);
-    solid->wall_thickness_ = sherd::wallThickness(solid->surface_);
-    const Result<double> spacing = spacingOfSolid(solid->surface_, settings, volume, solid->wall_thickness_);
+    solid->wall_thickness_ = sherd::wallThickness(solid->surface());
+    const Result<double> spacing = spacingOfSolid(solid->surface(), settings, volume, solid->wall_thickness_);
     if (!spacing) return Error{spacing.error()};
     solid->spacing_ = spacing.value();
+    solid->scatterOver(scatterLength(volume, solid->wall_thickness_));
     return std::shared_ptr<const BreakableSolid>(solid);
 }
 
@@ -57,18 +59,27 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_ = fragmentSpacing(spacing_, volume);
+    piece->scatterOver(strength().scatterLength());
     piece->is_fragment_ = true;
-    piece->supports_ = supportsThatHold(piece->surface_, supports_, piece->spacing_, piece->wall_thickness_);
+    piece->supports_ = supportsThatHold(piece->surface(), supports_, piece->spacing_, piece->wall_thickness_);
     return piece;
 }
 
 std::shared_ptr<const BreakableSolid> BreakableSolid::anchored(std::vector<SurfaceRegion> supports) const {
-    std::shared_ptr<BreakableSolid> solid(new BreakableSolid(surface_, material_, settings_));
+    std::shared_ptr<BreakableSolid> solid(new BreakableSolid(surface(), material_, settings_));
     solid->wall_thickness_ = wall_thickness_;
     solid->spacing_ = spacing_;
+    solid->scatterOver(strength().scatterLength());
     solid->is_fragment_ = is_fragment_;
     solid->supports_ = std::move(supports);
     return solid;
+}
+
+std::shared_ptr<const BreakableSolid> BreakableSolid::ofBody(std::uint64_t seed) const {
+    std::shared_ptr<BreakableSolid> body(new BreakableSolid(*this));
+    body->settings_.strength.seed = splitMix64(settings_.strength.seed + golden_step * (seed + 1));
+    body->scatterOver(strength().scatterLength());
+    return body;
 }
 
 const FailureCriterion& BreakableSolid::failureCriterion() const {
@@ -76,29 +87,29 @@ const FailureCriterion& BreakableSolid::failureCriterion() const {
 }
 
 const SurfaceTree& BreakableSolid::surfaceTree() const {
-    return tree_.get([&] { return SurfaceTree(surface_); });
+    return shared_->tree.get([&] { return SurfaceTree(surface()); });
 }
 
 const CuttableSolid& BreakableSolid::cuttable(const Discretisation& sampling) const {
-    return cuttable_.get([&] { return CuttableSolid(surface_, sampling); });
+    return shared_->cuttable.get([&] { return CuttableSolid(surface(), sampling); });
 }
 
 BreakableSolid::Sampled BreakableSolid::sampled() const {
     const Stopwatch watch;
-    Result<Discretisation> sampled = sampleSolid(surface_, spacing_, settings_.sampling);
+    Result<Discretisation> sampled = sampleSolid(surface(), spacing_, settings_.sampling);
     const double ms = watch.milliseconds();
     if (!sampled) return {Error{sampled.error()}, ms};
     return {std::make_shared<const Discretisation>(std::move(sampled).value()), ms};
 }
 
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() const {
-    return sampled_.get([&] { return sampled(); }).discretisation;
+    return shared_->sampled.get([&] { return sampled(); }).discretisation;
 }
 
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisation() const {
     const auto kept = discretisation();
     if (!kept || !is_baked_) return kept;
-    const auto& complete = complete_.get([&] { return sampled(); }).discretisation;
+    const auto& complete = shared_->complete.get([&] { return sampled(); }).discretisation;
     if (!complete) return complete;
     if (complete.value()->particles.size() != kept.value()->particles.size() ||
         complete.value()->cells.size() != kept.value()->cells.size() ||
@@ -110,7 +121,7 @@ Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisa
 }
 
 Result<const StressSolver*> BreakableSolid::stressSolver() const {
-    const Result<StressSolver>& solver = solver_.get([&] { return stressSolverWithout({}); });
+    const Result<StressSolver>& solver = shared_->solver.get([&] { return stressSolverWithout({}); });
     if (!solver) return Error{solver.error()};
     return &solver.value();
 }
@@ -133,8 +144,8 @@ Status BreakableSolid::makeReduced(const Progress& progress) const {
     const StressSettings& stress = settings_.stress;
     if (stress.trial_function != TrialFunction::spline || stress.resample_contacts)
         return Error{"A reduced model needs spline trial functions, and contacts that are not resampled."};
-    const auto& reduced = reduced_.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
-        if (const Result<StressSolver>* made = solver_.ifMade(); made && *made)
+    const auto& reduced = shared_->reduced.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
+        if (const Result<StressSolver>* made = shared_->solver.ifMade(); made && *made)
             return made->value().reduced(progress);
         // Its factor is not kept.
         const Result<StressSolver> solver = stressSolverWithout({}, Precision::full);
@@ -146,7 +157,7 @@ Status BreakableSolid::makeReduced(const Progress& progress) const {
 }
 
 const ReducedStress* BreakableSolid::reducedStress() const {
-    const auto* reduced = reduced_.ifMade();
+    const auto* reduced = shared_->reduced.ifMade();
     return reduced && *reduced ? reduced->value().get() : nullptr;
 }
 
@@ -154,7 +165,7 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
                                                          Precision precision) const {
     const auto sampled = completeDiscretisation();
     if (!sampled) return Error{sampled.error()};
-    const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
+    const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
     StressSettings stress = settings_.stress;
     if (!stress.resample_contacts) stress.resampling_rounds = 0;
@@ -163,43 +174,24 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
 
 const Result<CoarseModel>& BreakableSolid::coarseModel() const {
     constexpr double coarser = 2.5;  // than its own sampling
-    return coarse_.get([&]() -> Result<CoarseModel> {
-        const auto supports = pointsOfSupports(surface_, supports_, quadratureSpacing());
+    return shared_->coarse.get([&]() -> Result<CoarseModel> {
+        const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
         if (!supports) return Error{supports.error()};
-        return CoarseModel::make(surface_, coarser * spacing_, material_, supports.value());
+        return CoarseModel::make(surface(), coarser * spacing_, material_, supports.value());
     });
 }
 
-const std::vector<double>& BreakableSolid::strengths(const Discretisation& sampling) const {
-    const StrengthSettings& strength = settings_.strength;
-    return strengths_.get([&] {
-        return particleStrengths(material_, sampling.particles, strength.seed, strength.field,
-                                 strength.field_minimum);
-    });
-}
-
-// A field belongs to the app, which may wait or throw in it: only the blow's own stage asks it.
-double BreakableSolid::weakestStrength(const Discretisation& sampling) const {
-    if (settings_.strength.field) return weakestPossibleStrength();
-    return weakest_strength_.get([&] {
-        const std::vector<double>& all = strengths(sampling);
-        return *std::min_element(all.begin(), all.end());
-    });
+void BreakableSolid::scatterOver(double length_m) {
+    strength_ = std::make_shared<const BodyStrength>(material_, length_m, settings_.strength);
 }
 
 double BreakableSolid::cellVolume() const {
     return std::min(std::pow(spacing_, 3), moments_.volume);
 }
 
-double BreakableSolid::weakestPossibleStrength() const {
-    const StrengthSettings& settings = settings_.strength;
-    const double weakest_place = settings.field ? settings.field_minimum : 1;
-    return material_.tensile_strength_pa * weakestStrengthFraction(material_, cellVolume()) * weakest_place;
-}
-
 double BreakableSolid::smallestFailureEnergy() const {
-    return smallest_failure_energy_.get([&] {
-        return failureCriterion().least_energy_density_j_m3(weakestPossibleStrength(), material_) *
+    return shared_->smallest_failure_energy.get([&] {
+        return failureCriterion().least_energy_density_j_m3(strength().at().least(), material_) *
                settings_.sampling.smallest_fill * cellVolume();
     });
 }
@@ -210,18 +202,18 @@ double BreakableSolid::quadratureSpacing() const {
 }
 
 double BreakableSolid::sampleMilliseconds() const {
-    const Sampled* sampled = sampled_.ifMade();
+    const Sampled* sampled = shared_->sampled.ifMade();
     return sampled ? sampled->ms : 0;
 }
 
 int BreakableSolid::unknownCount() const {
     if (const ReducedStress* reduced = reducedStress())
         return 3 * reduced->model.problem().space->function_count;
-    return isFactored() ? solver_.ifMade()->value().report().unknowns : 0;
+    return isFactored() ? shared_->solver.ifMade()->value().report().unknowns : 0;
 }
 
 bool BreakableSolid::isFactored() const {
-    const Result<StressSolver>* solver = solver_.ifMade();
+    const Result<StressSolver>* solver = shared_->solver.ifMade();
     return solver && solver->ok();
 }
 

@@ -6,7 +6,9 @@
 #include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
+#include <cstdint>
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/damage/failure_criterion.h"
@@ -16,13 +18,14 @@
 #include "core/mlpg/stress_solver.h"
 #include "core/sampling/discretisation.h"
 #include "fracture/baked_solid.h"
+#include "fracture/body_strength.h"
 #include "fracture/made_once.h"
 #include "geometry/cutting/cuttable_solid.h"
 
 namespace sherd {
 
-/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling, factor
-/// and strengths are made when first needed; all else never changes. All members may be called from several
+/// The solid behind an asset: surface, constants, and what is made from them once and kept. Sampling and
+/// factor are made when first needed; all else never changes. All members may be called from several
 /// threads at once. A thread waits only for the one thing that it needs, while another thread makes it.
 class BreakableSolid {
   public:
@@ -37,7 +40,7 @@ class BreakableSolid {
     /// What a file keeps of this solid; prepares it. The error says why it cannot be had.
     Result<BakedSolid> baked() const;
 
-    const TriangleMesh& surface() const { return surface_; }
+    const TriangleMesh& surface() const { return shared_->surface; }
     /// For what is near a contact; made at the first call.
     const SurfaceTree& surfaceTree() const;
     const Material& material() const { return material_; }
@@ -75,15 +78,10 @@ class BreakableSolid {
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
     Result<StressSolver> stressSolverWithout(const std::vector<char>& damaged,
                                              Precision precision = Precision::refined) const;
-    /// Tensile strength of every particle of `discretisation()`, Pa, from the material, the seed and the
-    /// strength field; made at the first call. Throws std::invalid_argument where the field is not positive,
-    /// or below its minimum.
-    const std::vector<double>& strengths(const Discretisation& sampling) const;
+    /// From the material, the seed and the settings' strength field. Fragments have that of the whole.
+    const BodyStrength& strength() const { return *strength_; }
     /// For cutting it; made at the first call.
     const CuttableSolid& cuttable(const Discretisation& sampling) const;
-    /// The smallest of these, Pa, found at the first call; with a strength field, which is not called, the
-    /// smallest that it allows.
-    double weakestStrength(const Discretisation& sampling) const;
     /// Least elastic energy of a particle that fails, J, whatever the sampling makes of the solid.
     double smallestFailureEnergy() const;
     /// What the sampling took; 0 until it is done. Never waits.
@@ -97,44 +95,52 @@ class BreakableSolid {
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
     std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
+    /// The same solid as that of one body: its strength scatters in another way for each seed. All else that
+    /// is made once is made for both.
+    std::shared_ptr<const BreakableSolid> ofBody(std::uint64_t seed) const;
     /// A piece of this solid: same material, settings and limits, and those supports that hold it.
     std::shared_ptr<const BreakableSolid> makeFragment(TriangleMesh surface) const;
 
   private:
+    BreakableSolid(const BreakableSolid&) = default;
     BreakableSolid(TriangleMesh surface, const Material& material, const Settings& settings);
     explicit BreakableSolid(BakedSolid baked);
-
-    TriangleMesh surface_;
-    Material material_;
-    Settings settings_;
-    std::vector<SurfaceRegion> supports_;
-    Moments moments_;
-    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0;
-    bool is_fragment_ = false;
 
     struct Sampled {
         Result<std::shared_ptr<const Discretisation>> discretisation;
         double ms = 0;
     };
+    /// What the solids of all bodies of an asset share. A sampling or factorisation that failed is kept as
+    /// its sentence, and not tried again.
+    struct Shared {
+        explicit Shared(TriangleMesh its_surface) : surface(std::move(its_surface)) {}
+
+        const TriangleMesh surface;
+        MadeOnce<SurfaceTree> tree;
+        MadeOnce<CuttableSolid> cuttable;
+        MadeOnce<Sampled> sampled;
+        MadeOnce<Result<StressSolver>> solver;
+        MadeOnce<Result<CoarseModel>> coarse;
+        MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
+        MadeOnce<double> smallest_failure_energy;
+        /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.
+        MadeOnce<Sampled> complete;
+    };
+
+    std::shared_ptr<Shared> shared_;
+    Material material_;
+    Settings settings_;
+    std::vector<SurfaceRegion> supports_;
+    Moments moments_;
+    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0;
+    std::shared_ptr<const BodyStrength> strength_;
+    bool is_fragment_ = false, is_baked_ = false;
+
     Sampled sampled() const;
+    /// Makes the strength, which scatters over that distance.
+    void scatterOver(double length_m);
     /// Of the largest particle that there may be, m^3.
     double cellVolume() const;
-    /// The smallest strength that its settings allow, Pa.
-    double weakestPossibleStrength() const;
-
-    // A sampling or factorisation that failed is kept as its sentence, and not tried again.
-    mutable MadeOnce<SurfaceTree> tree_;
-    mutable MadeOnce<CuttableSolid> cuttable_;
-    mutable MadeOnce<Sampled> sampled_;
-    mutable MadeOnce<Result<StressSolver>> solver_;
-    mutable MadeOnce<Result<CoarseModel>> coarse_;
-    mutable MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced_;
-    mutable MadeOnce<std::vector<double>> strengths_;
-    mutable MadeOnce<double> weakest_strength_, smallest_failure_energy_;
-
-    // Of a solid from a file `sampled_` lacks what only the making of a stress problem needs.
-    bool is_baked_ = false;
-    mutable MadeOnce<Sampled> complete_;
 };
 
 }  // namespace sherd

@@ -17,20 +17,23 @@ constexpr double hope = 0.1;
 /// Bounds against what it takes to break a solid.
 class Needed {
   public:
-    Needed(const BreakableSolid& solid, const PeakTable& table, const FractureSettings& fracture)
-        : crack_j_(smallestCrackEnergy(solid, fracture)) {
-        if (table.levels.empty()) return;
-        if (const auto sampling = solid.discretisation())
-            strength_pa_ = solid.weakestStrength(*sampling.value());
-    }
+    Needed(const BreakableSolid& solid, const ReducedStress* reduced, const FractureSettings& fracture)
+        : strength_(solid.strength()), reduced_(reduced), crack_j_(smallestCrackEnergy(solid, fracture)) {}
     /// Whether a blow with `share` of a bound may break the solid.
     bool mayBe(const std::optional<BlowBound>& bound, double share = 1) const {
-        return !bound || !(share * bound->equivalent_stress_pa <= strength_pa_ ||
-                           share * bound->strain_energy_j < crack_j_);
+        return !bound ||
+               !(share * bound->strain_energy_j < crack_j_ || isBorne(share * bound->equivalent_stress_pa));
     }
 
   private:
-    double crack_j_, strength_pa_ = 0;
+    /// Most stresses are far below the weakest place, and it need not be looked for.
+    bool isBorne(double stress_pa) const {
+        return stress_pa <= strength_.at().least() || stress_pa <= strength_.weakest(reduced_->reading);
+    }
+
+    const BodyStrength& strength_;
+    const ReducedStress* reduced_;  // there are no bounds without it
+    double crack_j_;
 };
 
 }  // namespace
@@ -50,7 +53,7 @@ bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSetti
     const ReducedStress* reduced = fracture.use_reduced_model ? solid.reducedStress() : nullptr;
     const PeakTable none;
     const PeakTable& table = reduced ? reduced->peaks : none;
-    const Needed to_break(solid, table, fracture);
+    const Needed to_break(solid, reduced, fracture);
     const auto quick = quickBound(solid, table, blow, fracture.contact);
     if (!to_break.mayBe(quick)) return false;
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/numerics/stopwatch.h"
-#include "fracture/blow_stress.h"
+#include "fracture/blow_damage.h"
 #include "fracture/stage.h"
 
 namespace sherd {
@@ -20,7 +20,7 @@ void keepLargest(const Damage& before, Damage& damage) {
 }  // namespace
 
 Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<PointForce>& unit_loads,
-                            double peak_force_n, const Strength& strength, Damage damage, StageTimes& ms) {
+                            double peak_force_n, Damage damage, StageTimes& ms) {
     for (int wave = 1; wave < struck.fracture.damage_waves; ++wave) {
         const Stopwatch making;
         const auto solver = struck.solid.stressSolverWithout(damage.damaged);
@@ -30,9 +30,9 @@ Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<Point
         if (!stress) return Error{stress.error()};
 
         const Stopwatch watch;
-        Damage further =
-            damagedParticles(stress.value(), peak_force_n,
-                             *valueOrFail(struck.solid.completeDiscretisation()), strength, damage.damaged);
+        Damage further = damagedParticles(
+            stress.value(), peak_force_n, *valueOrFail(struck.solid.completeDiscretisation()),
+            strengthAtSamples(struck.solid, struck.solid.strength()), damage.damaged);
         keepLargest(damage, further);
         const bool at_rest = further.count == damage.count;
         damage = std::move(further);

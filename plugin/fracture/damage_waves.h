@@ -14,6 +14,6 @@ namespace sherd {
 /// force, damages more of them, until no more are damaged or the settings' number of waves is reached (paper,
 /// section 6.1). Adds the times to `ms`.
 Result<Damage> furtherWaves(const StrikeContext& struck, const std::vector<PointForce>& unit_loads,
-                            double peak_force_n, const Strength& strength, Damage damage, StageTimes& ms);
+                            double peak_force_n, Damage damage, StageTimes& ms);
 
 }  // namespace sherd

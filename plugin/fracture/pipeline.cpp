@@ -31,27 +31,37 @@ void noteDamage(const Damage& damage, BlowOutcome& out) {
     out.damaged_particles = damage.count;
 }
 
+/// What earlier blows damaged is damaged still.
+void addEarlier(const StrikeContext& struck, Damage& damage) {
+    if (!struck.earlier) return;
+    const std::vector<char> earlier = struck.earlier->particles(struck.sampling);
+    damage.count = 0;
+    for (std::size_t i = 0; i < earlier.size(); ++i)
+        damage.count += damage.damaged[i] = damage.damaged[i] || earlier[i];
+}
+
+void keepDamage(const StrikeContext& struck, const Damage& damage, BlowOutcome& out) {
+    out.damaged = DamagedMaterial::with(struck.earlier, struck.sampling, damage.damaged);
+}
+
 /// A blow that `canBreak` lets through
 ///   -> loads of 1 N in total -> what the supports answer, stress per newton, peak force, strain energy,
 ///      by the reduced model or a full solve
 ///   -> damaged particles                    held: there are none, or the energy pays for no crack
+///      and those of earlier blows
 ///   -> more damage, solved without those    (settings.damage_waves; none by default)
-///   -> a label for each particle            held: all have the same
-///   -> pieces cut out of the surface        held: there is only one
+///   -> a label for each particle            held: all have the same; the damage stays
+///   -> pieces cut out of the surface        held: there is only one; the damage stays
 ///   -> a fragment for each piece: a solid, and boxes for collisions.
-/// What a stage throws ends in `failed`. The solid keeps no damage, so each blow finds it whole.
+/// What a stage throws ends in `failed`. The solid keeps no damage: the body does.
 void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
-               std::uint64_t seed, BlowOutcome& out) {
+               std::uint64_t seed, const std::shared_ptr<const DamagedMaterial>& earlier, BlowOutcome& out) {
     out.level = Level::full;  // also of what fails below
     out.impulse_n_s = normalImpulse(blow);
     const Discretisation& sampling = samplingOf(solid, out.ms);
-    const StrikeContext struck{solid, sampling, fracture, seed};
+    const StrikeContext struck{solid, sampling, fracture, seed, earlier};
     if (!solid.prepared()) solverOf(solid, out.ms);
-    const Strength strength = timed(out.ms.damage, [&] {
-        return Strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
-    });
-
-    BlowDamage found = blowDamage(struck, blow, strength, out.ms);
+    BlowDamage found = blowDamage(struck, blow, solid.strength(), out.ms);
     out.level = found.level;
     const BlowForces& forces = found.forces;
     if (forces.strike.empty()) return;
@@ -62,18 +72,18 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     Damage damage = std::move(found.damage);
     noteDamage(damage, out);
     if (damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
-    damage = valueOrFail(
-        furtherWaves(struck, forces.loads, out.peak_force_n, strength, std::move(damage), out.ms));
+    addEarlier(struck, damage);
+    damage = valueOrFail(furtherWaves(struck, forces.loads, out.peak_force_n, std::move(damage), out.ms));
     noteDamage(damage, out);
 
     const FragmentLabels labels = timed(out.ms.cluster, [&] {
         return labelParticles(struck, damage, forces.strain_energy_j, axisOf(forces.strike));
     });
-    if (labels.count < 2) return;
+    if (labels.count < 2) return keepDamage(struck, damage, out);
 
     FragmentSurfaces surfaces = valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, labels); }));
     for (const std::string& note : surfaces.notes) addSentence(out.message, note);
-    if (surfaces.pieces.size() < 2) return;
+    if (surfaces.pieces.size() < 2) return keepDamage(struck, damage, out);
 
     const AddedTime making(out.ms.fragments);
     out.fragments = makeFragments(struck, labels, std::move(surfaces));
@@ -87,8 +97,8 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
 }  // namespace
 
 BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
-                   std::uint64_t seed) {
-    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, fracture, seed, out); });
+                   std::uint64_t seed, const std::shared_ptr<const DamagedMaterial>& earlier) {
+    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, fracture, seed, earlier, out); });
 }
 
 }  // namespace sherd

@@ -11,8 +11,8 @@ namespace sherd {
 
 /// The whole way from a blow to fragments (paper, Figure 1), for a blow that `canBreak` lets through. Never
 /// throws: on any failure the outcome is `failed` and says why, and the body stays whole. `seed` stands in
-/// for that of the settings.
+/// for that of the settings. What blows damaged `earlier` is damaged still.
 BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
-                   std::uint64_t seed);
+                   std::uint64_t seed, const std::shared_ptr<const DamagedMaterial>& earlier = {});
 
 }  // namespace sherd

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
+#include "core/damage/damaged_material.h"
 #include "fracture/breakable_solid.h"
 
 namespace sherd {
@@ -12,6 +14,8 @@ struct StrikeContext {
     const Discretisation& sampling;    ///< of the solid
     const FractureSettings& fracture;  ///< how it breaks
     std::uint64_t seed;                ///< of the pattern of cracks
+    /// What earlier blows damaged, without parting the body; nullptr: nothing.
+    std::shared_ptr<const DamagedMaterial> earlier = nullptr;
 };
 
 }  // namespace sherd

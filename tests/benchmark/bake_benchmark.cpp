@@ -46,12 +46,11 @@ std::optional<StageTimes> timesOfHeld(const BreakableSolid& solid, const Blow& b
     constexpr int times = 5;
     const Discretisation& sampling = *valueOrExit(solid.discretisation());
     const FractureSettings& fracture = solid.settings().fracture;
-    const Strength strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
     std::optional<StageTimes> fastest;
     for (int time = 0; time < times; ++time) {
         StageTimes ms;
         if (!timed(ms.gate, [&] { return canBreak(solid, blow, fracture); })) return {};
-        const BlowDamage found = blowDamage({solid, sampling, fracture, 1}, blow, strength, ms);
+        const BlowDamage found = blowDamage({solid, sampling, fracture, 1}, blow, solid.strength(), ms);
         if (found.level != Level::reduced || found.damage.count > 0) return {};
         if (!fastest || sumOf(ms) < sumOf(*fastest)) fastest = ms;
     }

@@ -40,8 +40,9 @@ Answers ask(const BreakableSolid& solid, const std::vector<Blow>& blows, bool re
     const Discretisation& sampling = *valueOrExit(solid.discretisation());
     FractureSettings fracture = solid.settings().fracture;
     fracture.use_reduced_model = reduced;
-    const std::vector<double> strong(sampling.particles.size(), 1e30);
-    const Strength strength{solid.failureCriterion(), solid.material(), strong};
+    Material strong = solid.material();
+    strong.tensile_strength_pa = 1e30;
+    const BodyStrength strength(strong, solid.strength().scatterLength(), {});
     if (!reduced && !solid.stressSolver()) std::exit(1);
     Answers answers;
     for (const Blow& blow : blows) {

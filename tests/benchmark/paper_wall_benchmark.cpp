@@ -179,7 +179,8 @@ Row measureReduced(const char* form, const Wall& wall, const Settings& settings)
         row.unknowns = 3 * problem.space->function_count;
         row.error = errorOf(problem, unit.unknowns, wall);
 
-        const std::vector<double> strengths(row.particles, wall.material.tensile_strength_pa);
+        const std::vector<double> strengths(reduced->reading.points().points.size(),
+                                            wall.material.tensile_strength_pa);
         const Strength strength{*failureCriterion(wall.material.failure_criterion), wall.material, strengths};
         const auto largest = reduced->reading.damage(unit.unknowns, wall.blow, 1, strength).largest_stress_pa;
         const double scale = 0.5 * wall.material.tensile_strength_pa / largest;

@@ -42,8 +42,10 @@ class Solved {
     }
 
     BlowDamage ask(const Blow& blow, double strength_pa, double& ms) const {
-        const std::vector<double> strengths(sampling_.particles.size(), strength_pa);
-        const Strength strength{solid_.failureCriterion(), solid_.material(), strengths};
+        Material even = solid_.material();
+        even.tensile_strength_pa = strength_pa;
+        even.strength_scatter = 0;
+        const BodyStrength strength(even, solid_.strength().scatterLength(), {});
         StageTimes times;
         BlowDamage found = blowDamage({solid_, sampling_, fracture_, 1}, blow, strength, times);
         ms = times.solve + times.stress + times.damage;

@@ -104,4 +104,31 @@ TEST(Inheritance, IsotropicFrictionStaysSo) {
     }
 }
 
+/// The strengths of a body's material at some places, Pa.
+std::vector<double> strengthsOf(const BreakableAsset& asset) {
+    std::vector<double> strengths;
+    for (double x = -0.4; x < 0.4; x += 0.07) strengths.push_back(asset.tensileStrength({x, 0.5 * x, 0}));
+    return strengths;
+}
+
+TEST(Inheritance, TheStrengthOfEachPlaceWithTheSeedOfTheBody) {
+    const BreakableAsset asset = plate(crumbly(), 0.1);
+    std::vector<std::vector<double>> of_bodies = {strengthsOf(asset)};
+    for (const std::uint64_t seed : {1, 2}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        BodyOptions options;
+        options.seed = seed;
+        const btRigidBody* body = fracture.add(asset, options).value();
+        const std::vector<double> own = strengthsOf(*fracture.asset(body));
+        for (const std::vector<double>& other : of_bodies) EXPECT_NE(own, other);
+        of_bodies.push_back(own);
+        scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
+        const BlowEvent event = stepUntilBreak(scene, fracture);
+        ASSERT_EQ(event.outcome, broke);
+        EXPECT_EQ(strengthsOf(event.asset), own);
+        for (const btRigidBody* piece : event.fragments) EXPECT_EQ(strengthsOf(*fracture.asset(piece)), own);
+    }
+}
+
 }  // namespace

@@ -36,8 +36,10 @@ struct BlowBounds : testing::Test {
 
 TEST_F(BlowBounds, AreAboveWhatTheFullSolveFinds) {
     const Discretisation& sampling = *solid().discretisation().value();
-    const std::vector<double> unit(sampling.particles.size(), 1.0);
-    const Strength strength{solid().failureCriterion(), solid().material(), unit};
+    Material even = solid().material();
+    even.tensile_strength_pa = 1;
+    even.strength_scatter = 0;
+    const BodyStrength strength(even, solid().strength().scatterLength(), {});
     FractureSettings fracture = solid().settings().fracture;
     fracture.use_reduced_model = false;
     const PeakTable& table = solid().reducedStress()->peaks;
@@ -134,10 +136,12 @@ TEST_F(BlowBounds, SupportsThatPushAgainstEachOtherHaveNone) {
     EXPECT_FALSE(quickBound(solid(), solid().reducedStress()->peaks, blow, contact));
 }
 
-TEST_F(BlowBounds, TheWeakestStrengthIsThatOfTheParticles) {
-    const Discretisation& sampling = *solid().discretisation().value();
-    const auto& strengths = solid().strengths(sampling);
-    EXPECT_EQ(solid().weakestStrength(sampling), *std::min_element(strengths.begin(), strengths.end()));
+TEST_F(BlowBounds, TheWeakestStrengthIsThatOfThePointsThatAreRead) {
+    const DamageReading& reading = solid().reducedStress()->reading;
+    const auto& strengths = solid().strength().atPoints(reading);
+    const double weakest = solid().strength().weakest(reading);
+    EXPECT_EQ(weakest, *std::min_element(strengths.begin(), strengths.end()));
+    EXPECT_GE(weakest, solid().strength().at().least());
 }
 
 // Beside a clamp the table would say too little.
@@ -174,15 +178,15 @@ TEST_F(BlowBounds, TheGateNeverCallsAStrengthField) {
     const auto solid = BreakableSolid::make(bowl().mesh, bowl().material, settings).value();
     ASSERT_TRUE(solid->prepare({}).ok());
     ASSERT_TRUE(solid->reducedStress());
-    const Discretisation& sampling = *solid->discretisation().value();
+    const DamageReading& reading = solid->reducedStress()->reading;
     double speed = 100;
     while (canBreak(*solid, tap(speed), solid->settings().fracture)) speed *= 0.9;
     EXPECT_EQ(calls, 0);
-    const double allowed = solid->weakestStrength(sampling);
+    const double allowed = solid->strength().weakest(reading);
     EXPECT_EQ(calls, 0);
     EXPECT_GT(allowed, 0);
-    const auto& strengths = solid->strengths(sampling);
-    EXPECT_EQ(calls, static_cast<int>(sampling.particles.size()));
+    const auto& strengths = solid->strength().atPoints(reading);
+    EXPECT_EQ(calls, static_cast<int>(reading.points().points.size()));
     EXPECT_LE(allowed, *std::min_element(strengths.begin(), strengths.end()));
 }
 

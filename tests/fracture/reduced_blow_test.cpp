@@ -34,7 +34,7 @@ struct Compared {
 
 Compared compare(const BreakableSolid& solid, const TriangleMesh& mesh, int count) {
     const Discretisation& sampling = *solid.discretisation().value();
-    const Strength strength{solid.failureCriterion(), solid.material(), solid.strengths(sampling)};
+    const BodyStrength& strength = solid.strength();
     FractureSettings fully = solid.settings().fracture;
     fully.use_reduced_model = false;
     const StrikeContext fast{solid, sampling, solid.settings().fracture, 1}, full{solid, sampling, fully, 1};
@@ -96,10 +96,9 @@ TEST(ReducedBlows, NeedNoFactor) {
     }));
     EXPECT_EQ(told, 1);
     const Discretisation& sampling = *solid->discretisation().value();
-    const Strength strength{solid->failureCriterion(), solid->material(), solid->strengths(sampling)};
     StageTimes ms;
     const BlowDamage found = blowDamage({*solid, sampling, solid->settings().fracture, 1},
-                                        RandomBlows(shape.mesh, 3).next(), strength, ms);
+                                        RandomBlows(shape.mesh, 3).next(), solid->strength(), ms);
     EXPECT_EQ(found.level, Level::reduced);
     EXPECT_FALSE(solid->isFactored());
     EXPECT_TRUE(solid->prepared());

@@ -12,17 +12,20 @@ namespace sherd {
 
 /// Two-state damage of every particle (paper, section 6.1, its damage rate C_d infinite).
 struct Damage {
-    std::vector<char> damaged;       ///< #particles, 1 where the strength is exceeded
-    std::vector<double> overstress;  ///< #particles, the largest equivalent stress over the tensile strength
-    double largest_stress_pa = 0;    ///< largest principal stress at any particle or surface point
-    int count = 0;                   ///< damaged particles
+    std::vector<char> damaged;  ///< #particles, 1 where the strength is exceeded
+    std::vector<double>
+        overstress;  ///< #particles, the largest of the equivalent stress over the tensile strength there
+    double largest_stress_pa = 0;  ///< largest principal stress at any particle or surface point
+    int count = 0;                 ///< damaged particles
 };
 
 /// What stress is compared with.
 struct Strength {
     const FailureCriterion& criterion;
     const Material& material;
-    const std::vector<double>& of_particle;  ///< #particles, tensile, Pa
+    /// Tensile, where the stress is read, Pa: at the particles, then at the surface points, or at the points
+    /// of a DamageReading.
+    const std::vector<double>& at_points;
 };
 
 /// Marks the particles that fail by the criterion, at the particle or at a surface point of its sub-domain

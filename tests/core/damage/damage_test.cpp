@@ -14,7 +14,8 @@ Damage damageOf(const StressField& stress, double scale, const Discretisation& s
     Material material;
     if (compressive_over_tensile > 0)
         material.compressive_strength_pa = compressive_over_tensile * material.tensile_strength_pa;
-    const std::vector<double> strengths(sampling.particles.size(), strength_pa);
+    const std::vector<double> strengths(sampling.particles.size() + sampling.surface_points.size(),
+                                        strength_pa);
     return damagedParticles(stress, scale, sampling, {*failureCriterion(criterion), material, strengths},
                             damaged);
 }

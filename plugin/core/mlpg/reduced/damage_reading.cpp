@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
-#include "core/numerics/parallel_chunks.h"
 #include "core/stress/loaded_places.h"
 #include "core/stress/surface_traction.h"
 
@@ -27,14 +27,22 @@ DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, Readi
     : problem_(std::move(problem)),
       points_(std::move(points)),
       powers_(splinePowers(problem_->space->degree).cast<float>()),
-      bounds_(std::move(bounds)) {
-    particle_starts_.push_back(0);
-    for (std::size_t part = 0; part + 1 < points_.starts.size(); ++part) {
-        int last = -1;
+      bounds_(std::move(bounds)) {}
+
+/// m.
+Vec3 DamageReading::position(int part, const ReadingPoint& point) const {
+    const CellParts& solid = problem_->parts();
+    const Vec3 cells = solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5) + point.xi.cast<double>();
+    return solid.origin + cells.cwiseProduct(solid.edges);
+}
+
+std::vector<double> DamageReading::strengths(const MaterialStrength& strength) const {
+    std::vector<double> at_points;
+    at_points.reserve(points_.points.size());
+    for (std::size_t part = 0; part + 1 < points_.starts.size(); ++part)
         for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
-            if (points_.points[at].particle != last) particles_.push_back(last = points_.points[at].particle);
-        particle_starts_.push_back(static_cast<int>(particles_.size()));
-    }
+            at_points.push_back(strength.at(position(static_cast<int>(part), points_.points[at])));
+    return at_points;
 }
 
 Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
@@ -58,48 +66,27 @@ class DamageReading::Reader {
           strength_(strength),
           bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
-          equivalent_(of.problem_->solid->particles.size(), 0.0) {}
+          overstress(of.problem_->solid->particles.size(), 0.0) {}
 
-    /// Reads the points of a part that may be as near to failure as `overstress`, or under the largest
-    /// tension.
-    void read(int part, double overstress) {
+    /// Reads the points of a part that may be as near to failure as the overstress `wanted`, or under the
+    /// largest tension.
+    void read(int part, double wanted) {
         switch (of_.problem_->space->degree) {
             case 1:
-                return read<1>(part, overstress);
+                return read<1>(part, wanted);
             case 2:
-                return read<2>(part, overstress);
+                return read<2>(part, wanted);
             default:
                 static_assert(largest_spline_degree == 3);
-                return read<3>(part, overstress);
+                return read<3>(part, wanted);
         }
     }
-
-    /// What another has read of the same displacement.
-    void include(const Reader& other) {
-        tension = std::max(tension, other.tension);
-        for (std::size_t i = 0; i < equivalent_.size(); ++i)
-            equivalent_[i] = std::max(equivalent_[i], other.equivalent_[i]);
-    }
-
-    Damage damage() const {
-        Damage damage;
-        damage.damaged.resize(equivalent_.size());
-        damage.overstress.resize(equivalent_.size());
-        for (std::size_t i = 0; i < equivalent_.size(); ++i) {
-            damage.overstress[i] = scale_ / strength_.of_particle[i] * equivalent_[i];
-            damage.damaged[i] = damage.overstress[i] > 1;
-            damage.count += damage.damaged[i];
-        }
-        return damage;
-    }
-
-    double tension = 0;  ///< the largest that was read
 
   private:
     using Quad = Eigen::Array4f;  // a vector and a zero
 
     template <int degree>
-    void read(int part, double overstress) {
+    void read(int part, double wanted) {
         constexpr int w = degree + 1;
         Quad coefficients[w * w * w];
         const std::vector<int>& functions = of_.problem_->space->raw_of[part];
@@ -109,32 +96,25 @@ class DamageReading::Reader {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
             const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients, point.xi);
-            const double failing = overstress * strength_.of_particle[point.particle];
+            const double failing = wanted * strength_.at_points[at];
             if (doesNotMatter(of_.bounds_.rangeAt(gradient, is_on_surface), failing)) continue;
             SymmetricTensor stress = toSymmetricTensor(elasticity.stress(gradient.cast<double>()));
-            if (is_on_surface && !loaded_.isNear(position(part, point)))
+            if (is_on_surface && !loaded_.isNear(of_.position(part, point)))
                 stress =
                     withTraction(stress, point.normal.cast<double>().normalized(), Vec3::Zero(), elasticity);
             // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
             if (is_on_surface && doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing))
                 continue;
             const PrincipalStresses principal = principalStresses(stress);
-            double& largest = equivalent_[point.particle];
-            largest =
-                std::max(largest, strength_.criterion.equivalent_stress_pa(principal, strength_.material));
+            const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
+            double& largest = overstress[point.particle];
+            largest = std::max(largest, scale_ / strength_.at_points[at] * equivalent);
             tension = std::max(tension, principal.largest);
         }
     }
 
     bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
         return range.largest <= tension && scale_ * bound_(range.smallest, range.largest) < failing_pa;
-    }
-
-    Vec3 position(int part, const ReadingPoint& point) const {
-        const CellParts& solid = of_.problem_->parts();
-        const Vec3 cells =
-            solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5) + point.xi.cast<double>();
-        return solid.origin + cells.cwiseProduct(solid.edges);
     }
 
     /// Displacement gradient, summed one direction after the other.
@@ -183,28 +163,19 @@ class DamageReading::Reader {
     double scale_;
     const Strength& strength_;
     EquivalentBound bound_;
-    Eigen::Vector3f per_edge_;        ///< of a cell
-    std::vector<double> equivalent_;  ///< per particle, the largest that was read
+    Eigen::Vector3f per_edge_;  ///< of a cell
+
+  public:
+    std::vector<double> overstress;  ///< per particle, the largest that was read
+    double tension = 0;              ///< the largest that was read
 };
 
-/// The least strength of the particles that the points of a part count for.
+/// The least strength at the points of a part.
 double DamageReading::weakest(int part, const Strength& strength) const {
     double least = std::numeric_limits<double>::infinity();
-    for (int at = particle_starts_[part]; at < particle_starts_[part + 1]; ++at)
-        least = std::min(least, strength.of_particle[particles_[at]]);
+    for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
+        least = std::min(least, strength.at_points[at]);
     return least;
-}
-
-/// Has parts read, some at a time on all cores; what is found does not depend on their number.
-void DamageReading::readAll(const std::vector<int>& parts, double overstress, Reader& reader) const {
-    constexpr int parts_at_once = 64;
-    const int total = static_cast<int>(parts.size()), chunks = (total + parts_at_once - 1) / parts_at_once;
-    std::vector<Reader> found(static_cast<std::size_t>(chunks), reader);
-    forEachChunk(chunks, [&](int chunk) {
-        for (int i = chunkBegin(chunk, chunks, total); i < chunkBegin(chunk + 1, chunks, total); ++i)
-            found[chunk].read(parts[i], overstress);
-    });
-    for (const Reader& other : found) reader.include(other);
 }
 
 Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads,
@@ -230,23 +201,17 @@ Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<
         reader.read(by_tension.back().second, 1);
         by_tension.pop_back();
     }
+    for (const auto& [tension, part] : by_tension)
+        if (overstress_bound[part] >= 1) reader.read(part, 1);
 
-    Damage damage = reader.damage();
-    if (damage.count == 0) {
-        std::vector<int> may_fail;
-        for (const auto& [tension, part] : by_tension)
-            if (overstress_bound[part] >= 1) may_fail.push_back(part);
-        std::sort(may_fail.begin(), may_fail.end());
-        readAll(may_fail, 1, reader);
-        damage = reader.damage();
-    }
-    if (damage.count > 0) {  // what is near to failure steers the cracks
-        std::vector<int> near;
-        for (int part = 0; part < part_count; ++part)
-            if (overstress_bound[part] >= near_to_failure) near.push_back(part);
-        readAll(near, near_to_failure, reader);
-        damage = reader.damage();
-    }
+    Damage damage;
+    const auto failed = [](double overstress) { return overstress > 1; };
+    if (std::any_of(reader.overstress.begin(), reader.overstress.end(), failed))
+        for (int part = 0; part < part_count; ++part)  // what is near to failure steers the cracks
+            if (overstress_bound[part] >= near_to_failure) reader.read(part, near_to_failure);
+    damage.overstress = std::move(reader.overstress);
+    for (const double overstress : damage.overstress) damage.damaged.push_back(failed(overstress));
+    damage.count = static_cast<int>(std::count(damage.damaged.begin(), damage.damaged.end(), 1));
     damage.largest_stress_pa = scale * reader.tension;
     return damage;
 }

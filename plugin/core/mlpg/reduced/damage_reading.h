@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/damage/damage.h"
+#include "core/damage/material_strength.h"
 #include "core/mlpg/reduced/reading_points.h"
 #include "core/mlpg/reduced/stress_bounds.h"
 #include "core/mlpg/splines/spline_problem.h"
@@ -23,6 +24,9 @@ class DamageReading {
     Damage damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads, double scale,
                   const Strength& strength) const;
 
+    /// What `strength` is at the points, Pa.
+    std::vector<double> strengths(const MaterialStrength& strength) const;
+
     const ReadingPoints& points() const { return points_; }
     const StressBounds& bounds() const { return bounds_; }
 
@@ -32,11 +36,11 @@ class DamageReading {
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
     void readAll(const std::vector<int>& parts, double overstress, Reader& reader) const;
     double weakest(int part, const Strength& strength) const;
+    Vec3 position(int part, const ReadingPoint& point) const;
 
     std::shared_ptr<const SplineProblem> problem_;
     ReadingPoints points_;
-    std::vector<int> particle_starts_, particles_;  ///< of each part's points, each particle once
-    Eigen::MatrixXf powers_;                        ///< of the pieces of the splines
+    Eigen::MatrixXf powers_;  ///< of the pieces of the splines
     StressBounds bounds_;
 };
 

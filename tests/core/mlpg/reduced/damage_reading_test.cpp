@@ -13,12 +13,11 @@ const BothSolutions& wall() {
     return both;
 }
 
-std::vector<double> scattered(std::size_t count, double mean) {
-    std::mt19937 random(7);
-    std::vector<double> strengths;
-    for (std::size_t i = 0; i < count; ++i)
-        strengths.push_back(mean * (0.7 + 0.6 * (random() % 1000) * 1e-3));
-    return strengths;
+MaterialStrength scattered(double mean) {
+    Material material;
+    material.tensile_strength_pa = mean;
+    material.strength_scatter = 0.2;
+    return {material, 0.05, {}};
 }
 
 TEST(DamageReading, FindsTheDamageThatReadingEverythingFinds) {
@@ -30,11 +29,13 @@ TEST(DamageReading, FindsTheDamageThatReadingEverythingFinds) {
             const auto loads = randomPush(*wall().solid, 0.02, random);
             const auto response = valueOf(wall().reduced.model.respond(loads));
             const StressField field = stressUnder(wall(), response.unknowns.cast<double>(), loads);
-            const auto strengths =
-                scattered(wall().solid->particles.size(), of_peak * largestTension(field) * 1000);
-            const Strength strength{*failureCriterion(name), brittle, strengths};
-            const Damage all = damagedParticles(field, 1000, *wall().solid, strength);
-            const Damage found = wall().reduced.reading.damage(response.unknowns, loads, 1000, strength);
+            const MaterialStrength strength = scattered(of_peak * largestTension(field) * 1000);
+            const auto at_samples = strengthsAtSamples(strength, *wall().solid);
+            const auto at_points = wall().reduced.reading.strengths(strength);
+            const FailureCriterion& criterion = *failureCriterion(name);
+            const Damage all = damagedParticles(field, 1000, *wall().solid, {criterion, brittle, at_samples});
+            const Damage found = wall().reduced.reading.damage(response.unknowns, loads, 1000,
+                                                               {criterion, brittle, at_points});
             EXPECT_EQ(found.count, all.count) << name << ' ' << of_peak;
             EXPECT_EQ(found.damaged, all.damaged);
             EXPECT_NEAR(found.largest_stress_pa, all.largest_stress_pa, 1e-5 * all.largest_stress_pa);
