@@ -1,5 +1,6 @@
 #include "fracture/blow_damage.h"
 
+#include "core/mlpg/splines/contact_remainder.h"
 #include "fracture/stage.h"
 
 namespace sherd {
@@ -19,21 +20,32 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
                      const Strength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
+                                    const ContactField&) -> Result<double> {
         const AddedTime time(ms.solve);
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();
         return response.strain_energy_j;
     };
-    Result<BlowForces> forces = blowForces(struck.solid, struck.fracture.contact, blow, solve, ms);
+    Result<BlowForces> forces =
+        blowForces(struck.solid, struck.fracture.contact, blow, solve, NearFields::wanted, ms);
     if (!forces) return false;
     found.level = Level::reduced;
     found.forces = std::move(forces).value();
     found.warnings = reduced.warnings;
     if (found.forces.strike.empty()) return true;
+    if (!found.forces.contact.near.empty()) {
+        const AddedTime time(ms.solve);
+        const auto remainder =
+            contactRemainder(reduced.model.problem(), reduced.reading.points(), found.forces.contact);
+        if (!remainder) return false;
+        Result<ReducedResponse> rest = reduced.model.respond(remainder.value(), kept);
+        if (!rest) return false;
+        response = std::move(rest).value();
+    }
     const AddedTime time(ms.damage);
-    found.damage = reduced.reading.damage(response.unknowns, found.forces.loads,
+    found.damage = reduced.reading.damage(response.unknowns, found.forces.contact,
                                           found.forces.pulse.peak_force_n, strength);
     return true;
 }
@@ -47,7 +59,8 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const Strength& s
     if (!stress.strike.empty()) {
         const AddedTime time(ms.damage);
         found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n,
-                                        *valueOrFail(struck.solid.completeDiscretisation()), strength);
+                                        *valueOrFail(struck.solid.completeDiscretisation()), strength, {},
+                                        stress.places);
     }
     found.forces = std::move(stress);
 }

@@ -129,25 +129,34 @@ Impact impactOf(const std::vector<Strike>& strikes, double held) {
     return all;
 }
 
-std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
-                                  const ContactSettings& settings) {
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+                                         const ContactSettings& settings) {
     double momentum = 0;
     for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
-    std::vector<PointForce> loads;
+    std::vector<ContactPatch> patches;
     for (const Strike& strike : strikes)
         for (const StrikePoint& point : strike.points) {
             const double mass = point.share * strike.mass(0);
             const double peak = hertzPeakForce(point.hertz, mass, strike.speed_m_s);
             const double given = point.contact->patch_radius_m;
-            const double patch = given > 0
-                                     ? std::max(given, smallest)
-                                     : std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
-            const auto forces = spreadForce(body.surface, point.spot, point.contact->normal, patch,
-                                            mass * strike.speed_m_s / momentum * point.push);
-            loads.insert(loads.end(), forces.begin(), forces.end());
+            ContactPatch patch{
+                point.spot, point.contact->normal, mass * strike.speed_m_s / momentum * point.push, 0, {}};
+            patch.radius_m = given > 0 ? std::max(given, smallest)
+                                       : std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
+            patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m);
+            patches.push_back(std::move(patch));
         }
+    return patches;
+}
+
+std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches) {
+    std::vector<PointForce> loads;
+    for (const ContactPatch& patch : patches) {
+        const auto forces = spreadForce(patch.parts, patch.spot, patch.force);
+        loads.insert(loads.end(), forces.begin(), forces.end());
+    }
     return loads;
 }
 

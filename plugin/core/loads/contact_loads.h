@@ -7,6 +7,7 @@
 
 #include "core/loads/blow.h"
 #include "core/loads/contact_pulse.h"
+#include "core/loads/load_patch.h"
 #include "core/loads/mobility.h"
 #include "core/loads/strike.h"
 
@@ -31,10 +32,22 @@ std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const C
 /// Of all strikes, with supports that take the share `held` of the body's mobility away.
 Impact impactOf(const std::vector<Strike>& strikes, double held);
 
+/// The part of the surface that a point of a strike presses on, and how strongly.
+struct ContactPatch {
+    SurfaceSpot spot;
+    Vec3 push = Vec3::Zero();   ///< unit: faces that it does not meet are not pressed
+    Vec3 force = Vec3::Zero();  ///< N
+    double radius_m = 0;
+    std::vector<PatchPart> parts;
+};
+
 /// The strikes as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
 /// patch on the true surface.
-std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
-                                  const ContactSettings& settings);
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+                                         const ContactSettings& settings);
+
+/// Their quadrature points.
+std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches);
 
 /// The modulus of a contact; the settings stand in for what is not known of the partner.
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,

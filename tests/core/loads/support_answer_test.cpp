@@ -54,7 +54,8 @@ struct Standing {
     }
     SupportAnswer answer(double duration_s) const {
         return supportAnswer(body(), foundations(),
-                             unitLoads(body(), strikesOf(body(), blow, settings), settings), duration_s);
+                             unitLoads(contactPatches(body(), strikesOf(body(), blow, settings), settings)),
+                             duration_s);
     }
 
     Vec3 half;

@@ -34,7 +34,8 @@ TEST(DamageReading, FindsTheDamageThatReadingEverythingFinds) {
                 scattered(wall().solid->particles.size(), of_peak * largestTension(field) * 1000);
             const Strength strength{*failureCriterion(name), brittle, strengths};
             const Damage all = damagedParticles(field, 1000, *wall().solid, strength);
-            const Damage found = wall().reduced.reading.damage(response.unknowns, loads, 1000, strength);
+            const Damage found =
+                wall().reduced.reading.damage(response.unknowns, {{}, {}, loads}, 1000, strength);
             EXPECT_EQ(found.count, all.count) << name << ' ' << of_peak;
             EXPECT_EQ(found.damaged, all.damaged);
             EXPECT_NEAR(found.largest_stress_pa, all.largest_stress_pa, 1e-5 * all.largest_stress_pa);
