@@ -26,7 +26,7 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
     StageTimes parts_of_it;
     const Result<BlowForces> forces =
         blowForces(solid, fracture.contact, blow, solve, NearFields::left_out, parts_of_it);
-    constexpr double margin = 3;  // by which the full solve may store more, see CoarseModel
+    constexpr double margin = 2.7;  // by which the full solve may store more, see CoarseModel
     if (!forces || !(margin * forces.value().strain_energy_j < smallestCrackEnergy(solid, fracture)))
         return std::nullopt;
     BlowOutcome held;
