@@ -1,5 +1,6 @@
 #include "fracture/blow_damage.h"
 
+#include "core/mlpg/splines/contact_remainder.h"
 #include "fracture/stage.h"
 
 namespace sherd {
@@ -24,23 +25,34 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
                      const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
+                                    const ContactField&) -> Result<double> {
         const AddedTime time(ms.solve);
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();
         return response.strain_energy_j;
     };
-    Result<BlowForces> forces = blowForces(struck.solid, struck.fracture.contact, blow, solve, ms);
+    Result<BlowForces> forces =
+        blowForces(struck.solid, struck.fracture.contact, blow, solve, NearFields::wanted, ms);
     if (!forces) return false;
     found.level = Level::reduced;
     found.forces = std::move(forces).value();
     found.warnings = reduced.warnings;
     if (found.forces.strike.empty()) return true;
+    if (!found.forces.contact.near.empty()) {
+        const AddedTime time(ms.solve);
+        const auto remainder =
+            contactRemainder(reduced.model.problem(), reduced.reading.points(), found.forces.contact);
+        if (!remainder) return false;
+        Result<ReducedResponse> rest = reduced.model.respond(remainder.value(), kept);
+        if (!rest) return false;
+        response = std::move(rest).value();
+    }
     const AddedTime time(ms.damage);
     const BreakableSolid& solid = struck.solid;
     found.damage = reduced.reading.damage(
-        response.unknowns, found.forces.loads, found.forces.pulse.peak_force_n,
+        response.unknowns, found.forces.contact, found.forces.pulse.peak_force_n,
         {solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)});
     return true;
 }
@@ -55,7 +67,7 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrengt
         const AddedTime time(ms.damage);
         found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n,
                                         *valueOrFail(struck.solid.completeDiscretisation()),
-                                        strengthAtSamples(struck.solid, strength));
+                                        strengthAtSamples(struck.solid, strength), {}, stress.places);
     }
     found.forces = std::move(stress);
 }

@@ -113,13 +113,19 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 }
 
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
-                              const StressOfLoads& solve, StageTimes& ms) {
+                              const StressOfLoads& solve, NearFields near_fields, StageTimes& ms) {
     const ContactBody body = struckBody(solid);
     if (blow.isSqueezed()) return squeezingForces(solid, contact, blow, solve, ms);
     const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
     BlowForces forces;
-    forces.strike = forces.loads = timed(ms.loads, [&] { return unitLoads(body, strikes, contact); });
+    const auto patches = timed(ms.loads, [&] { return contactPatches(body, strikes, contact); });
+    forces.strike = forces.loads = unitLoads(patches);
     if (forces.strike.empty()) return forces;
+    // Finer grids around the contacts see the near field themselves.
+    const StressSettings& stress = solid.settings().stress;
+    if (near_fields == NearFields::wanted && stress.trial_function == TrialFunction::spline &&
+        !stress.resample_contacts)
+        forces.contact = timed(ms.loads, [&] { return contactField(body, patches); });
     SupportAnswer answer;
     std::vector<Foundation> foundations;
     if (solid.isAnchored())  // its supports are part of the stress problem
@@ -130,7 +136,7 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     const double patch_energy_j = patchEnergy(body, strikes, contact, solid.spacing());
     double unit_energy_j = 0, brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
-        const Result<double> energy = solve(forces.loads);
+        const Result<double> energy = solve(forces.loads, forces.contact);
         if (!energy) return Error{energy.error()};
         unit_energy_j = energy.value();
         const double body_energy_j = std::max(unit_energy_j - patch_energy_j, least_part * unit_energy_j);
@@ -146,6 +152,8 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
         answer = std::move(next);
         forces.loads = together(forces.strike, answer.forces);
     }
+    if (forces.contact.near.empty()) forces.contact.others = forces.strike;
+    forces.contact.others = together(std::move(forces.contact.others), answer.forces);
     forces.strain_energy_j =
         std::min(unit_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n, brought_j);
     return forces;
@@ -154,15 +162,30 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
                               StageTimes& ms) {
     BlowStress stress;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) -> Result<double> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
+                                    const ContactField& contact) -> Result<double> {
+        if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
+            const AddedTime time(ms.solve);
+            return solver.strainEnergy(loads);
+        }
         Result<StressField> unit = unitStress(struck, solver, loads, ms);
         if (!unit) return Error{unit.error()};
         stress.unit = std::move(unit).value();
         return stress.unit.strain_energy_j;
     };
-    Result<BlowForces> forces = blowForces(struck.solid, struck.fracture.contact, blow, solve, ms);
+    Result<BlowForces> forces =
+        blowForces(struck.solid, struck.fracture.contact, blow, solve, NearFields::wanted, ms);
     if (!forces) return Error{forces.error()};
     static_cast<BlowForces&>(stress) = std::move(forces).value();
+    if (stress.contact.near.empty()) return stress;
+    Result<StressField> unit = solver.solveContact(stress.contact);
+    if (!unit) return Error{unit.error()};
+    stress.unit = std::move(unit).value();
+    ms.solve += stress.unit.solve_ms;
+    ms.stress += stress.unit.recovery_ms;
+    const double peak = stress.pulse.peak_force_n;
+    stress.unit.strain_energy_j = peak > 0 ? stress.strain_energy_j / (peak * peak) : 0;
+    for (const SurfacePlace& place : stress.contact.places) stress.places.push_back(place.position);
     return stress;
 }
 

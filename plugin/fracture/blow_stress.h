@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/loads/blow.h"
-#include "core/loads/contact_loads.h"
+#include "core/loads/contact_field.h"
 #include "core/mlpg/stress_solver.h"
 #include "fracture/strike_context.h"
 
@@ -18,17 +18,24 @@ namespace sherd {
 struct BlowForces {
     std::vector<PointForce> strike;  ///< what strikes, 1 N in total; empty: nothing does
     std::vector<PointForce> loads;   ///< that, and what the supports of the body answer to it
+    ContactField contact;            ///< the same, with the near field of what strikes told apart
     ContactPulse pulse;
     double strain_energy_j = 0;  ///< at the peak; never more than the blow brings
 };
 
 /// The stress of a blow when it presses hardest: `unit` times `pulse.peak_force_n`.
 struct BlowStress : BlowForces {
-    StressField unit;  ///< under `loads`
+    StressField unit;          ///< under `loads`
+    std::vector<Vec3> places;  ///< of its `points`, m
 };
 
-/// Solves a body's stress under unit loads in any way, keeps it, and returns its strain energy, J.
-using StressOfLoads = std::function<Result<double>(const std::vector<PointForce>& unit_loads)>;
+/// Solves a body's stress under unit loads in any way, keeps it, and returns its strain energy, J. `contact`
+/// has the near field of what strikes, and no other loads yet.
+using StressOfLoads =
+    std::function<Result<double>(const std::vector<PointForce>& unit_loads, const ContactField& contact)>;
+
+/// Whether the near field of what strikes is looked for.
+enum class NearFields { wanted, left_out };
 
 /// What the loads need to know of a solid. Refers to it.
 ContactBody struckBody(const BreakableSolid& solid);
@@ -49,7 +56,7 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 /// solve is repeated until their answer stays. Weight is left out: the body bears it before and after the
 /// blow as well. The last loads that `solve` is given are those that are returned.
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
-                              const StressOfLoads& solve, StageTimes& ms);
+                              const StressOfLoads& solve, NearFields near_fields, StageTimes& ms);
 
 /// The same with the stress of a full solve.
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/loads/contact_field.h"
 #include "core/loads/foundation.h"
 #include "core/loads/support_answer.h"
 #include "fracture/blow_stress.h"
@@ -36,6 +37,9 @@ PerNewton underStrikes(const ContactBody& body, const PeakTable& table, const st
             all.work += one.work;
             wrench += body.mobility.wrench(point.spot.point, force);
         }
+    for (const ContactPatch& patch : contactPatches(body, strikes, settings))
+        for (const ContactDisc& disc : contactDiscs(body.surface, patch))
+            all.near_pa = std::max(all.near_pa, nearFieldPeak(body.material, disc.inward, disc.traction_pa));
     all.root_mobility = std::sqrt(wrench.dot(body.mobility.response(wrench)));
     return all;
 }

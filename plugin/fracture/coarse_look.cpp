@@ -20,12 +20,13 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
                                 const FractureSettings& fracture) {
     const Result<CoarseModel>& model = solid.coarseModel();
     if (!model) return std::nullopt;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&) {
         return model.value().strainEnergy(loads);
     };
     StageTimes parts_of_it;
-    const Result<BlowForces> forces = blowForces(solid, fracture.contact, blow, solve, parts_of_it);
-    constexpr double margin = 2.5;  // by which the full solve may store more, see CoarseModel
+    const Result<BlowForces> forces =
+        blowForces(solid, fracture.contact, blow, solve, NearFields::left_out, parts_of_it);
+    constexpr double margin = 2.7;  // by which the full solve may store more, see CoarseModel
     if (!forces || !(margin * forces.value().strain_energy_j < smallestCrackEnergy(solid, fracture)))
         return std::nullopt;
     BlowOutcome held;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/damage/equivalent_bound.h"
+
 namespace sherd {
 
 namespace {
@@ -25,6 +27,17 @@ PerNewton underForce(const ContactBody& body, const PeakTable& table, const Vec3
     found.root_mobility = std::sqrt(force.dot(mobility * force)) + lateral * std::sqrt(mobility.trace());
     found.work = at.work(force.cast<float>());
     return found;
+}
+
+double nearFieldPeak(const Material& material, const Vec3& inward, const Vec3& traction_pa) {
+    // Of ContactDisc, over the traction: a pressure pulls its rim with (1 - 2 nu) / 5 and presses with 1, a
+    // sliding traction does both behind and before it with 1.38 at most, at nu = 1/2.
+    constexpr double of_sliding = 1.38;
+    const double pressure = std::abs(traction_pa.dot(inward));
+    const double sliding = (traction_pa - traction_pa.dot(inward) * inward).norm();
+    const double pull = (1 - 2 * material.poisson_ratio) / 5;
+    const EquivalentBound bound(*failureCriterion(material.failure_criterion), material);
+    return bound(-(pressure + of_sliding * sliding), pull * pressure + of_sliding * sliding);
 }
 
 double smallestPatch(const ContactBody& body, const ContactSettings& settings) {
@@ -77,7 +90,9 @@ BlowBound boundOf(const Impact& impact, const PerNewton& strike, const PerNewton
     PerNewton both;
     both.root_compliance = strike.root_compliance + answer.root_compliance;
     const double on_soft_body = contactPulse(impact, both.energy_j(), shortest_s).peak_force_n;
-    return {stress_safety * force * (strike.stress_pa + answer.stress_pa),
+    // The stress is that of the near field and what is left for the grid, which is less than all of it.
+    const double of_strike = std::max(stress_safety * strike.stress_pa, strike.stress_pa + strike.near_pa);
+    return {force * (of_strike + stress_safety * answer.stress_pa),
             energy_safety * both.energy_j() * on_soft_body * on_soft_body};
 }
 

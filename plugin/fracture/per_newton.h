@@ -10,7 +10,8 @@ namespace sherd {
 
 /// What loads of 1 N in normal forces do, at most.
 struct PerNewton {
-    double stress_pa = 0;
+    double stress_pa = 0;        ///< as far as the grid of the table resolves it
+    double near_pa = 0;          ///< in the near field of any contact; 0: none is known
     double root_compliance = 0;  ///< of the body, (m/N)^(1/2): the root of twice the strain energy
     double root_mobility = 0;    ///< of the free rigid body, kg^(-1/2)
     /// Of the first modes, about; zero if it is not known.
@@ -22,6 +23,9 @@ struct PerNewton {
 /// A force on a place, and one in any direction of the size `lateral` on top.
 PerNewton underForce(const ContactBody& body, const PeakTable& table, const Vec3& place, const Vec3& normal,
                      const Vec3& force, double lateral, double radius_m);
+
+/// The largest equivalent stress in the near field of a contact with this traction in its middle.
+double nearFieldPeak(const Material& material, const Vec3& inward, const Vec3& traction_pa);
 
 /// The least radius that a load is spread over, m.
 double smallestPatch(const ContactBody& body, const ContactSettings& settings);

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/pi.h"
 #include "fracture/blow_stress.h"
 #include "fracture/per_newton.h"
 
@@ -70,6 +71,15 @@ class Quick {
         const PerNewton more = underForce(body_, table_, contact.point, contact.normal, push, lateral,
                                           std::max(contact.patch_radius_m, smallest));
         strike_.stress_pa = std::max(strike_.stress_pa, more.stress_pa);
+        // A patch that hangs over an edge is smaller, and friction larger on a face that tilts.
+        constexpr double left = 0.35;
+        const double radius = std::max(contact.patch_radius_m, smallest);
+        const double per_area = 1 / (left * 0.4 * pi * radius * radius);
+        const Vec3 along = (push - push.dot(contact.normal) * contact.normal).norm() > 0
+                               ? Vec3((push - push.dot(contact.normal) * contact.normal).normalized())
+                               : Vec3(contact.normal.unitOrthogonal());
+        strike_.near_pa = std::max(strike_.near_pa, nearFieldPeak(body_.material, contact.normal,
+                                                                  per_area * (push + lateral * along)));
         strike_.root_compliance = std::max(strike_.root_compliance, more.root_compliance);
         strike_.root_mobility = std::max(strike_.root_mobility, more.root_mobility);
         strike_.work = included_++ == 0 ? more.work : decltype(more.work)(decltype(more.work)::Zero());

@@ -182,7 +182,8 @@ Row measureReduced(const char* form, const Wall& wall, const Settings& settings)
         const std::vector<double> strengths(reduced->reading.points().points.size(),
                                             wall.material.tensile_strength_pa);
         const Strength strength{*failureCriterion(wall.material.failure_criterion), wall.material, strengths};
-        const auto largest = reduced->reading.damage(unit.unknowns, wall.blow, 1, strength).largest_stress_pa;
+        const auto largest =
+            reduced->reading.damage(unit.unknowns, {{}, {}, wall.blow}, 1, strength).largest_stress_pa;
         const double scale = 0.5 * wall.material.tensile_strength_pa / largest;
         std::vector<double> solve, damage;
         for (int i = 0; i < 10 * solves; ++i) {
@@ -190,7 +191,8 @@ Row measureReduced(const char* form, const Wall& wall, const Settings& settings)
             const auto response = valueOrExit(reduced->model.respond(wall.blow));
             solve.push_back(solving.milliseconds());
             const Stopwatch reading;
-            const Damage found = reduced->reading.damage(response.unknowns, wall.blow, scale, strength);
+            const Damage found =
+                reduced->reading.damage(response.unknowns, {{}, {}, wall.blow}, scale, strength);
             damage.push_back(reading.milliseconds());
             if (found.count > 0) std::exit(1);
         }

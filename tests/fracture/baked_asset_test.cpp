@@ -135,8 +135,10 @@ TEST_F(BakedAssetTest, TheReducedModelAnswersWithTheSameBits) {
         EXPECT_EQ(of_a.value().unknowns, of_b.value().unknowns);
         EXPECT_EQ(of_a.value().strain_energy_j, of_b.value().strain_energy_j);
         for (const double scale : {30.0, 3000.0}) {
-            const Damage damage_a = a->reading.damage(of_a.value().unknowns, loads, scale, strength);
-            const Damage damage_b = b->reading.damage(of_b.value().unknowns, loads, scale, strength);
+            const Damage damage_a =
+                a->reading.damage(of_a.value().unknowns, {{}, {}, loads}, scale, strength);
+            const Damage damage_b =
+                b->reading.damage(of_b.value().unknowns, {{}, {}, loads}, scale, strength);
             EXPECT_EQ(damage_a.damaged, damage_b.damaged);
             EXPECT_EQ(damage_a.overstress, damage_b.overstress);
             EXPECT_EQ(damage_a.largest_stress_pa, damage_b.largest_stress_pa);

@@ -44,10 +44,12 @@ double fullEnergy(const BreakableSolid& solid, const Blow& blow) {
 
 double coarseEnergy(const BreakableSolid& solid, const Blow& blow) {
     StageTimes ms;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads) {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&) {
         return solid.coarseModel().value().strainEnergy(loads);
     };
-    return blowForces(solid, solid.settings().fracture.contact, blow, solve, ms).value().strain_energy_j;
+    return blowForces(solid, solid.settings().fracture.contact, blow, solve, NearFields::left_out, ms)
+        .value()
+        .strain_energy_j;
 }
 
 TEST(CoarseLook, ItsEnergyIsNearlyTheFullSolves) {
@@ -56,7 +58,7 @@ TEST(CoarseLook, ItsEnergyIsNearlyTheFullSolves) {
         ASSERT_TRUE(solid->coarseModel().ok()) << solid->coarseModel().error();
         const double ratio =
             coarseEnergy(*solid, blowInTheMiddle(0.1, 3)) / fullEnergy(*solid, blowInTheMiddle(0.1, 3));
-        EXPECT_GT(ratio, 0.4) << "the margin of the look";
+        EXPECT_GT(ratio, 1 / 2.7) << "the margin of the look";
         EXPECT_LT(ratio, 1.02) << "a coarser space is stiffer";
     }
 }

@@ -6,8 +6,21 @@
 
 namespace sherd {
 
+namespace {
+
+std::size_t nearestParticle(const Discretisation& sampling, const Vec3& x) {
+    const auto nearer = [&](const Particle& a, const Particle& b) {
+        return (a.position - x).squaredNorm() < (b.position - x).squaredNorm();
+    };
+    const auto& all = sampling.particles;
+    return static_cast<std::size_t>(std::min_element(all.begin(), all.end(), nearer) - all.begin());
+}
+
+}  // namespace
+
 Damage damagedParticles(const StressField& stress, double scale, const Discretisation& sampling,
-                        const Strength& strength, const std::vector<char>& damaged) {
+                        const Strength& strength, const std::vector<char>& damaged,
+                        const std::vector<Vec3>& points) {
     const std::size_t n = sampling.particles.size();
     Damage damage;
     damage.damaged = damaged.empty() ? std::vector<char>(n, 0) : damaged;
@@ -23,6 +36,19 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     for (std::size_t i = 0; i < n; ++i) include(i, i, stress.particles[i]);
     for (std::size_t q = 0; q < sampling.surface_points.size(); ++q)
         include(sampling.cells[sampling.surface_points[q].cell].particle, n + q, stress.surface[q]);
+    // Finding what a point counts for takes long: only where that may matter. Its strength is the particle's.
+    constexpr double near_to_failure = 0.5;
+    const double weakest =
+        n > 0 ? *std::min_element(strength.at_points.begin(), strength.at_points.end()) : 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const PrincipalStresses principal = principalStresses(stress.points[i]);
+        tension = std::max(tension, principal.largest);
+        if (!(scale * strength.criterion.equivalent_stress_pa(principal, strength.material) >
+              near_to_failure * weakest))
+            continue;
+        const std::size_t particle = nearestParticle(sampling, points[i]);
+        include(particle, particle, stress.points[i]);
+    }
 
     damage.largest_stress_pa = scale * tension;
     for (std::size_t i = 0; i < n; ++i) {

@@ -30,8 +30,10 @@ struct Strength {
 
 /// Marks the particles that fail by the criterion, at the particle or at a surface point of its sub-domain
 /// (where brittle cracks start). `scale` multiplies the stress. Particles that are `damaged` already
-/// (#particles, or empty) stay so.
+/// (#particles, or empty) stay so. `points`: those of `stress` that count, in m; each counts for the nearest
+/// particle, if it is above half of the weakest strength.
 Damage damagedParticles(const StressField& stress, double scale, const Discretisation& sampling,
-                        const Strength& strength, const std::vector<char>& damaged = {});
+                        const Strength& strength, const std::vector<char>& damaged = {},
+                        const std::vector<Vec3>& points = {});
 
 }  // namespace sherd

@@ -151,8 +151,7 @@ double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
                    const ContactSettings& settings, double spacing_m) {
     constexpr double sharpest = 0.5;  // of a spacing: what is smaller looks like that on the grid
     const Material& m = body.material;
-    const double compliance =
-        16 * (1 - m.poisson_ratio * m.poisson_ratio) / (3 * pi * pi * m.youngs_modulus_pa);
+    const double compliance = 5 * (1 - m.poisson_ratio * m.poisson_ratio) / (7 * m.youngs_modulus_pa);
     const double momentum = momentumOf(strikes);
     double energy = 0;
     for (const Strike& strike : strikes)
@@ -164,17 +163,27 @@ double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
     return energy;
 }
 
-std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
-                                  const ContactSettings& settings) {
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+                                         const ContactSettings& settings) {
     const double momentum = momentumOf(strikes);
-    std::vector<PointForce> loads;
+    std::vector<ContactPatch> patches;
     for (const Strike& strike : strikes)
         for (const StrikePoint& point : strike.points) {
             const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
-            const auto forces = spreadForce(body.surface, point.spot, point.contact->normal,
-                                            patchRadius(body, strike, point, settings), share * point.push);
-            loads.insert(loads.end(), forces.begin(), forces.end());
+            ContactPatch patch{point.spot, point.contact->normal, share * point.push,
+                               patchRadius(body, strike, point, settings), {}};
+            patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m);
+            patches.push_back(std::move(patch));
         }
+    return patches;
+}
+
+std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches) {
+    std::vector<PointForce> loads;
+    for (const ContactPatch& patch : patches) {
+        const auto forces = spreadForce(patch.parts, patch.spot, patch.force);
+        loads.insert(loads.end(), forces.begin(), forces.end());
+    }
     return loads;
 }
 

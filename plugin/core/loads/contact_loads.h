@@ -7,6 +7,7 @@
 
 #include "core/loads/blow.h"
 #include "core/loads/contact_pulse.h"
+#include "core/loads/load_patch.h"
 #include "core/loads/mobility.h"
 #include "core/loads/strike.h"
 
@@ -35,16 +36,28 @@ Impact impactOf(const std::vector<Strike>& strikes, double held);
 double patchRadius(const ContactBody& body, const Strike& strike, const StrikePoint& point,
                    const ContactSettings& settings);
 
-/// Strain energy that the patches of strikes store about themselves at 1 N in total, J. Even pressure on a
-/// disc of radius a on a half-space gives way by 16 (1 - nu^2) F / (3 pi^2 E a) in the mean (Johnson 1985,
-/// 3.4). A Hertz contact gives way by that, too: what a grid of that spacing stores there is counted twice.
+/// Strain energy that the patches of strikes store about themselves at 1 N in total, J. Under a traction that
+/// falls off as (1 - (r/a)^2)^(3/2) a half-space gives way by 5 (1 - nu^2) F / (7 E a) in the mean, weighted
+/// with the traction (the Hankel transform of Johnson 1985, 3.4). A Hertz contact gives way by that, too: what a grid of that spacing stores there is counted twice.
 double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
                    const ContactSettings& settings, double spacing_m);
 
+/// The part of the surface that a point of a strike presses on, and how strongly.
+struct ContactPatch {
+    SurfaceSpot spot;
+    Vec3 push = Vec3::Zero();   ///< unit: faces that it does not meet are not pressed
+    Vec3 force = Vec3::Zero();  ///< N
+    double radius_m = 0;
+    std::vector<PatchPart> parts;
+};
+
 /// The strikes as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
 /// patch on the true surface.
-std::vector<PointForce> unitLoads(const ContactBody& body, const std::vector<Strike>& strikes,
-                                  const ContactSettings& settings);
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+                                         const ContactSettings& settings);
+
+/// Their quadrature points.
+std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches);
 
 /// The modulus of a contact; the settings stand in for what is not known of the partner.
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,

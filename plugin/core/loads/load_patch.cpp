@@ -6,6 +6,7 @@
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
+#include "core/stress/contact_disc.h"
 
 namespace sherd {
 
@@ -124,21 +125,31 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
     return area / (2 * pi * depth);
 }
 
-std::vector<PointForce> spreadForce(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius, const Vec3& force) {
-    std::vector<PointForce> points;
-    double area = 0;
+std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
+                                    double radius) {
+    constexpr double length_of_parts = 0.25;  // of the radius
+    std::vector<PatchPart> parts;
     for (const int t : tree.trianglesNear(spot.point, radius)) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         if (!facesPush(triangle, push)) continue;
-        subdivideNear(triangle, spot.point, radius, radius / 3, 12, [&](const Vec3& x, double a) {
-            if ((x - spot.point).squaredNorm() > radius * radius) return;
-            points.push_back({x, force * a});
-            area += a;
-        });
+        const Vec3 normal = areaVector(triangle).normalized();
+        subdivideNear(
+            triangle, spot.point, radius, length_of_parts * radius, 12, [&](const Vec3& x, double area) {
+                const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));
+                if (share > 0) parts.push_back({x, normal, share * area});
+            });
     }
-    if (!(area > 0)) return {{spot.point, force}};
-    for (PointForce& p : points) p.force /= area;
+    return parts;
+}
+
+std::vector<PointForce> spreadForce(const std::vector<PatchPart>& parts, const SurfaceSpot& spot,
+                                    const Vec3& force) {
+    double weight = 0;
+    for (const PatchPart& part : parts) weight += part.weight_m2;
+    if (!(weight > 0)) return {{spot.point, force}};
+    std::vector<PointForce> points;
+    points.reserve(parts.size());
+    for (const PatchPart& part : parts) points.push_back({part.centre, part.weight_m2 / weight * force});
     return points;
 }
 

@@ -28,9 +28,20 @@ SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Ve
 /// and corners a small one.
 double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach, double depth);
 
-/// Spreads a force as a uniform traction over the part of the surface within `radius` of `spot` that faces
-/// the push. Returns quadrature points whose forces add up to `force`.
-std::vector<PointForce> spreadForce(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius, const Vec3& force);
+/// A part of the surface that a contact presses on.
+struct PatchPart {
+    Vec3 centre = Vec3::Zero();  ///< m
+    Vec3 normal = Vec3::Zero();  ///< outward, unit
+    double weight_m2 = 0;        ///< area times the traction relative to that in the middle of the contact
+};
+
+/// The surface within `radius` of `spot` that faces the push, under a traction with the profile of a contact.
+std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
+                                    double radius);
+
+/// Spreads a force over the parts of a patch. Returns quadrature points whose forces add up to `force`; one
+/// at the spot if there are no parts.
+std::vector<PointForce> spreadForce(const std::vector<PatchPart>& parts, const SurfaceSpot& spot,
+                                    const Vec3& force);
 
 }  // namespace sherd

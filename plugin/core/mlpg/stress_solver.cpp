@@ -65,6 +65,14 @@ Result<StressField> StressSolver::solve(const std::vector<PointForce>& loads, co
     return guarded<StressField>([&] { return impl_->solve(loads, points, spin_rad_s); });
 }
 
+Result<double> StressSolver::strainEnergy(const std::vector<PointForce>& loads) const {
+    return guarded<double>([&] { return impl_->strainEnergy(loads); });
+}
+
+Result<StressField> StressSolver::solveContact(const ContactField& contact) const {
+    return guarded<StressField>([&] { return impl_->solveContact(contact); });
+}
+
 Result<StressField> StressSolver::solveTraction(
     const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
     const std::vector<Vec3>& points) const {

@@ -15,6 +15,7 @@
 namespace sherd {
 
 struct ReducedStress;
+struct ContactField;
 
 /// Is told the share that is done, 0 to 1.
 using Progress = std::function<void(double done)>;
@@ -59,6 +60,14 @@ class StressSolver {
     /// A spin adds the inertia loads of a steady rotation about the centre of mass.
     Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points = {},
                               const Vec3& spin_rad_s = Vec3::Zero()) const;
+
+    /// The strain energy alone under point forces, J.
+    Result<double> strainEnergy(const std::vector<PointForce>& loads) const;
+
+    /// Stress under contacts whose near field is known in closed form: the grid has to find the rest only.
+    /// Its `points` are the places of the contacts. Surfaces have the traction that acts on them, but for
+    /// those near the loads that no disc stands for. The strain energy is not found. Splines only.
+    Result<StressField> solveContact(const ContactField& contact) const;
 
     /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
     Result<StressField> solveTraction(

@@ -11,6 +11,14 @@ struct StressSolver::Impl {
     virtual ~Impl() = default;
     virtual Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
                                       const Vec3& spin_rad_s) const = 0;
+    virtual Result<double> strainEnergy(const std::vector<PointForce>& loads) const {
+        const Result<StressField> stress = solve(loads, {}, Vec3::Zero());
+        if (!stress) return Error{stress.error()};
+        return stress.value().strain_energy_j;
+    }
+    virtual Result<StressField> solveContact(const ContactField&) const {
+        return Error{"Near fields are there for spline trial functions only."};
+    }
     virtual Result<StressField> solveTraction(
         const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
         const std::vector<Vec3>& points) const = 0;

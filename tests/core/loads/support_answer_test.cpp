@@ -54,8 +54,8 @@ struct Standing {
     }
     SupportAnswer answer(double duration_s) const {
         return supportAnswer(body(), foundations(),
-                             unitLoads(body(), strikesOf(body(), blow, settings), settings), duration_s,
-                             blow.stack);
+                             unitLoads(contactPatches(body(), strikesOf(body(), blow, settings), settings)),
+                             duration_s, blow.stack);
     }
 
     Vec3 half;

@@ -111,6 +111,10 @@ void archivePoints(Archive& archive, const Discretisation& solid, ReadingPoints&
         bool has_normal = !point.normal.isZero(0);
         sherd::archive(archive, has_normal);
         if (has_normal) archiveSteps(archive, point.normal);
+        bool has_area = !point.area.isZero(0);
+        sherd::archive(archive, has_area);
+        if (has_area) sherd::archive(archive, point.area);
+        archive.require(areFinite(point.area));
     });
     archiveStarts(archive, points.starts, solid.parts.parts.size(), points.points.size());
 }

@@ -1,6 +1,7 @@
 #include "core/mlpg/reduced/damage_reading.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <utility>
 
@@ -14,6 +15,12 @@ namespace sherd {
 namespace {
 
 constexpr double near_to_failure = 0.5;  // overstress from which it steers cracks
+
+PrincipalRange widened(PrincipalRange range, double by_pa) {
+    range.smallest -= static_cast<float>(by_pa);
+    range.largest += static_cast<float>(by_pa);
+    return range;
+}
 
 }  // namespace
 
@@ -29,19 +36,13 @@ DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, Readi
       powers_(splinePowers(problem_->space->degree).cast<float>()),
       bounds_(std::move(bounds)) {}
 
-/// m.
-Vec3 DamageReading::position(int part, const ReadingPoint& point) const {
-    const CellParts& solid = problem_->parts();
-    const Vec3 cells = solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5) + point.xi.cast<double>();
-    return solid.origin + cells.cwiseProduct(solid.edges);
-}
-
 std::vector<double> DamageReading::strengths(const MaterialStrength& strength) const {
     std::vector<double> at_points;
     at_points.reserve(points_.points.size());
     for (std::size_t part = 0; part + 1 < points_.starts.size(); ++part)
         for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
-            at_points.push_back(strength.at(position(static_cast<int>(part), points_.points[at])));
+            at_points.push_back(strength.at(
+                ReadingPoints::position(problem_->parts(), static_cast<int>(part), points_.points[at])));
     return at_points;
 }
 
@@ -57,11 +58,12 @@ Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
 /// Reads the stress of one displacement, part by part.
 class DamageReading::Reader {
   public:
-    Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const std::vector<PointForce>& loads,
-           double scale, const Strength& strength)
+    Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const ContactField& contact, double scale,
+           const Strength& strength)
         : of_(of),
           raw_(raw),
-          loaded_(loads, of.problem_->solid->spacing),
+          near_(contact.near),
+          loaded_(contact.others, of.problem_->solid->spacing),
           scale_(scale),
           strength_(strength),
           bound_(strength.criterion, strength.material),
@@ -82,35 +84,78 @@ class DamageReading::Reader {
         }
     }
 
+    /// Reads the stress at a place that is none of the points.
+    void readAt(const SurfacePlace& point) {
+        const GridPoint place = locate(of_.problem_->parts(), point.position);
+        if (place.part < 0) return;
+        switch (of_.problem_->space->degree) {
+            case 1:
+                return readAt<1>(place, point);
+            case 2:
+                return readAt<2>(place, point);
+            default:
+                return readAt<3>(place, point);
+        }
+    }
+
   private:
     using Quad = Eigen::Array4f;  // a vector and a zero
+    template <int degree>
+    using Coefficients = std::array<Quad, (degree + 1) * (degree + 1) * (degree + 1)>;
 
     template <int degree>
     void read(int part, double wanted) {
-        constexpr int w = degree + 1;
-        Quad coefficients[w * w * w];
-        const std::vector<int>& functions = of_.problem_->space->raw_of[part];
-        for (int f = 0; f < w * w * w; ++f) coefficients[f] = raw_.col(functions[f]).array();
-        const Elasticity& elasticity = of_.problem_->elasticity;
+        const Coefficients<degree> coefficients = coefficientsOf<degree>(part);
+        const double near = near_.empty() ? 0 : of_.nearBound(near_, part);
         for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at) {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
-            const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients, point.xi);
+            const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients.data(), point.xi);
             const double failing = wanted * strength_.at_points[at];
-            if (doesNotMatter(of_.bounds_.rangeAt(gradient, is_on_surface), failing)) continue;
-            SymmetricTensor stress = toSymmetricTensor(elasticity.stress(gradient.cast<double>()));
-            if (is_on_surface && !loaded_.isNear(of_.position(part, point)))
-                stress =
-                    withTraction(stress, point.normal.cast<double>().normalized(), Vec3::Zero(), elasticity);
-            // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
-            if (is_on_surface && doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing))
-                continue;
-            const PrincipalStresses principal = principalStresses(stress);
-            const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
-            double& largest = overstress[point.particle];
-            largest = std::max(largest, scale_ / strength_.at_points[at] * equivalent);
-            tension = std::max(tension, principal.largest);
+            if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), failing)) continue;
+            const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
+            include(x, gradient, point.normal, at, failing);
         }
+    }
+
+    template <int degree>
+    void readAt(const GridPoint& place, const SurfacePlace& point) {
+        const int nearest = of_.points_.nearestTo(place);
+        if (nearest < 0) return;
+        const Coefficients<degree> coefficients = coefficientsOf<degree>(place.part);
+        include(point.position, gradientAt<degree>(coefficients.data(), place.xi.cast<float>()),
+                point.normal.cast<float>(), nearest, 0);
+    }
+
+    template <int degree>
+    Coefficients<degree> coefficientsOf(int part) const {
+        Coefficients<degree> coefficients;
+        const std::vector<int>& functions = of_.problem_->space->raw_of[part];
+        for (std::size_t f = 0; f < coefficients.size(); ++f)
+            coefficients[f] = raw_.col(functions[f]).array();
+        return coefficients;
+    }
+
+    /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and particle
+    /// count there.
+    void include(const Vec3& x, const Eigen::Matrix3f& gradient, const Eigen::Vector3f& normal, int at,
+                 double failing_pa) {
+        const Elasticity& elasticity = of_.problem_->elasticity;
+        Mat3 whole = elasticity.stress(gradient.cast<double>());
+        if (!near_.empty()) whole += near_.stressAt(x);
+        SymmetricTensor stress = toSymmetricTensor(whole);
+        if (!normal.isZero(0)) {
+            const Vec3 outward = normal.cast<double>().normalized();
+            if (!loaded_.isNear(x))
+                stress = withTraction(stress, outward, near_.tractionAt(x, outward), elasticity);
+            // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
+            if (doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing_pa)) return;
+        }
+        const PrincipalStresses principal = principalStresses(stress);
+        const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
+        double& largest = overstress[of_.points_.points[at].particle];
+        largest = std::max(largest, scale_ / strength_.at_points[at] * equivalent);
+        tension = std::max(tension, principal.largest);
     }
 
     bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
@@ -159,6 +204,7 @@ class DamageReading::Reader {
 
     const DamageReading& of_;
     const Eigen::Matrix4Xf& raw_;
+    const NearField& near_;
     LoadedPlaces loaded_;
     double scale_;
     const Strength& strength_;
@@ -178,12 +224,23 @@ double DamageReading::weakest(int part, const Strength& strength) const {
     return least;
 }
 
-Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads,
-                             double scale, const Strength& strength) const {
+/// No principal stress of the near field in a part is larger.
+double DamageReading::nearBound(const NearField& near, int part) const {
+    const CellParts& solid = problem_->parts();
+    const Vec3 middle = solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5);
+    return near.largestAbout(solid.origin + middle.cwiseProduct(solid.edges), solid.edges.norm() / 2);
+}
+
+Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
+                             const Strength& strength) const {
     const Eigen::Matrix4Xf raw = expand(unknowns);
-    Reader reader(*this, raw, loads, scale, strength);
+    Reader reader(*this, raw, contact, scale, strength);
+    for (const SurfacePlace& point : contact.places) reader.readAt(point);
     const EquivalentBound equivalent_bound(strength.criterion, strength.material);
-    const std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of);
+    std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of);
+    if (!contact.near.empty())
+        for (std::size_t part = 0; part < ranges.size(); ++part)
+            ranges[part] = widened(ranges[part], nearBound(contact.near, static_cast<int>(part)));
     const int part_count = static_cast<int>(ranges.size());
 
     std::vector<double> overstress_bound(ranges.size());

@@ -5,9 +5,10 @@
 
 #include "core/damage/damage.h"
 #include "core/damage/material_strength.h"
-#include "core/mlpg/reduced/reading_points.h"
 #include "core/mlpg/reduced/stress_bounds.h"
+#include "core/mlpg/splines/reading_points.h"
 #include "core/mlpg/splines/spline_problem.h"
+#include "core/stress/near_field.h"
 
 namespace sherd {
 
@@ -19,9 +20,9 @@ class DamageReading {
     /// With points and bounds that were made before.
     DamageReading(std::shared_ptr<const SplineProblem> problem, ReadingPoints points, StressBounds bounds);
 
-    /// As damagedParticles of readStress and freeSurface, for a displacement under `loads`. The overstress of
-    /// particles below half their strength may be 0.
-    Damage damage(const Eigen::VectorXf& unknowns, const std::vector<PointForce>& loads, double scale,
+    /// As damagedParticles of readStress and freeSurface, for the displacement that is left besides the near
+    /// field of contacts. The overstress of particles below half their strength may be 0.
+    Damage damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                   const Strength& strength) const;
 
     /// What `strength` is at the points, Pa.
@@ -34,9 +35,8 @@ class DamageReading {
     class Reader;
 
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
-    void readAll(const std::vector<int>& parts, double overstress, Reader& reader) const;
+    double nearBound(const NearField& near, int part) const;
     double weakest(int part, const Strength& strength) const;
-    Vec3 position(int part, const ReadingPoint& point) const;
 
     std::shared_ptr<const SplineProblem> problem_;
     ReadingPoints points_;

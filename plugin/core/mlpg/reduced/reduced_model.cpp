@@ -17,6 +17,8 @@ constexpr double wanted_local_share = 0.4;  // at most, in small solids
 
 constexpr double largest_rounding = 1e-3;  // of the energy of a mode
 
+}  // namespace
+
 /// What point forces are at the functions, and the rigid acceleration that balances them.
 struct LoadedFunctions {
     struct Force {
@@ -26,6 +28,8 @@ struct LoadedFunctions {
     std::vector<Force> forces;
     Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration;
 };
+
+namespace {
 
 Result<LoadedFunctions> loadedFunctions(const SplineProblem& problem, const std::vector<PointForce>& loads) {
     const SplineSpace& space = *problem.space;
@@ -153,34 +157,51 @@ Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loa
     if (!loaded) return Error{loaded.error()};
     if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
         return Error{ready.error()};
-    const int size = kept.size();
+    return solve(loaded.value(), kept);
+}
+
+Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
+                                              const LocalSystem& system) const {
+    if (isDirect()) return compliance_.respond(forces.cast<float>());
+    LoadedFunctions loaded;
+    for (int f = 0; f < problem_->space->function_count; ++f)
+        if (const Vec3 force = forces.segment<3>(3L * f); !force.isZero(0))
+            loaded.forces.push_back({f, force});
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(forces);
+    clearHeld(*problem_, resultants);
+    loaded.acceleration = problem_->inertia.accelerationOf(resultants);
+    return solve(loaded, system);
+}
+
+Result<ReducedResponse> ReducedModel::solve(const LoadedFunctions& loaded, const LocalSystem& system) const {
+    const int size = system.size();
 
     Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
     Eigen::VectorXf forces = Eigen::VectorXf::Zero(size);        // E^T f
-    for (const LoadedFunctions::Force& on : loaded.value().forces) {
-        const int place = kept.place_of[on.function];
+    for (const LoadedFunctions::Force& on : loaded.forces) {
+        const int place = system.place_of[on.function];
         if (place >= 0) forces.segment<3>(3L * place) += on.force.cast<float>();
         for (int k = 0; place < 0 && k < 3; ++k)
             modes_.addWork(3 * on.function + k, static_cast<float>(on.force[k]), work);
     }
     for (int i = 0; i < size; ++i) {
-        const int unknown = 3 * kept.functions[i / 3] + i % 3;
+        const int unknown = 3 * system.functions[i / 3] + i % 3;
         if (forces[i] != 0) modes_.addWork(unknown, forces[i], work);
         const auto acceleration =
-            loaded.value().acceleration.col(problem_->space->component[kept.functions[i / 3]]);
+            loaded.acceleration.col(problem_->space->component[system.functions[i / 3]]);
         forces[i] += static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
     }
 
-    Eigen::VectorXf local = forces - kept.coupling.transpose() * work;
-    solveLower(kept.factor.data(), size, size, false, local.data());
-    solveLower(kept.factor.data(), size, size, true, local.data());
-    const Eigen::VectorXf coefficients = work - kept.coupling * local;
+    Eigen::VectorXf local = forces - system.coupling.transpose() * work;
+    solveLower(system.factor.data(), size, size, false, local.data());
+    solveLower(system.factor.data(), size, size, true, local.data());
+    const Eigen::VectorXf coefficients = work - system.coupling * local;
     if (!coefficients.allFinite() || !local.allFinite())
         return Error{"The reduced equations have no finite solution where the loads act."};
     ReducedResponse response{modes_.displacement(coefficients),
                              0.5 * double(work.dot(coefficients) + forces.dot(local))};
     for (int i = 0; i < size; i += 3)
-        response.unknowns.segment<3>(3L * kept.functions[i / 3]) += local.segment<3>(i);
+        response.unknowns.segment<3>(3L * system.functions[i / 3]) += local.segment<3>(i);
     return response;
 }
 

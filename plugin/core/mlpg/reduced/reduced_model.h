@@ -22,6 +22,8 @@ struct ReducedModelLimits {
     int direct_unknowns = 1400;
 };
 
+struct LoadedFunctions;
+
 /// What answers a blow without a factor. The displacement is a combination of proper modes plus any
 /// displacement of the functions about the loads, where modes are too coarse. One Galerkin solve finds both,
 ///     [ I      V^T K E ] [c]   [V^T f]
@@ -62,6 +64,9 @@ class ReducedModel {
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads) const;
     /// The same, with what is kept of the loads before.
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    /// The displacement under forces at the unknowns (N), with the functions of a system that was made for
+    /// some loads.
+    Result<ReducedResponse> respond(const Eigen::VectorXd& forces, const LocalSystem& system) const;
 
     const SplineProblem& problem() const { return *problem_; }
     const PackedStiffness& stiffness() const { return stiffness_; }
@@ -75,6 +80,7 @@ class ReducedModel {
     bool coversAComponent(const std::vector<int>& functions) const;
     double roundingOfModes(const SparseMatrix& stiffness) const;
     Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
+    Result<ReducedResponse> solve(const LoadedFunctions& loaded, const LocalSystem& system) const;
 
     std::shared_ptr<const SplineProblem> problem_;
     PackedStiffness stiffness_;

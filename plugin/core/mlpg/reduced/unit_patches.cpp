@@ -18,7 +18,7 @@ std::vector<int> spreadOut(const std::vector<Vec3>& points, int count) {
     std::vector<double> squared(points.size());
     for (std::size_t i = 0; i < points.size(); ++i) squared[i] = (points[i] - centre).squaredNorm();
     std::vector<int> chosen;
-    while (static_cast<int>(chosen.size()) < count) {
+    while (static_cast<int>(chosen.size()) < count && !points.empty()) {
         const auto farthest = std::max_element(squared.begin(), squared.end());
         if (!(*farthest > 0)) break;
         const int next = static_cast<int>(farthest - squared.begin());

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "core/linear_algebra/block_product.h"
 #include "core/mlpg/pinned_system.h"
 #include "core/mlpg/reduced/make_peak_table.h"
 #include "core/mlpg/reduced/reduced_stress.h"
+#include "core/mlpg/splines/contact_remainder.h"
 #include "core/mlpg/splines/resampling.h"
 #include "core/mlpg/splines/stress_reading.h"
 #include "core/mlpg/stress_solver_impl.h"
@@ -24,10 +26,13 @@ class SplineSolver : public StressSolver::Impl {
           system_(std::move(system)),
           resampling_(resampling),
           material_(material),
-          samples_(locateSamples(*problem_.solid)) {}
+          samples_(locateSamples(*problem_.solid)),
+          reading_points_(*problem_.solid, samples_) {}
 
     Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
                               const Vec3& spin_rad_s) const override;
+    Result<double> strainEnergy(const std::vector<PointForce>& loads) const override;
+    Result<StressField> solveContact(const ContactField& contact) const override;
     Result<StressField> solveTraction(
         const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
         const std::vector<Vec3>& points) const override;
@@ -36,7 +41,9 @@ class SplineSolver : public StressSolver::Impl {
     Result<std::shared_ptr<const ReducedStress>> reduced(const Progress& progress) const override;
 
   private:
-    Result<PinnedSystem::Solution> solveForces(const Eigen::VectorXd& forces) const;
+    Result<PinnedSystem::Solution> solveForces(const Eigen::VectorXd& forces,
+                                               double good_residual = 1e-10) const;
+    Result<PinnedSystem::Solution> solveBalanced(Eigen::VectorXd& forces, double good_residual = 1e-10) const;
     double imbalance(const Eigen::VectorXd& forces, double magnitude) const;
 
     std::shared_ptr<const SplineProblem> shared_problem_;
@@ -46,10 +53,11 @@ class SplineSolver : public StressSolver::Impl {
     Resampling resampling_;
     Material material_;
     std::vector<GridPoint> samples_;
+    ReadingPoints reading_points_;
 };
 
-Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces) const {
-    constexpr double good_residual = 1e-10;
+Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces,
+                                                         double good_residual) const {
     const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {
         return forces - symmetricBlockProduct(stiffness_, unknowns);
     };
@@ -101,6 +109,45 @@ Result<StressField> SplineSolver::solve(const std::vector<PointForce>& loads, co
     if (!(field.residual_rel < largest_good_residual))
         field.warnings.push_back("The linear solve left a residual of " + std::to_string(field.residual_rel) +
                                  " of the load; do the supports hold the body well?");
+    return finiteOrError(std::move(field));
+}
+
+/// Of forces that the rigid acceleration has to balance, which is added to them.
+Result<PinnedSystem::Solution> SplineSolver::solveBalanced(Eigen::VectorXd& forces,
+                                                           double good_residual) const {
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_.motions.resultants(forces);
+    clearHeld(problem_, resultants);
+    problem_.inertia.balance(forces, resultants, problem_.motions);
+    return solveForces(forces, good_residual);
+}
+
+Result<double> SplineSolver::strainEnergy(const std::vector<PointForce>& loads) const {
+    Result<Eigen::VectorXd> forces = forcesAt(problem_, loads);
+    if (!forces) return Error{forces.error()};
+    constexpr double good_residual = 1e-4;  // the error of the energy is its square
+    const Result<PinnedSystem::Solution> solved = solveBalanced(forces.value(), good_residual);
+    if (!solved) return Error{solved.error()};
+    const double energy = 0.5 * solved.value().unknowns.dot(forces.value());
+    if (!std::isfinite(energy)) return Error{"The strain energy came out not finite."};
+    return energy;
+}
+
+Result<StressField> SplineSolver::solveContact(const ContactField& contact) const {
+    const Stopwatch watch;
+    Result<Eigen::VectorXd> loaded = contactRemainder(problem_, reading_points_, contact);
+    if (!loaded) return Error{loaded.error()};
+    const Result<PinnedSystem::Solution> solved = solveBalanced(loaded.value());
+    if (!solved) return Error{solved.error()};
+    StressField field;
+    field.solve_ms = watch.milliseconds();
+    const Stopwatch recovery_watch;
+    std::vector<Vec3> places;
+    for (const SurfacePlace& place : contact.places) places.push_back(place.position);
+    readStress(problem_, samples_, problem_.fieldOf(solved.value().unknowns), {}, places, field);
+    addNearField(*problem_.solid, contact, problem_.elasticity, field);
+    field.recovery_ms = recovery_watch.milliseconds();
+    field.residual_rel = solved.value().residual_rel;
+    field.warnings = report.warnings;
     return finiteOrError(std::move(field));
 }
 

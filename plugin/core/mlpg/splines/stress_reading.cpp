@@ -1,5 +1,8 @@
 #include "core/mlpg/splines/stress_reading.h"
 
+#include "core/stress/loaded_places.h"
+#include "core/stress/surface_traction.h"
+
 namespace sherd {
 
 std::vector<GridPoint> locateSamples(const Discretisation& solid) {
@@ -39,6 +42,22 @@ void readStress(const SplineProblem& problem, const std::vector<GridPoint>& samp
         field.points.push_back(stress_at(point, locate(*whole.parts, point)));
         field.point_spacing_m.push_back(spacing);
     }
+}
+
+void addNearField(const Discretisation& solid, const ContactField& contact, const Elasticity& elasticity,
+                  StressField& field) {
+    const LoadedPlaces loaded(contact.others, solid.spacing);
+    const auto add = [&](const Vec3& x, const Vec3& normal, SymmetricTensor& stress) {
+        stress += toSymmetricTensor(contact.near.stressAt(x));
+        if (!normal.isZero() && !loaded.isNear(x))
+            stress = withTraction(stress, normal, contact.near.tractionAt(x, normal), elasticity);
+    };
+    for (size_t i = 0; i < field.particles.size(); ++i)
+        add(solid.particles[i].position, Vec3::Zero(), field.particles[i]);
+    for (size_t q = 0; q < field.surface.size(); ++q)
+        add(solid.surface_points[q].position, solid.surface_points[q].normal, field.surface[q]);
+    for (size_t i = 0; i < field.points.size(); ++i)
+        add(contact.places[i].position, contact.places[i].normal, field.points[i]);
 }
 
 }  // namespace sherd

@@ -34,7 +34,7 @@ TEST(DamageReading, FindsTheDamageThatReadingEverythingFinds) {
             const auto at_points = wall().reduced.reading.strengths(strength);
             const FailureCriterion& criterion = *failureCriterion(name);
             const Damage all = damagedParticles(field, 1000, *wall().solid, {criterion, brittle, at_samples});
-            const Damage found = wall().reduced.reading.damage(response.unknowns, loads, 1000,
+            const Damage found = wall().reduced.reading.damage(response.unknowns, {{}, {}, loads}, 1000,
                                                                {criterion, brittle, at_points});
             EXPECT_EQ(found.count, all.count) << name << ' ' << of_peak;
             EXPECT_EQ(found.damaged, all.damaged);

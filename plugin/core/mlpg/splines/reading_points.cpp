@@ -1,6 +1,7 @@
-#include "core/mlpg/reduced/reading_points.h"
+#include "core/mlpg/splines/reading_points.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace sherd {
 
@@ -25,6 +26,7 @@ ReadingPoints::ReadingPoints(const Discretisation& solid, const std::vector<Grid
         if (s >= particles) {
             const SurfacePoint& on_surface = solid.surface_points[s - particles];
             point.normal = rounded(on_surface.normal);
+            point.area = on_surface.area.cast<float>();
             point.particle = solid.cells[on_surface.cell].particle;
         }
         of_part[samples[s].part].push_back(point);
@@ -37,6 +39,23 @@ ReadingPoints::ReadingPoints(const Discretisation& solid, const std::vector<Grid
         points.insert(points.end(), own.begin(), own.end());
         starts.push_back(static_cast<int>(points.size()));
     }
+}
+
+Vec3 ReadingPoints::position(const CellParts& solid, int part, const ReadingPoint& point) {
+    const Vec3 cells = solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5) + point.xi.cast<double>();
+    return solid.origin + cells.cwiseProduct(solid.edges);
+}
+
+int ReadingPoints::particleAt(const GridPoint& place) const {
+    int particle = -1;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int at = starts[place.part]; at < starts[place.part + 1]; ++at) {
+        const double squared = (points[at].xi.cast<double>() - place.xi).squaredNorm();
+        if (squared >= nearest) continue;
+        nearest = squared;
+        particle = points[at].particle;
+    }
+    return particle;
 }
 
 }  // namespace sherd

@@ -11,6 +11,7 @@ namespace sherd {
 struct ReadingPoint {
     Eigen::Vector3f xi = Eigen::Vector3f::Zero();      ///< in the cell of its part, edges from the middle
     Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< of the surface, outward; zero: none is known
+    Eigen::Vector3f area = Eigen::Vector3f::Zero();    ///< m^2, outward, as SurfacePoint has it
     int particle = 0;                                  ///< that the stress counts for
 
     /// Coordinates and normals are multiples of this, so that three of them fit into 64 bits.
@@ -26,6 +27,11 @@ struct ReadingPoints {
     ReadingPoints() = default;
     /// `samples`: where the particles lie, then the surface points. Those in no part are left out.
     ReadingPoints(const Discretisation& solid, const std::vector<GridPoint>& samples);
+
+    /// Where a point of a part is, m.
+    static Vec3 position(const CellParts& solid, int part, const ReadingPoint& point);
+    /// What a place in a part counts for: the particle of the nearest point there; -1 if there is none.
+    int particleAt(const GridPoint& place) const;
 };
 
 }  // namespace sherd

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "core/stress/contact_disc.h"
+
+namespace sherd {
+
+/// The stress that contacts make in half-spaces, one for each disc, all of them together. Around a contact it
+/// is most of the stress of a body, and all of it that a grid is too coarse for: what is left changes slowly.
+class NearField {
+  public:
+    NearField() = default;
+    NearField(const std::vector<ContactDisc>& discs, double poisson_ratio);
+
+    bool empty() const { return discs_.empty(); }
+    const std::vector<ContactDisc>& discs() const { return discs_; }
+
+    Mat3 stressAt(const Vec3& x) const;  ///< Pa
+    /// What acts on the surface at x, Pa: the discs whose plane it lies on, or nearly so. `outward`: its
+    /// normal.
+    Vec3 tractionAt(const Vec3& x, const Vec3& outward) const;
+    /// No principal stress within `radius` of x is larger, Pa.
+    double largestAbout(const Vec3& x, double radius) const;
+
+  private:
+    std::vector<ContactDisc> discs_;
+    std::vector<DiscField> fields_;
+};
+
+/// How far the surface under a contact may be from a plane that stands for it, in radii of the contact, and
+/// the least cosine between its normal and the plane's.
+constexpr double largest_sag = 0.1, least_facing = 0.9;
+
+/// A place of the surface where a contact's stress may be largest.
+struct SurfacePlace {
+    Vec3 position = Vec3::Zero();  ///< m
+    Vec3 normal = Vec3::Zero();    ///< outward
+};
+
+/// What contacts press on a body with, the part that a grid is too coarse for told apart.
+struct ContactField {
+    NearField near;
+    std::vector<SurfacePlace> places;  ///< where they may pull most
+    std::vector<PointForce> others;    ///< loads that no disc stands for
+};
+
+}  // namespace sherd

@@ -1,0 +1,55 @@
+#include "core/stress/near_field.h"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+#include "core/numerics/pi.h"
+
+namespace sherd {
+namespace {
+
+Vec3 direction(double height, double angle) {
+    const double flat = std::sqrt(1 - height * height);
+    return {flat * std::cos(angle), flat * std::sin(angle), height};
+}
+
+double largestPart(const Mat3& stress) {
+    return Eigen::SelfAdjointEigenSolver<Mat3>(stress, Eigen::EigenvaluesOnly)
+        .eigenvalues()
+        .cwiseAbs()
+        .maxCoeff();
+}
+
+TEST(NearField, IsNowhereMoreThanItsBound) {
+    const double radius = 0.02;
+    double closest = 0;
+    for (const double nu : {0.0, 0.3, 0.5 - 1e-6})
+        for (const double tilt : {0.0, 0.5, 1.0})
+            for (const double sign : {-1.0, 1.0}) {
+                const ContactDisc disc{Vec3::Zero(), Vec3::UnitZ(), radius, sign * direction(tilt, 0.3)};
+                const NearField field({disc}, nu);
+                for (const double far : {0.0, 0.3, 0.6, 0.8, 1.0, 1.5, 3.0, 10.0, 30.0})
+                    for (const double height : {0.0, 0.2, 0.5, 0.9, 1.0})
+                        for (int i = 0; i < 12; ++i) {
+                            const Vec3 x = far * radius * direction(height, 0.3 + pi * i / 6);
+                            const double share = largestPart(field.stressAt(x)) / field.largestAbout(x, 0);
+                            EXPECT_LT(share, 1) << far << ' ' << height << ' ' << i;
+                            closest = std::max(closest, share);
+                            EXPECT_GE(field.largestAbout(x, 0.01), field.largestAbout(x, 0));
+                        }
+            }
+    EXPECT_GT(closest, 0.8);
+}
+
+TEST(NearField, ActsOnItsOwnPlaneOnly) {
+    const NearField field({{Vec3::Zero(), Vec3::UnitZ(), 1, Vec3(1, 2, 3)}}, 0.3);
+    EXPECT_EQ(field.tractionAt(Vec3::Zero(), -Vec3::UnitZ()), Vec3(1, 2, 3));
+    EXPECT_EQ(field.tractionAt(Vec3(1.1, 0, 0), -Vec3::UnitZ()), Vec3::Zero());
+    EXPECT_EQ(field.tractionAt(Vec3(0, 0, 0.5), -Vec3::UnitZ()), Vec3::Zero()) << "below it";
+    EXPECT_EQ(field.tractionAt(Vec3::Zero(), Vec3::UnitX()), Vec3::Zero()) << "on another face";
+}
+
+}  // namespace
+}  // namespace sherd
