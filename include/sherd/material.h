@@ -13,7 +13,7 @@ namespace sherd {
 struct Material {
     std::string name = "material";
     double youngs_modulus_pa = 5e9;
-    /// From 0 to 0.499; above 0.47 results come with a warning.
+    /// From 0 to 0.499.
     double poisson_ratio = 0.2;
     double density_kg_m3 = 2000;
     /// Strength under tension in one direction.

@@ -7,6 +7,7 @@
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/monomials.h"
 #include "core/stress/loaded_places.h"
 #include "core/stress/surface_traction.h"
 
@@ -58,10 +59,12 @@ Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
 /// Reads the stress of one displacement, part by part.
 class DamageReading::Reader {
   public:
-    Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const ContactField& contact, double scale,
-           const Strength& strength)
+    Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const Eigen::MatrixXf& dilatation,
+           const ContactField& contact, double scale, const Strength& strength)
         : of_(of),
           raw_(raw),
+          dilatation_(dilatation),
+          projected_share_(static_cast<float>(projectedShare(of.problem_->elasticity))),
           near_(contact.near),
           loaded_(contact.others, of.problem_->solid->spacing),
           scale_(scale),
@@ -110,7 +113,7 @@ class DamageReading::Reader {
         for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at) {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
-            const Eigen::Matrix3f gradient = gradientAt<degree>(coefficients.data(), point.xi);
+            const Eigen::Matrix3f gradient = projectedGradient<degree>(coefficients, part, point.xi);
             const double failing = wanted * strength_.at_points[at];
             if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), failing)) continue;
             const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
@@ -123,7 +126,7 @@ class DamageReading::Reader {
         const int nearest = of_.points_.nearestTo(place);
         if (nearest < 0) return;
         const Coefficients<degree> coefficients = coefficientsOf<degree>(place.part);
-        include(point.position, gradientAt<degree>(coefficients.data(), place.xi.cast<float>()),
+        include(point.position, projectedGradient<degree>(coefficients, place.part, place.xi.cast<float>()),
                 point.normal.cast<float>(), nearest, 0);
     }
 
@@ -160,6 +163,17 @@ class DamageReading::Reader {
 
     bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
         return range.largest <= tension && scale_ * bound_(range.smallest, range.largest) < failing_pa;
+    }
+
+    /// Displacement gradient with the dilatation that the stiffness sees.
+    template <int degree>
+    Eigen::Matrix3f projectedGradient(const Coefficients<degree>& coefficients, int part,
+                                      const Eigen::Vector3f& at) const {
+        Eigen::Matrix3f gradient = gradientAt<degree>(coefficients.data(), at);
+        if (dilatation_.size() > 0)
+            projectTrace(gradient, polynomialAt(dilatationDegree(degree), dilatation_.col(part), at),
+                         projected_share_);
+        return gradient;
     }
 
     /// Displacement gradient, summed one direction after the other.
@@ -204,6 +218,8 @@ class DamageReading::Reader {
 
     const DamageReading& of_;
     const Eigen::Matrix4Xf& raw_;
+    const Eigen::MatrixXf& dilatation_;  ///< projected, or empty
+    float projected_share_;
     const NearField& near_;
     LoadedPlaces loaded_;
     double scale_;
@@ -234,10 +250,12 @@ double DamageReading::nearBound(const NearField& near, int part) const {
 Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                              const Strength& strength) const {
     const Eigen::Matrix4Xf raw = expand(unknowns);
-    Reader reader(*this, raw, contact, scale, strength);
+    Eigen::MatrixXf dilatation;
+    if (problem_->projection) dilatation = problem_->projection->dilatation<float>(raw.topRows<3>());
+    Reader reader(*this, raw, dilatation, contact, scale, strength);
     for (const SurfacePlace& point : contact.places) reader.readAt(point);
     const EquivalentBound equivalent_bound(strength.criterion, strength.material);
-    std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of);
+    std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of, dilatation);
     if (!contact.near.empty())
         for (std::size_t part = 0; part < ranges.size(); ++part)
             ranges[part] = widened(ranges[part], nearBound(contact.near, static_cast<int>(part)));

@@ -6,6 +6,7 @@
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/monomials.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/stress/surface_traction.h"
 
@@ -16,6 +17,23 @@ namespace {
 constexpr int far_parts = 8;           // that are read away from the load
 constexpr int chunks = 16;             // of work for several cores
 constexpr double near_spacings = 1.5;  // beyond a patch: all within is read
+
+/// What the volumetric strains of so many loads are on a part, see VolumetricProjection::dilatation.
+struct Dilatations {
+    const Eigen::MatrixXf& factors;
+    Eigen::Index loads;
+    int degree;  ///< of the polynomials
+    float share;
+
+    /// Gives the gradient under one load, at a point of a part, its projected trace.
+    template <class Gradient>
+    void project(std::size_t part, Eigen::Index load, const Vec3& xi, Gradient&& gradient) const {
+        if (factors.size() == 0) return;
+        const Eigen::Index monomials = factors.rows() / loads;
+        const auto own = factors.col(static_cast<Eigen::Index>(part)).segment(load * monomials, monomials);
+        projectTrace(gradient, polynomialAt(degree, own, Eigen::Vector3f(xi.cast<float>())), share);
+    }
+};
 
 }  // namespace
 
@@ -59,6 +77,11 @@ Vec3 PeakReading::placeOf(int sample) const {
                               : solid.surface_points[sample - particles].position;
 }
 
+/// The projected volumetric strain under all loads, or nothing where the displacement's own counts.
+Eigen::MatrixXf PeakReading::dilatationOf(const Eigen::MatrixXf& raw) const {
+    return problem_.projection ? problem_.projection->dilatation<float>(raw) : Eigen::MatrixXf{};
+}
+
 /// Per patch the parts with the largest stress in their middle.
 std::vector<std::vector<int>> PeakReading::mostStressedParts(const Eigen::MatrixXf& raw) const {
     const Eigen::Index patches = raw.rows() / 9;
@@ -68,6 +91,9 @@ std::vector<std::vector<int>> PeakReading::mostStressedParts(const Eigen::Matrix
     for (Vec3& slope : slopes) slope = slope.cwiseQuotient(problem_.parts().edges);
     const auto lambda = static_cast<float>(problem_.elasticity.lambda_pa);
     const auto mu = static_cast<float>(problem_.elasticity.mu_pa);
+    const Eigen::MatrixXf dilatation = dilatationOf(raw);
+    const Dilatations dilatations{dilatation, 3 * patches, dilatationDegree(space.degree),
+                                  static_cast<float>(projectedShare(problem_.elasticity))};
     Eigen::MatrixXf sizes = Eigen::MatrixXf::Zero(patches, static_cast<Eigen::Index>(of_part_.size()));
     Eigen::MatrixX3f columns(raw.rows(), 3);
     for (std::size_t part = 0; part < of_part_.size(); ++part) {
@@ -78,7 +104,8 @@ std::vector<std::vector<int>> PeakReading::mostStressedParts(const Eigen::Matrix
             for (int j = 0; j < 3; ++j)
                 columns.col(j) += static_cast<float>(slopes[a][j]) * raw.col(functions[a]);
         for (Eigen::Index load = 0; load < 3 * patches; ++load) {
-            const Eigen::Matrix3f gradient = columns.middleRows<3>(3 * load);
+            Eigen::Matrix3f gradient = columns.middleRows<3>(3 * load);
+            dilatations.project(part, load, Vec3::Zero(), gradient);
             const Eigen::Matrix3f stress = lambda * gradient.trace() * Eigen::Matrix3f::Identity() +
                                            mu * (gradient + gradient.transpose());
             sizes(load / 3, static_cast<Eigen::Index>(part)) += stress.squaredNorm();
@@ -117,19 +144,24 @@ std::vector<std::vector<int>> PeakReading::readersOf(const Read& read, int first
 std::vector<PeakReading::Peaks> PeakReading::read(const Read& read) const {
     const auto count = static_cast<int>(read.patches.size());
     std::vector<Peaks> peaks(read.patches.size());
+    const Eigen::MatrixXf dilatation = dilatationOf(read.raw);
     forEachChunk(chunks, [&](int chunk) {
-        readChunk(read, chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count), peaks);
+        readChunk(read, dilatation, chunkBegin(chunk, chunks, count), chunkBegin(chunk + 1, chunks, count),
+                  peaks);
     });
     return peaks;
 }
 
-void PeakReading::readChunk(const Read& read, int first, int last, std::vector<Peaks>& peaks) const {
+void PeakReading::readChunk(const Read& read, const Eigen::MatrixXf& dilatation, int first, int last,
+                            std::vector<Peaks>& peaks) const {
     const std::vector<std::vector<int>> readers = readersOf(read, first, last);
     std::vector<Directions> directions(static_cast<std::size_t>(last - first));
     for (int p = first; p < last; ++p)
         for (int d = 0; d < PeakTable::directions; ++d)
             directions[p - first][d] = read.patches[p].direction(d).cast<double>();
 
+    const Dilatations dilatations{dilatation, read.raw.rows() / 3, dilatationDegree(problem_.space->degree),
+                                  static_cast<float>(projectedShare(problem_.elasticity))};
     const Vec3 per_edge = problem_.parts().edges.cwiseInverse();
     std::vector<Vec3> slopes;
     Eigen::MatrixXf own;
@@ -152,6 +184,9 @@ void PeakReading::readChunk(const Read& read, int first, int last, std::vector<P
                                         own.col(static_cast<Eigen::Index>(a));
             for (Eigen::Index r = 0; r < count; ++r) {
                 const int p = readers[part][r];
+                for (Eigen::Index k = 0; k < 3; ++k)
+                    dilatations.project(part, 3L * p + k, samples_[sample].xi,
+                                        gradients.middleRows<3>(9 * r + 3 * k));
                 include(sample, gradients.middleRows<9>(9 * r), read.patches[p], read.radius_m,
                         directions[p - first], peaks[p]);
             }

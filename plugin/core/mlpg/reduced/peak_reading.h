@@ -40,7 +40,9 @@ class PeakReading {
 
     Vec3 placeOf(int sample) const;
     std::vector<std::vector<int>> readersOf(const Read& read, int first, int last) const;
-    void readChunk(const Read& read, int first, int last, std::vector<Peaks>& peaks) const;
+    Eigen::MatrixXf dilatationOf(const Eigen::MatrixXf& raw) const;
+    void readChunk(const Read& read, const Eigen::MatrixXf& dilatation, int first, int last,
+                   std::vector<Peaks>& peaks) const;
     void include(int sample, const Eigen::Matrix<float, 9, 3>& gradients, const PeakTable::Patch& patch,
                  double radius_m, const Directions& directions, Peaks& peaks) const;
     void raise(const SymmetricTensor& stress, float& peak) const;

@@ -5,6 +5,8 @@
 #include <cstring>
 
 #include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/monomials.h"
+#include "core/mlpg/splines/volumetric_projection.h"
 #include "core/numerics/wide_vectors.h"
 
 namespace sherd {
@@ -38,7 +40,8 @@ StressBounds::StressBounds(const CellParts& solid, int degree, const Elasticity&
       pieces_(splinePowers(degree)),
       lambda_pa_(static_cast<float>(elasticity.lambda_pa)),
       mu_pa_(static_cast<float>(elasticity.mu_pa)),
-      coupling_(lambda_pa_ / (lambda_pa_ + 2 * mu_pa_)) {
+      coupling_(lambda_pa_ / (lambda_pa_ + 2 * mu_pa_)),
+      projected_share_(static_cast<float>(projectedShare(elasticity))) {
     const auto in_the_middle = [](int n, int i) { return choose(n, i) / std::pow(2, n); };
     for (int k = 0; k <= degree; ++k)
         for (int l = 0; l <= degree; ++l)
@@ -164,8 +167,45 @@ PrincipalRange StressBounds::range(const Lanes& lanes, int lane) const {
     return principalRange(stressOf(gradient), spread, coupling_);
 }
 
+/// The same with another volumetric strain: a polynomial of xi, which lies in the box by half its width at
+/// most from the middle.
+PrincipalRange StressBounds::projectedRange(const Lanes& lanes, int lane, const std::array<Interval, 3>& box,
+                                            const Eigen::VectorXf& dilatation) const {
+    Eigen::Vector3f middle, half;
+    for (int d = 0; d < 3; ++d) {
+        // Splines reproduce xi, so its Bernstein coefficients at the ends are the ends.
+        float ends[2] = {0, 0};
+        for (int a = 0; a < width_; ++a) {
+            const float greville = static_cast<float>(a) - 0.5f * static_cast<float>(width_ - 1);
+            ends[0] += greville * box[d].coefficients[a];
+            ends[1] += greville * box[d].coefficients[(width_ - 1) * width_ + a];
+        }
+        middle[d] = (ends[0] + ends[1]) / 2;
+        half[d] = (ends[1] - ends[0]) / 2;
+    }
+    const Eigen::Vector3f size = middle.cwiseAbs() + half;
+    // |m(xi) - m(middle)| of a monomial is at most m(|middle| + half) - m(|middle|).
+    const int of_dilatation = dilatationDegree(width_ - 1);
+    const Eigen::VectorXf sizes = dilatation.cwiseAbs();
+    const float change = polynomialAt(of_dilatation, sizes, size) -
+                         polynomialAt(of_dilatation, sizes, Eigen::Vector3f(middle.cwiseAbs()));
+
+    Eigen::Matrix3f gradient;
+    float squared = 0;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j) {
+            gradient(i, j) = lanes.gradient[i][j][lane];
+            const float deviation = 0.5f * (lanes.deviation[i][j][lane] + lanes.deviation[j][i][lane]);
+            squared += deviation * deviation;
+        }
+    projectTrace(gradient, polynomialAt(of_dilatation, dilatation, middle), projected_share_);
+    return principalRange(stressOf(gradient), lambda_pa_ * change + 2 * mu_pa_ * std::sqrt(squared),
+                          coupling_);
+}
+
 std::vector<PrincipalRange> StressBounds::ranges(const Eigen::Matrix4Xf& raw,
-                                                 const std::vector<std::vector<int>>& functions) const {
+                                                 const std::vector<std::vector<int>>& functions,
+                                                 const Eigen::MatrixXf& dilatation) const {
     const int part_count = static_cast<int>(functions.size());
     std::vector<PrincipalRange> ranges;
     ranges.reserve(functions.size());
@@ -183,7 +223,10 @@ std::vector<PrincipalRange> StressBounds::ranges(const Eigen::Matrix4Xf& raw,
                         middle_slopes_.data(), lanes.per_length[d], lanes.gradient[c][d],
                         lanes.deviation[c][d]);
         }
-        for (int lane = 0; lane < count; ++lane) ranges.push_back(range(lanes, lane));
+        for (int lane = 0; lane < count; ++lane)
+            ranges.push_back(dilatation.size() == 0 ? range(lanes, lane)
+                                                    : projectedRange(lanes, lane, boxes_[first + lane],
+                                                                     dilatation.col(first + lane)));
     }
     return ranges;
 }

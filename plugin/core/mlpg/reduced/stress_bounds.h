@@ -48,9 +48,11 @@ class StressBounds {
     void archiveBoxes(Archive& archive);
 
     /// Per part, of the stress at all its samples. `raw`: coefficients of all functions, the fourth row zero;
-    /// `functions`: those of each part.
+    /// `functions`: those of each part. `dilatation`: the projected volumetric strain in float, see
+    /// VolumetricProjection; empty: that of the displacement.
     std::vector<PrincipalRange> ranges(const Eigen::Matrix4Xf& raw,
-                                       const std::vector<std::vector<int>>& functions) const;
+                                       const std::vector<std::vector<int>>& functions,
+                                       const Eigen::MatrixXf& dilatation = {}) const;
     /// Of the stress where the displacement has this gradient. `may_be_freed`: by withTraction.
     PrincipalRange rangeAt(const Eigen::Matrix3f& gradient, bool may_be_freed) const {
         return principalRange(stressOf(gradient), 0, may_be_freed ? coupling_ : 0);
@@ -69,6 +71,8 @@ class StressBounds {
     void load(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions, int part, int lane,
               Lanes& lanes) const;
     PrincipalRange range(const Lanes& lanes, int lane) const;
+    PrincipalRange projectedRange(const Lanes& lanes, int lane, const std::array<Interval, 3>& box,
+                                  const Eigen::VectorXf& dilatation) const;
     Eigen::Matrix3f stressOf(const Eigen::Matrix3f& gradient) const {
         Eigen::Matrix3f stress = mu_pa_ * (gradient + gradient.transpose());
         stress.diagonal().array() += lambda_pa_ * gradient.trace();
@@ -81,7 +85,7 @@ class StressBounds {
     /// Weights of the differences of neighbours along one direction, for the slope in the middle: those along
     /// it fastest.
     std::vector<float> middle_slopes_;
-    float lambda_pa_, mu_pa_, coupling_;
+    float lambda_pa_, mu_pa_, coupling_, projected_share_;
 };
 
 }  // namespace sherd

@@ -215,13 +215,8 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
                                                                   std::move(peaks).value(), report.warnings});
 }
 
-std::vector<std::string> trustWarnings(const Material& material, const SparseSolver& factor) {
-    constexpr double first_doubtful_poisson_ratio = 0.47;
+std::vector<std::string> trustWarnings(const SparseSolver& factor) {
     std::vector<std::string> warnings;
-    if (material.poisson_ratio > first_doubtful_poisson_ratio)
-        warnings.push_back(
-            "Poisson's ratio is near 0.5, where displacements barely tell the pressure: stress may be off by "
-            "a tenth and more; use a higher quality, or 0.47.");
     if (factor.relativeShift() > 0)
         warnings.push_back(
             "The stiffness matrix is singular beyond the rigid motions, and a small stiffness was added to "
@@ -250,7 +245,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     report.unknowns = stiffness.size;
     report.factor_entries = factor.factorEntries();
     report.reciprocal_condition = factor.reciprocalCondition();
-    report.warnings = trustWarnings(material, factor);
+    report.warnings = trustWarnings(factor);
     // Zooms know whole material only.
     const Resampling resampling{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
     auto solver =

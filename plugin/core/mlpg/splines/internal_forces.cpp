@@ -35,8 +35,10 @@ Eigen::Matrix3Xd partForces(const PartIntegrals& integrals, const CellPart& part
 
 Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace& space,
                                       const Elasticity& elasticity, const std::vector<PointSpring>& springs,
+                                      const VolumetricProjection* projection,
                                       const Eigen::Matrix3Xd& displacement) {
     const PartIntegrals integrals(space.degree, solid.edges);
+    const Elasticity by_parts = projection ? withoutLambda(elasticity) : elasticity;
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<Eigen::Matrix3Xd> own(part_count);
     forEachChunk(chunk_count, [&](int chunk) {
@@ -44,12 +46,13 @@ Eigen::Matrix3Xd splineInternalForces(const CellParts& solid, const SplineSpace&
         Eigen::Matrix3Xd u(3, space.perPart());
         for (int p = chunkBegin(chunk, chunk_count, part_count); p < end; ++p) {
             for (int a = 0; a < space.perPart(); ++a) u.col(a) = displacement.col(space.raw_of[p][a]);
-            own[p] = partForces(integrals, solid.parts[p], elasticity, u);
+            own[p] = partForces(integrals, solid.parts[p], by_parts, u);
         }
     });
     Eigen::Matrix3Xd forces = Eigen::Matrix3Xd::Zero(3, space.raw_count);
     for (int p = 0; p < part_count; ++p)
         for (int a = 0; a < space.perPart(); ++a) forces.col(space.raw_of[p][a]) += own[p].col(a);
+    if (projection) forces += projection->forces(elasticity.lambda_pa, displacement);
     std::vector<double> values;
     for (const PointSpring& spring : springs) {
         splineValues(space.degree, spring.xi, values);

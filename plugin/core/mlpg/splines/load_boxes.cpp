@@ -57,15 +57,15 @@ bool overlap(const CellBox& a, const CellBox& b) {
 }  // namespace
 
 std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
-                                      double largest_patch, double margin) {
+                                      double largest_patch, double margin, int multiple) {
     std::vector<CellBox> boxes;
     for (const PatchBounds& patch : loadPatches(grid, loads)) {
         const Vec3 extent = patch.upper - patch.lower;
         if (extent.maxCoeff() >= cells_across_patch || extent.cwiseProduct(grid.edges).norm() > largest_patch)
             continue;
         const Vec3 border = Vec3::Constant(margin);
-        boxes.push_back({(patch.lower - border).array().floor().cast<int>(),
-                         (patch.upper + border).array().ceil().cast<int>()});
+        boxes.push_back({((patch.lower - border) / multiple).array().floor().cast<int>() * multiple,
+                         ((patch.upper + border) / multiple).array().ceil().cast<int>() * multiple});
     }
     // Boxes that overlap would correct the same error twice.
     for (size_t i = 0; i < boxes.size(); ++i)

@@ -1,5 +1,6 @@
 #include "core/mlpg/splines/part_integrals.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/mlpg/splines/b_spline.h"
@@ -80,9 +81,11 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
     }
     squares_.resize(powers_, width_);
     for (int a = 0; a < width_; ++a) squares_.col(a) = pairs_[0].col(a * width_ + a);
-    for (int shift = 0; shift < 2; ++shift) {
-        functions_[shift] = Eigen::MatrixXd::Zero(powers_, width_);
-        functions_[shift].middleRows(shift, width_) = value;
+    for (int shift = 0; shift < std::max(2, degree); ++shift) {
+        functions_.emplace_back(Eigen::MatrixXd::Zero(powers_, width_));
+        functions_.back().middleRows(shift, width_) = value;
+        slopes_.emplace_back(Eigen::MatrixXd::Zero(powers_, width_));
+        slopes_.back().middleRows(shift, width_) = slope;
     }
     whole_ = contracted(whole_moments_);
 }
@@ -125,6 +128,35 @@ PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) co
             }
         }
     return gram;
+}
+
+Eigen::MatrixXd PartIntegrals::divergences(const CellPart& part,
+                                           const std::vector<Eigen::Vector3i>& monomials) const {
+    const Eigen::VectorXd moments = momentsOf(part);
+    const int functions = width_ * width_ * width_;
+    Eigen::MatrixXd result(static_cast<long>(monomials.size()), 3L * functions);
+    for (size_t m = 0; m < monomials.size(); ++m)
+        for (int i = 0; i < 3; ++i) {
+            const auto factor = [&](int d) -> const Eigen::MatrixXd& {
+                return (d == i ? slopes_ : functions_)[monomials[m][d]];
+            };
+            result.row(static_cast<long>(m))(Eigen::seqN(i, functions, 3)) =
+                edges_.prod() / edges_[i] * contract(factor(0), factor(1), factor(2), moments);
+        }
+    return result;
+}
+
+Eigen::MatrixXd PartIntegrals::monomialProducts(const CellPart& part,
+                                                const std::vector<Eigen::Vector3i>& monomials) const {
+    const Eigen::VectorXd moments = momentsOf(part);
+    const auto count = static_cast<long>(monomials.size());
+    Eigen::MatrixXd result(count, count);
+    for (long b = 0; b < count; ++b)
+        for (long a = 0; a < count; ++a) {
+            const Eigen::Vector3i sum = monomials[a] + monomials[b];
+            result(a, b) = edges_.prod() * moments[(sum.z() * powers_ + sum.y()) * powers_ + sum.x()];
+        }
+    return result;
 }
 
 Eigen::Matrix4Xd PartIntegrals::bodyMoments(const CellPart& part, const Vec3& middle) const {

@@ -24,6 +24,13 @@ class PartIntegrals {
     /// int phi_a^2 dV over a cell's volume, #functions.
     Eigen::VectorXd squares(const CellPart& part) const;
 
+    /// int xi^alpha d_i phi_a dV in m^2, #monomials x (3 #functions) with i fastest: what the monomials of
+    /// the cell, from its middle in edges, find in the divergence. Of a degree below that of the splines.
+    Eigen::MatrixXd divergences(const CellPart& part, const std::vector<Eigen::Vector3i>& monomials) const;
+    /// int xi^alpha xi^beta dV, m^3, between the same monomials.
+    Eigen::MatrixXd monomialProducts(const CellPart& part,
+                                     const std::vector<Eigen::Vector3i>& monomials) const;
+
     /// int phi_a (1, x - c) dV, 4 x #functions, m^3 and m^4; `middle` of the cell from c, m.
     Eigen::Matrix4Xd bodyMoments(const CellPart& part, const Vec3& middle) const;
 
@@ -37,8 +44,9 @@ class PartIntegrals {
     /// Powers of phi_a phi_b, one column for every pair a + width b; [1 of a, 2 of b]: with the slope of a,
     /// of b.
     std::array<Eigen::MatrixXd, 4> pairs_;
-    std::array<Eigen::MatrixXd, 2> functions_;  // powers of phi_a and xi phi_a
-    Eigen::MatrixXd squares_;                   // powers of phi_a^2
+    std::vector<Eigen::MatrixXd> functions_;  // powers of xi^k phi_a, k up to 1 or below the degree
+    std::vector<Eigen::MatrixXd> slopes_;     // and of xi^k phi_a'
+    Eigen::MatrixXd squares_;                 // powers of phi_a^2
     Gram whole_;
 };
 

@@ -2,6 +2,8 @@
 
 #include <iterator>
 
+#include "core/mlpg/splines/volumetric_projection.h"
+
 namespace sherd {
 
 Result<std::vector<Zoom>> resample(const TriangleMesh& surface, const SplineField& whole,
@@ -11,11 +13,14 @@ Result<std::vector<Zoom>> resample(const TriangleMesh& surface, const SplineFiel
     constexpr double largest_patch_of_body = 0.2;
     const double largest_patch =
         largest_patch_of_body * whole.parts->count.cast<double>().cwiseProduct(whole.parts->edges).norm();
+    // Macro cells of the finer grids fill those of the coarser: what these hold at the border keeps its
+    // volume.
+    const int multiple = isNearlyIncompressible(elasticity) ? whole.space->degree : 1;
     const auto zoomsInto = [&](const SplineField& coarse,
                                const BodyLoads& acting) -> Result<std::vector<Zoom>> {
         std::vector<Zoom> finer;
         for (const CellBox& box :
-             boxesAroundLoads(*coarse.parts, acting.forces, largest_patch, resampling.margin)) {
+             boxesAroundLoads(*coarse.parts, acting.forces, largest_patch, resampling.margin, multiple)) {
             Result<Zoom> zoom = zoomIn(surface, coarse, box, elasticity, acting, supports);
             if (!zoom) return Error{zoom.error()};
             finer.push_back(std::move(zoom).value());

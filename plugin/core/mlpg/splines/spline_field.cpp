@@ -1,6 +1,7 @@
 #include "core/mlpg/splines/spline_field.h"
 
 #include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/monomials.h"
 
 namespace sherd {
 
@@ -11,7 +12,12 @@ Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi) {
     const std::vector<int>& functions = field.space->raw_of[part];
     for (size_t a = 0; a < functions.size(); ++a)
         gradient += field.raw.col(functions[a]) * gradients[a].transpose();
-    return gradient * field.parts->edges.cwiseInverse().asDiagonal();
+    gradient = gradient * field.parts->edges.cwiseInverse().asDiagonal();
+    if (field.dilatation.size() > 0)
+        projectTrace(gradient,
+                     polynomialAt(dilatationDegree(field.space->degree), field.dilatation.col(part), xi),
+                     field.projected_share);
+    return gradient;
 }
 
 GridPoint locate(const CellParts& solid, const Vec3& x) {

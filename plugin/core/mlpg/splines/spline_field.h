@@ -11,9 +11,26 @@ struct SplineField {
     std::shared_ptr<const CellParts> parts;
     std::shared_ptr<const SplineSpace> space;
     Eigen::Matrix3Xd raw;  ///< coefficients of all functions, 3 x raw_count, m
+    /// Projected volumetric strain, see VolumetricProjection::dilatation; empty: that of the displacement.
+    Eigen::MatrixXd dilatation;
+    double projected_share = 0;  ///< see projectedShare
 };
 
-/// Displacement gradient of a field on a part, `xi` in its cell, edges from the middle.
+/// Degree of the polynomials of projected volumetric strain, for splines of a degree.
+constexpr int dilatationDegree(int degree) {
+    return degree > 2 ? degree - 1 : 1;
+}
+
+/// Gives a displacement gradient the trace with which Hooke's law makes the stress
+///     lambda projected I + mu (gradient + gradient^T)
+/// of it. `share`: see projectedShare.
+template <class Gradient, class Scalar>
+void projectTrace(Gradient&& gradient, Scalar projected, Scalar share) {
+    gradient.diagonal().array() += share * (projected - gradient.trace()) / 3;
+}
+
+/// Displacement gradient of a field on a part, `xi` in its cell, edges from the middle; where the volumetric
+/// strain is projected, see projectTrace.
 Mat3 gradientOn(const SplineField& field, int part, const Vec3& xi);
 
 /// A point in a solid's grid: found once, read after every solve.

@@ -9,7 +9,8 @@
 namespace sherd {
 
 SplineField SplineProblem::fieldOf(const Eigen::VectorXd& unknowns) const {
-    return {std::shared_ptr<const CellParts>(solid, &solid->parts), space, space->expand(unknowns)};
+    return splineField(std::shared_ptr<const CellParts>(solid, &solid->parts), space, space->expand(unknowns),
+                       elasticity, projection.get());
 }
 
 Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> solid, const Material& material,
@@ -31,6 +32,7 @@ Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> so
     Eigen::Matrix4Xd moments = inertiaMoments(parts, *space, motions);
     InertiaRelief inertia = splineInertia(moments, motions);
     std::vector<double> shares = stiffnessShares(*solid, damaged);
+    auto projection = projectionFor(elasticity, parts, *space, shares);
     return SplineProblem{std::move(solid),
                          elasticity,
                          material.density_kg_m3,
@@ -40,7 +42,8 @@ Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> so
                          std::move(supports).value(),
                          std::move(held).value(),
                          std::move(moments),
-                         std::move(inertia)};
+                         std::move(inertia),
+                         std::move(projection)};
 }
 
 Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads) {
@@ -56,7 +59,8 @@ Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector
 
 SparseMatrix stiffnessOf(const SplineProblem& problem) {
     return splineStiffness(problem.parts(), *problem.space, problem.elasticity,
-                           springsOf(problem.parts(), problem.supports), problem.shares);
+                           springsOf(problem.parts(), problem.supports), problem.projection.get(),
+                           problem.shares);
 }
 
 std::vector<int> pinnedUnknowns(const SplineProblem& problem, const SparseMatrix& stiffness) {

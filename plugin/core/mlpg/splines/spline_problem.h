@@ -5,6 +5,7 @@
 #include "core/linear_algebra/sparse_matrix.h"
 #include "core/mlpg/splines/spline_inertia.h"
 #include "core/mlpg/splines/spline_supports.h"
+#include "core/mlpg/splines/volumetric_projection.h"
 
 namespace sherd {
 
@@ -20,6 +21,7 @@ struct SplineProblem {
     std::vector<char> held;  ///< per component: by supports
     Eigen::Matrix4Xd inertia_moments;
     InertiaRelief inertia;
+    std::shared_ptr<const VolumetricProjection> projection;  ///< null: the material changes its volume
 
     const CellParts& parts() const { return solid->parts; }
     /// The displacement that unknowns stand for.

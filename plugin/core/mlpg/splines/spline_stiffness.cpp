@@ -11,7 +11,7 @@
 namespace sherd {
 namespace {
 
-constexpr int batch_size = 128;  // parts whose matrices are held at a time
+constexpr int batch_size = 128;  // sets of functions whose matrices are held at a time
 constexpr int chunk_count = 16;
 constexpr int scatter_count = 4;
 
@@ -78,6 +78,28 @@ void scatter(const std::vector<double>& blocks, const std::vector<int>& function
     }
 }
 
+/// Adds the blocks of sets of functions, `blocks_of(set, storage)`, laid out as in blocksOf.
+template <class BlocksOf>
+void addBlocks(const std::vector<std::vector<int>>& sets, const StiffnessPattern& pattern,
+               const BlocksOf& blocks_of, SparseMatrix& matrix) {
+    const int set_count = static_cast<int>(sets.size());
+    std::vector<std::vector<double>> storage(batch_size);
+    std::vector<const std::vector<double>*> batch(batch_size);
+    for (int first = 0; first < set_count; first += batch_size) {
+        const int size = std::min(batch_size, set_count - first);
+        forEachChunk(chunk_count, [&](int chunk) {
+            const int end = chunkBegin(chunk + 1, chunk_count, size);
+            for (int n = chunkBegin(chunk, chunk_count, size); n < end; ++n)
+                batch[n] = &blocks_of(first + n, storage[n]);
+        });
+        // A column takes what the sets add in their order, whichever core it is on.
+        forEachChunk(scatter_count, [&](int scattered) {
+            for (int n = 0; n < size; ++n)
+                scatter(*batch[n], sets[first + n], pattern, scattered, scatter_count, matrix);
+        });
+    }
+}
+
 /// Whether a part's own functions all carry unknowns, in ascending order.
 bool isUntied(const SplineSpace& space, int part, const std::vector<int>& functions) {
     if (static_cast<int>(functions.size()) != space.perPart()) return false;
@@ -90,26 +112,43 @@ bool isUntied(const SplineSpace& space, int part, const std::vector<int>& functi
     return true;
 }
 
+/// The blocks of K that a macro cell adds to between its unknown functions, laid out as in blocksOf:
+/// lambda times the sum over modes of their rates, c_k for coefficient (a, i) times that for (b, j).
+void blocksOf(const VolumetricProjection::MacroCell& cell, const SplineSpace& space,
+              const std::vector<int>& functions, double lambda_pa, std::vector<double>& blocks) {
+    const auto count = static_cast<long>(functions.size());
+    Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(cell.rates.rows(), 3 * count);
+    for (size_t f = 0; f < cell.functions.size(); ++f)
+        for (const SplineTies::Term& term : space.termsOf(cell.functions[f])) {
+            const auto place = std::lower_bound(functions.begin(), functions.end(), term.function);
+            rates.middleCols<3>(3 * (place - functions.begin())) +=
+                term.factor * cell.rates.middleCols<3>(3L * static_cast<long>(f));
+        }
+    blocks.resize(static_cast<size_t>(9 * count * count));
+    Eigen::Map<Eigen::MatrixXd>(blocks.data(), 3 * count, 3 * count).noalias() =
+        lambda_pa * rates.transpose() * rates;
+}
+
 }  // namespace
 
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs,
+                             const std::vector<PointSpring>& springs, const VolumetricProjection* projection,
                              const std::vector<double>& share_of_part) {
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<std::vector<int>> springs_of(part_count);
     for (size_t s = 0; s < springs.size(); ++s) springs_of[springs[s].part].push_back(static_cast<int>(s));
 
-    const StiffnessPattern pattern(space);
+    const StiffnessPattern pattern(space, projection);
     SparseMatrix matrix = zeroStiffness(pattern);
     const PartIntegrals integrals(space.degree, solid.edges);
+    const Elasticity by_parts = projection ? withoutLambda(elasticity) : elasticity;
     std::vector<double> whole;
-    blocksOf(integrals.wholeCell(), {}, space.perPart(), elasticity, whole);
-    const auto addsWhole = [&](int part) {
-        return solid.parts[part].moments.empty() && share_of_part.empty() && springs_of[part].empty() &&
-               isUntied(space, part, pattern.functions_of_part[part]);
-    };
-    const auto measure = [&](int part, std::vector<double>& blocks) {
+    blocksOf(integrals.wholeCell(), {}, space.perPart(), by_parts, whole);
+    const auto blocks_of_part = [&](int part, std::vector<double>& blocks) -> const std::vector<double>& {
         const std::vector<int>& functions = pattern.functions_of_part[part];
+        if (solid.parts[part].moments.empty() && share_of_part.empty() && springs_of[part].empty() &&
+            isUntied(space, part, functions))
+            return whole;
         Gram gram = integrals.gradientProducts(solid.parts[part]);
         const PartTies ties(space, part, functions);
         for (int j = 0; j < 3; ++j)
@@ -122,23 +161,18 @@ SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, c
             hold = springMatrix(space, springs, springs_of[part]);
             ties.apply(hold);
         }
-        blocksOf(gram, hold, static_cast<int>(functions.size()), elasticity, blocks);
+        blocksOf(gram, hold, static_cast<int>(functions.size()), by_parts, blocks);
+        return blocks;
     };
-    std::vector<std::vector<double>> batch(batch_size);
-    for (int first = 0; first < part_count; first += batch_size) {
-        const int size = std::min(batch_size, part_count - first);
-        forEachChunk(chunk_count, [&](int chunk) {
-            const int end = chunkBegin(chunk + 1, chunk_count, size);
-            for (int n = chunkBegin(chunk, chunk_count, size); n < end; ++n)
-                if (!addsWhole(first + n)) measure(first + n, batch[n]);
-        });
-        // A column takes what the parts add in their order, whichever core it is on.
-        forEachChunk(scatter_count, [&](int scattered) {
-            for (int n = 0; n < size; ++n)
-                scatter(addsWhole(first + n) ? whole : batch[n], pattern.functions_of_part[first + n],
-                        pattern, scattered, scatter_count, matrix);
-        });
-    }
+    addBlocks(pattern.functions_of_part, pattern, blocks_of_part, matrix);
+    if (!projection) return matrix;
+    const auto blocks_of_macro_cell = [&](int cell,
+                                          std::vector<double>& blocks) -> const std::vector<double>& {
+        blocksOf(projection->cells()[cell], space, pattern.functions_of_macro_cell[cell],
+                 elasticity.lambda_pa, blocks);
+        return blocks;
+    };
+    addBlocks(pattern.functions_of_macro_cell, pattern, blocks_of_macro_cell, matrix);
     return matrix;
 }
 

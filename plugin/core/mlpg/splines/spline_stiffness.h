@@ -2,6 +2,7 @@
 
 #include "core/linear_algebra/sparse_matrix.h"
 #include "core/mlpg/splines/spline_supports.h"
+#include "core/mlpg/splines/volumetric_projection.h"
 
 namespace sherd {
 
@@ -10,10 +11,12 @@ namespace sherd {
 ///     I dV
 ///            + sum over springs k phi_a phi_b I,
 /// integrated exactly on every part of a cell by its moments; whole cells share one matrix. `share_of_part`
-/// scales what each part adds (#parts, or empty: 1). CSC; entries from the diagonal blocks (complete)
-/// downwards, in blocks of 3.
+/// scales what each part adds (#parts, or empty: 1). With a `projection` (that has these shares) the
+/// volumetric strain that lambda acts on is the projected one. CSC; entries from the diagonal blocks
+/// (complete) downwards, in blocks of 3.
 SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                              const std::vector<PointSpring>& springs,
+                             const VolumetricProjection* projection = nullptr,
                              const std::vector<double>& share_of_part = {});
 
 }  // namespace sherd

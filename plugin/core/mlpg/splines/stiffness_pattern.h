@@ -1,16 +1,18 @@
 #pragma once
 
 #include "core/linear_algebra/sparse_matrix.h"
-#include "core/mlpg/splines/spline_space.h"
+#include "core/mlpg/splines/volumetric_projection.h"
 
 namespace sherd {
 
 /// Which unknown functions share a part, and so have a block of 3 x 3 in the stiffness.
 struct StiffnessPattern {
-    std::vector<std::vector<int>> functions_of_part;  ///< that reach it, ascending
-    std::vector<std::vector<int>> rows_of_column;     ///< block rows from the diagonal down, ascending
+    std::vector<std::vector<int>> functions_of_part;        ///< that reach it, ascending
+    std::vector<std::vector<int>> functions_of_macro_cell;  ///< the same
+    std::vector<std::vector<int>> rows_of_column;           ///< block rows from the diagonal down, ascending
 
-    explicit StiffnessPattern(const SplineSpace& space);
+    /// Those of a macro cell share it, too.
+    explicit StiffnessPattern(const SplineSpace& space, const VolumetricProjection* projection = nullptr);
 };
 
 /// A symmetric matrix of that pattern in CSC, all entries zero: from the diagonal blocks (complete)

@@ -57,14 +57,15 @@ std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, c
 /// it.
 Result<Eigen::Matrix3Xd> solveCorrection(const SplineField& coarse, const CellBox& fine_box,
                                          const Elasticity& elasticity, const BodyLoads& loads,
-                                         const std::vector<PointSpring>& springs, long long& entries) {
+                                         const std::vector<PointSpring>& springs,
+                                         const VolumetricProjection* projection, long long& entries) {
     const CellParts& fine = *coarse.parts;
     const SplineSpace& space = *coarse.space;
     Eigen::Matrix3Xd external = bodyForcesAt(fine, space, loads.body_forces);
     addPointForces(fine, space, loads.forces, external);
-    Eigen::VectorXd residual =
-        space.gather(external - splineInternalForces(fine, space, elasticity, springs, coarse.raw));
-    SparseMatrix stiffness = splineStiffness(fine, space, elasticity, springs);
+    Eigen::VectorXd residual = space.gather(
+        external - splineInternalForces(fine, space, elasticity, springs, projection, coarse.raw));
+    SparseMatrix stiffness = splineStiffness(fine, space, elasticity, springs, projection);
     const std::vector<int> held = heldUnknowns(fine, space, fine_box, springs, stiffness);
     pinUnknowns(stiffness, held);
     for (const int unknown : held) residual[unknown] = 0;
@@ -91,11 +92,14 @@ Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, cons
     field.raw = refinedCoefficients(*coarse.parts, *coarse.space, coarse.raw, fine, *field.space, parents);
     zoom.loads = loadsInside(fine, *field.space, parents, loads);
 
+    const auto projection = projectionFor(elasticity, fine, *field.space);
     const CellBox fine_box = onFineGrid(box);
-    const Result<Eigen::Matrix3Xd> correction = solveCorrection(
-        field, fine_box, elasticity, zoom.loads, springsOf(fine, supports), zoom.stiffness_entries);
+    const Result<Eigen::Matrix3Xd> correction =
+        solveCorrection(field, fine_box, elasticity, zoom.loads, springsOf(fine, supports), projection.get(),
+                        zoom.stiffness_entries);
     if (!correction) return Error{correction.error()};
-    field.raw += correction.value();
+    field =
+        splineField(field.parts, field.space, field.raw + correction.value(), elasticity, projection.get());
     const Eigen::Vector3i rim = Eigen::Vector3i::Constant(cells_of_rim);
     zoom.inner = {fine_box.lower + rim, fine_box.upper - rim};
     return zoom;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -80,6 +81,27 @@ TEST_F(ReducedArchive, ModesComeBack) {
     for (std::size_t i = 0; i < modes.unit_loads.size(); ++i) {
         EXPECT_EQ(back.unit_loads[i].patch, modes.unit_loads[i].patch);
         EXPECT_EQ(back.unit_loads[i].value, modes.unit_loads[i].value);
+    }
+}
+
+TEST(ReducedArchiveOfRubber, StressIsReadAsBefore) {
+    const BothSolutions both = bothSolutions(obliqueWall(), 0.03, {}, rubberLike());
+    const SplineProblem& problem = *both.problem;
+    ByteWriter writer;
+    archiveProblem(writer, both.solid, rubberLike(), &problem);
+    ASSERT_TRUE(writer.good());
+    ByteReader reader(writer.bytes().data(), writer.bytes().size());
+    const auto back = archiveProblem(reader, both.solid, rubberLike(), nullptr);
+    ASSERT_TRUE(back && reader.good() && reader.left() == 0);
+    ASSERT_TRUE(back->projection);
+    Eigen::MatrixXf own(6, problem.space->raw_count);
+    for (int f = 0; f < own.cols(); ++f)
+        for (int k = 0; k < 6; ++k) own(k, f) = std::sin(static_cast<float>(7 * f + k));
+    EXPECT_EQ(back->projection->dilatation<float>(own), problem.projection->dilatation<float>(own));
+
+    for (const std::size_t cut : {writer.bytes().size() / 2, writer.bytes().size() - 1}) {
+        ByteReader short_of(writer.bytes().data(), cut);
+        EXPECT_FALSE(archiveProblem(short_of, both.solid, rubberLike(), nullptr) && short_of.good());
     }
 }
 

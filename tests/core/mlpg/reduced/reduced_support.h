@@ -34,11 +34,12 @@ struct BothSolutions {
 };
 
 inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
-                                   const std::vector<SupportPoint>& supports = {}) {
+                                   const std::vector<SupportPoint>& supports = {},
+                                   const Material& material = {}) {
     SamplingSettings sampling;
     auto solid = std::make_shared<const Discretisation>(valueOf(sampleSolid(surface, spacing, sampling)));
     auto problem = std::make_shared<const SplineProblem>(
-        valueOf(makeSplineProblem(solid, Material{}, Basis::quadratic, supports, {})));
+        valueOf(makeSplineProblem(solid, material, Basis::quadratic, supports, {})));
     SparseMatrix stiffness = stiffnessOf(*problem);
     PinnedSystem factor = valueOf(PinnedSystem::factor(stiffness, pinnedUnknowns(*problem, stiffness), 3,
                                                        problem->space->highest_cells));
@@ -56,6 +57,13 @@ inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
 inline TriangleMesh obliqueWall() {
     const Mat3 rotation = Eigen::AngleAxisd(0.4, Vec3(1, 2, 3).normalized()).toRotationMatrix();
     return shapes::moved(shapes::slab({0.4, 0.3, 0.04}, 4, 3, 1), rotation);
+}
+
+/// Whose volume hardly changes, so that its stress is read with the projected volumetric strain.
+inline Material rubberLike() {
+    Material material;
+    material.poisson_ratio = 0.48;
+    return material;
 }
 
 /// Loads of 1 N in total on a patch about a random point of the surface, inwards within half a right angle.

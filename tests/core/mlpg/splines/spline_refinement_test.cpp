@@ -16,16 +16,20 @@ TEST(SplineRefinement, KeepsTheDisplacement) {
     for (int degree = 1; degree <= 3; ++degree) {
         const CellParts coarse = partsOf(mesh, 0.2, degree);
         const auto space = std::make_shared<SplineSpace>(coarse, degree);
-        const SplineField field{std::make_shared<CellParts>(coarse), space,
-                                space->expand(randomVector(3L * space->function_count, 3))};
+        const SplineField field{std::make_shared<CellParts>(coarse),
+                                space,
+                                space->expand(randomVector(3L * space->function_count, 3)),
+                                {}};
         const Result<CellParts> fine =
             refineCellParts(mesh, coarse, Eigen::Vector3i(1, 1, 1), Eigen::Vector3i(4, 4, 3));
         ASSERT_TRUE(fine.ok()) << fine.error();
         const auto fine_space = std::make_shared<SplineSpace>(fine.value(), degree);
         const std::vector<int> parents = parentParts(coarse, fine.value());
         const SplineField refined{
-            std::make_shared<CellParts>(fine.value()), fine_space,
-            refinedCoefficients(coarse, *space, field.raw, fine.value(), *fine_space, parents)};
+            std::make_shared<CellParts>(fine.value()),
+            fine_space,
+            refinedCoefficients(coarse, *space, field.raw, fine.value(), *fine_space, parents),
+            {}};
         ASSERT_GT(fine.value().parts.size(), 20u);
         double volume = 0, box_volume = 0;
         for (size_t p = 0; p < fine.value().parts.size(); ++p) {

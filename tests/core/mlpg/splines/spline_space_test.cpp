@@ -26,8 +26,8 @@ TEST(SplineSpace, LinearDisplacementsHaveTheirGradientEverywhere) {
         const CellParts solid = partsOf(tiltedBox(), 0.14, degree);
         const auto space = std::make_shared<SplineSpace>(solid, degree);
         EXPECT_LT(space->function_count, space->raw_count) << "some functions see slivers only, and are tied";
-        const SplineField field{std::make_shared<CellParts>(solid), space,
-                                space->expand(linearUnknowns(*space, gradient))};
+        const SplineField field{
+            std::make_shared<CellParts>(solid), space, space->expand(linearUnknowns(*space, gradient)), {}};
         for (size_t p = 0; p < solid.parts.size(); ++p) {
             const Mat3 got = gradientOn(field, static_cast<int>(p), Vec3(0.2, -0.3, 0.4));
             EXPECT_LT((got - gradient).norm(), 1e-10 * gradient.norm());
