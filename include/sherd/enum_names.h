@@ -61,6 +61,12 @@ inline constexpr NamedValue<Debris> enum_names<Debris>[] = {
 };
 
 template <>
+inline constexpr NamedValue<CrackPattern> enum_names<CrackPattern>[] = {
+    {"stress", CrackPattern::stress},
+    {"seeds", CrackPattern::seeds},
+};
+
+template <>
 inline constexpr NamedValue<CollisionShape> enum_names<CollisionShape>[] = {
     {"automatic", CollisionShape::automatic},
     {"boxes", CollisionShape::boxes},

@@ -243,6 +243,8 @@ IfFieldsOf<Self, FractureSettings> visitFields(Self& s, Visitor&& visit) {
                 Range::positive("m^3").orSpecial(0, "1/200 of the first body")},
           s.smallest_fragment_m3);
     visit(Field{"debris", "what becomes of pieces below smallest_fragment_m3"}, s.debris);
+    visit(Field{"crack_pattern", "what says where cracks run: the stress, or distances from seeds"},
+          s.crack_pattern);
     visit(Field{"guide", "a direction along which fragments grow"}, s.guide);
     visit(Field{"crack_roughness", "roughness of crack faces",
                 Range::between(0, 0.5).with("fraction of the particle spacing")},

@@ -149,6 +149,17 @@ struct GuideField {
     Status validate() const;
 };
 
+/// How the damaged part of a body is split into clusters (paper, section 6.2).
+enum class CrackPattern {
+    /// Cracks cut the damaged part in two, and again, until there are as many pieces as are wanted. Each runs
+    /// straight through, where it costs least: it is short, and the largest tension of the blow acts at right
+    /// angles to it. Pieces grow with the distance from the blow, from dust to shards.
+    stress,
+    /// The paper's: every particle belongs to the nearest of seeds (Eq. 18); the stress says only how dense
+    /// these are.
+    seeds,
+};
+
 /// What becomes of pieces below `FractureSettings::smallest_fragment_m3`.
 enum class Debris {
     unbreakable,  ///< bodies as the others, that never break again
@@ -196,7 +207,8 @@ struct FractureSettings {
     /// body that was whole at first; fragments keep it.
     double smallest_fragment_m3 = 0;
     Debris debris = Debris::unbreakable;
-    GuideField guide;
+    CrackPattern crack_pattern = CrackPattern::stress;
+    GuideField guide;  ///< with either pattern
     /// How far crack faces are displaced at most, as a fraction of the particle spacing, 0 to 0.5. Both sides
     /// of a crack fit.
     double crack_roughness = 0;

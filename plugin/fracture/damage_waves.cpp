@@ -12,8 +12,11 @@ namespace {
 
 /// Damaged particles are free of stress in the next wave; how far they were over their strength still counts.
 void keepLargest(const Damage& before, Damage& damage) {
-    for (std::size_t i = 0; i < damage.overstress.size(); ++i)
-        damage.overstress[i] = std::max(damage.overstress[i], before.overstress[i]);
+    for (std::size_t i = 0; i < damage.overstress.size(); ++i) {
+        if (!(before.overstress[i] > damage.overstress[i])) continue;
+        damage.overstress[i] = before.overstress[i];
+        damage.stress[i] = before.stress[i];
+    }
     damage.largest_stress_pa = std::max(damage.largest_stress_pa, before.largest_stress_pa);
 }
 

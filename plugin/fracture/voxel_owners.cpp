@@ -1,6 +1,7 @@
 #include "fracture/voxel_owners.h"
 
 #include <limits>
+#include <numeric>
 
 namespace sherd {
 
@@ -40,10 +41,13 @@ std::vector<int> voxelOwners(const Discretisation& sampling, const FragmentLabel
             if (pieces.empty() || pieces.back() != static_cast<int>(p)) pieces.push_back(static_cast<int>(p));
         }
     }
+    std::vector<int> all(surfaces.pieces.size());
+    std::iota(all.begin(), all.end(), 0);
     std::vector<int> owner(sampling.voxels.size(), -1);
     for (std::size_t v = 0; v < sampling.voxels.size(); ++v) {
         const int label = labels.of_particle[sampling.cells[sampling.voxels[v].cell].particle];
-        const std::vector<int>& candidates = pieces_of_label[label];
+        // All of a label may have become part of another's piece.
+        const std::vector<int>& candidates = pieces_of_label[label].empty() ? all : pieces_of_label[label];
         owner[v] = candidates.size() == 1
                        ? candidates.front()
                        : nearestPiece(centreOf(sampling.voxels[v], sampling), candidates, surfaces);

@@ -45,23 +45,6 @@ void labelByNearest(const std::vector<int>& damaged, const std::vector<TwoNeares
     }
 }
 
-/// Labels each connected undamaged part; returns the damaged particles.
-std::vector<int> labelWholeParts(const Discretisation& solid, const std::vector<char>& damaged,
-                                 FragmentLabels& labels) {
-    const Parts parts = connectedParts(solid, damaged);
-    std::vector<int> label_of_part(parts.sizes.size(), -1), rest;
-    for (std::size_t i = 0; i < damaged.size(); ++i) {
-        if (damaged[i]) {
-            rest.push_back(static_cast<int>(i));
-            continue;
-        }
-        int& label = label_of_part[parts.of_particle[i]];
-        if (label < 0) label = labels.count++;
-        labels.of_particle[i] = label;
-    }
-    return rest;
-}
-
 }  // namespace
 
 FragmentLabels clusterParticles(const Discretisation& solid, const Damage& damage, int clusters,
@@ -70,7 +53,6 @@ FragmentLabels clusterParticles(const Discretisation& solid, const Damage& damag
     const std::vector<Vec3> axes = wallAxes(solid);
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
-    labels.of_particle.assign(region.damaged.size(), -1);
     labels.runner_up.resize(region.damaged.size());
     const std::vector<int> damaged = labelWholeParts(solid, region.damaged, labels);
     std::vector<int> seeds;

@@ -67,7 +67,9 @@ Damage throughTheWall(const Discretisation& solid, const std::vector<Vec3>& axes
         if (!damage.damaged[first]) continue;
         forEachThroughWall(solid, axes, static_cast<int>(first), wall, seen_from, [&](int j) {
             through.damaged[j] = 1;
-            through.overstress[j] = std::max(through.overstress[j], damage.overstress[first]);
+            if (!(damage.overstress[first] > through.overstress[j])) return;
+            through.overstress[j] = damage.overstress[first];
+            if (!damage.stress.empty()) through.stress[j] = damage.stress[first];
         });
     }
     return through;
@@ -106,6 +108,23 @@ Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes,
     region = throughTheWall(solid, axes, region, wall_thickness_m);
     region.damaged = withoutSpecks(solid, region.damaged);
     return region;
+}
+
+std::vector<int> labelWholeParts(const Discretisation& solid, const std::vector<char>& damaged,
+                                 FragmentLabels& labels) {
+    labels.of_particle.assign(damaged.size(), -1);
+    const Parts parts = connectedParts(solid, damaged);
+    std::vector<int> label_of_part(parts.sizes.size(), -1), rest;
+    for (std::size_t i = 0; i < damaged.size(); ++i) {
+        if (damaged[i]) {
+            rest.push_back(static_cast<int>(i));
+            continue;
+        }
+        int& label = label_of_part[parts.of_particle[i]];
+        if (label < 0) label = labels.count++;
+        labels.of_particle[i] = label;
+    }
+    return rest;
 }
 
 }  // namespace sherd

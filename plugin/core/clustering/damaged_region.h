@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "core/clustering/fragment_labels.h"
 #include "core/damage/damage.h"
 #include "core/sampling/discretisation.h"
 
@@ -15,8 +16,13 @@ struct Parts {
 Parts connectedParts(const Discretisation& solid, const std::vector<char>& state);
 
 /// The part of a body that is split into clusters: the damaged particles and those behind them through the
-/// wall, with their overstress, and without specks of either state. `axes`: see wall_axes.h.
+/// wall, with their overstress and stress, and without specks of either state. `axes`: see wall_axes.h.
 Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
                      double wall_thickness_m);
+
+/// Gives each connected undamaged part a label of its own; returns the damaged particles, whose labels are
+/// -1.
+std::vector<int> labelWholeParts(const Discretisation& solid, const std::vector<char>& damaged,
+                                 FragmentLabels& labels);
 
 }  // namespace sherd

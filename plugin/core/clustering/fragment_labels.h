@@ -3,7 +3,10 @@
 #include <sherd/types.h>
 
 #include <functional>
+#include <memory>
 #include <vector>
+
+#include "core/clustering/crack_tree.h"
 
 namespace sherd {
 
@@ -28,6 +31,10 @@ struct FragmentLabels {
     std::function<double(const Vec3& seed, const Vec3& x)> distance;  ///< m
     std::vector<Vec3> seeds;                                          ///< of the clusters, m
     std::vector<int> cluster;  ///< #particles; several may have been merged under a label; -1: undamaged
+
+    // With crack planes, which place cracks exactly too; else empty.
+    std::shared_ptr<const CrackTree> cracks;
+    std::vector<int> part;  ///< #particles, of the tree; several may have been merged under a label
 
     RunnerUp runnerUpOf(int particle) const { return runner_up.empty() ? RunnerUp{} : runner_up[particle]; }
 };

@@ -38,6 +38,12 @@ double radialDistance(const Vec3& seed, const Vec3& x, const BlowAxis& blow, dou
     return (offset + (along - offset.dot(v)) * v).norm();
 }
 
+Mat3 shortened(const Vec3& field, double lambda) {
+    if (field.isZero(0)) return Mat3::Identity();
+    const Vec3 v = field.stableNormalized();
+    return Mat3::Identity() - (1 - lambda) * v * v.transpose();
+}
+
 }  // namespace
 
 double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide, const BlowAxis& blow) {
@@ -54,6 +60,24 @@ double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide,
                 .norm();
     }
     return (x - seed).norm();
+}
+
+Mat3 guideStretch(const Vec3& x, const GuideField& guide, const BlowAxis& blow) {
+    const double lambda = guide.cost_along;
+    switch (guide.kind) {
+        case GuideField::Kind::none:
+            break;
+        case GuideField::Kind::constant:
+            return shortened(guide.direction, lambda);
+        case GuideField::Kind::radial: {
+            const Vec3 away = x - blow.contact;
+            return shortened(blow.direction, lambda) *
+                   shortened(away - away.dot(blow.direction) * blow.direction, lambda);
+        }
+        case GuideField::Kind::custom:
+            return shortened(customDirection(x, guide, blow.contact), lambda);
+    }
+    return Mat3::Identity();
 }
 
 }  // namespace sherd

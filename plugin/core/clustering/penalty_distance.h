@@ -17,4 +17,8 @@ namespace sherd {
 /// lambda too: the cracks of a struck pane go straight through it.
 double penaltyDistance(const Vec3& seed, const Vec3& x, const GuideField& guide, const BlowAxis& blow);
 
+/// The same at one place: multiplied with a short offset at x it makes the part along the field lambda times
+/// as long, and in a radial field that along the axis of the blow too.
+Mat3 guideStretch(const Vec3& x, const GuideField& guide, const BlowAxis& blow);
+
 }  // namespace sherd

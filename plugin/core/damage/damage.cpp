@@ -1,6 +1,7 @@
 #include "core/damage/damage.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/stress/principal_stresses.h"
 
@@ -25,12 +26,16 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     Damage damage;
     damage.damaged = damaged.empty() ? std::vector<char>(n, 0) : damaged;
     damage.overstress.resize(n);
+    damage.stress.assign(n, SymmetricTensor::Zero());
     double tension = 0;
     const auto include = [&](std::size_t particle, std::size_t point, const SymmetricTensor& s) {
         const PrincipalStresses principal = principalStresses(s);
         const double equivalent = strength.criterion.equivalent_stress_pa(principal, strength.material);
-        double& overstress = damage.overstress[particle];
-        overstress = std::max(overstress, scale / strength.at_points[point] * equivalent);
+        const double overstress = scale / strength.at_points[point] * equivalent;
+        if (overstress > damage.overstress[particle]) {
+            damage.overstress[particle] = overstress;
+            damage.stress[particle] = scale * s;
+        }
         tension = std::max(tension, principal.largest);
     };
     for (std::size_t i = 0; i < n; ++i) include(i, i, stress.particles[i]);

@@ -15,6 +15,8 @@ struct Damage {
     std::vector<char> damaged;  ///< #particles, 1 where the strength is exceeded
     std::vector<double>
         overstress;  ///< #particles, the largest of the equivalent stress over the tensile strength there
+    /// #particles, Pa: the stress that is nearest to failure at each; zero where it was not read.
+    std::vector<SymmetricTensor> stress;
     double largest_stress_pa = 0;  ///< largest principal stress at any particle or surface point
     int count = 0;                 ///< damaged particles
 };

@@ -65,6 +65,7 @@ double blowEnergy(const Blow& blow, double mass_kg, bool held);
 struct BlowAxis {
     Vec3 contact = Vec3::Zero();    ///< m
     Vec3 direction = Vec3::Zero();  ///< unit, or zero: not known
+    double radius_m = 0;            ///< root mean square distance of the forces from `contact`
 };
 
 }  // namespace sherd

@@ -197,7 +197,14 @@ BlowAxis axisOf(const std::vector<PointForce>& forces) {
     }
     if (!(weight > 0)) return {};
     constexpr double least = 1e-6;  // of all forces: below that they pull apart and have no direction
-    return {places / weight, sum.norm() > least * weight ? sum.normalized().eval() : Vec3(Vec3::Zero())};
+    BlowAxis axis;
+    axis.contact = places / weight;
+    if (sum.norm() > least * weight) axis.direction = sum.normalized();
+    double squares = 0;
+    for (const PointForce& force : forces)
+        squares += force.force.norm() * (force.position - axis.contact).squaredNorm();
+    axis.radius_m = std::sqrt(squares / weight);
+    return axis;
 }
 
 }  // namespace sherd

@@ -63,7 +63,8 @@ std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches);
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,
                       const ContactSettings& settings);
 
-/// Where forces act on the whole, their places weighted with their size, and the direction of their sum.
+/// Where forces act on the whole, their places weighted with their size, how far around that they act, and
+/// the direction of their sum.
 BlowAxis axisOf(const std::vector<PointForce>& forces);
 
 }  // namespace sherd

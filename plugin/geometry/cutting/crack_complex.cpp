@@ -4,8 +4,8 @@
 
 namespace sherd {
 
-double clampToEdge(double t) {
-    return std::min(1 - smallest_edge_place, std::max(smallest_edge_place, t));
+double clampToEdge(double t, double least) {
+    return std::min(1 - least, std::max(least, t));
 }
 
 Vec3 positionOf(const CrackPoint& point, const CrackComplex& complex, const LabelLattice& lattice) {
@@ -15,6 +15,19 @@ Vec3 positionOf(const CrackPoint& point, const CrackComplex& complex, const Labe
     for (int i = 0; i < 4; ++i)
         if (point.between[i] >= 0) position += point.weights[i] * complex.points[point.between[i]];
     return position;
+}
+
+void placeInFace(CrackPoint& point, const CrackComplex& complex, const Vec3& wanted, double least) {
+    const Vec3 &a = complex.points[point.between[0]], &b = complex.points[point.between[1]],
+               &c = complex.points[point.between[2]];
+    const Vec3 normal = (b - a).cross(c - a);
+    std::array<double, 4> w = {normal.dot((b - wanted).cross(c - wanted)),
+                               normal.dot((c - wanted).cross(a - wanted)),
+                               normal.dot((a - wanted).cross(b - wanted)), 0};
+    double sum = 0;
+    for (int i = 0; i < 3; ++i) sum += w[i] = std::max(least, w[i] / normal.squaredNorm());
+    for (double& weight : w) weight /= sum;
+    point.weights = w;
 }
 
 void placePoints(CrackComplex& complex, const LabelLattice& lattice) {

@@ -35,15 +35,17 @@ struct CrackComplex {
     std::vector<int> first_of_cell;  ///< #active cells + 1, offsets: the triangles made in each
 };
 
-/// Points on lattice edges keep at least this far from both ends, as a fraction of the edge: so there are no
-/// slivers, and no piece of a label is thinner.
-constexpr double smallest_edge_place = 0.15;
-
-/// The nearest place on an edge that a point may have.
-double clampToEdge(double t);
+/// The nearest place on an edge that a point may have. Points keep at least `least` from both ends, as a
+/// fraction of the edge: so there are no slivers, and no piece of a label is thinner.
+double clampToEdge(double t, double least);
 
 /// The position of a point, m; the points it lies between must have theirs.
 Vec3 positionOf(const CrackPoint& point, const CrackComplex& complex, const LabelLattice& lattice);
+
+/// Sets the weights of a point on a lattice face so that it is as near to `wanted` as it can be with weights
+/// of at least `least`. Weights stay positive so that the point stays inside the triangle of the points on
+/// the face's edges: there the sheets of one tetrahedron cannot cross.
+void placeInFace(CrackPoint& point, const CrackComplex& complex, const Vec3& wanted, double least);
 
 /// Recomputes all positions from the places on edges and the weights.
 void placePoints(CrackComplex& complex, const LabelLattice& lattice);

@@ -11,11 +11,12 @@ void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double am
         CrackPoint& origin = complex.origins[p];
         if (!origin.isOnEdge() || origin.fixed) continue;
         const double length = (lattice.nodes[origin.nodes[1]] - lattice.nodes[origin.nodes[0]]).norm();
+        const double least = lattice.smallest_edge_place;
         constexpr std::uint64_t component = 3;  // 0 to 2 move the lattice's nodes
         const double random = hashedRandom(seed, p, component);
         // The move is scaled to the room there is. Were it clamped, points would gather at the ends.
-        const double room = random > 0 ? 1 - smallest_edge_place - origin.t : origin.t - smallest_edge_place;
-        origin.t = clampToEdge(origin.t + random * std::min(room, amplitude / length));
+        const double room = random > 0 ? 1 - least - origin.t : origin.t - least;
+        origin.t = clampToEdge(origin.t + random * std::min(room, amplitude / length), least);
     }
     placePoints(complex, lattice);
 }

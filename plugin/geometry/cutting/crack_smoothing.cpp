@@ -42,24 +42,7 @@ NeighbourSums sumNeighbours(const CrackComplex& complex, const Moving& moving) {
 
 double placeOnEdge(const CrackPoint& origin, const LabelLattice& lattice, const Vec3& wanted) {
     const Vec3 a = lattice.nodes[origin.nodes[0]], edge = lattice.nodes[origin.nodes[1]] - a;
-    return clampToEdge((wanted - a).dot(edge) / edge.squaredNorm());
-}
-
-// The weights of the point of a lattice face that is nearest to the wanted one. All stay positive, so that
-// the point stays inside the triangle of the points on the face's edges: there the sheets of one tetrahedron
-// cannot cross.
-std::array<double, 4> weightsInFace(const CrackPoint& origin, const CrackComplex& complex,
-                                    const Vec3& wanted) {
-    const Vec3 &a = complex.points[origin.between[0]], &b = complex.points[origin.between[1]],
-               &c = complex.points[origin.between[2]];
-    const Vec3 normal = (b - a).cross(c - a);
-    std::array<double, 4> w = {normal.dot((b - wanted).cross(c - wanted)),
-                               normal.dot((c - wanted).cross(a - wanted)),
-                               normal.dot((a - wanted).cross(b - wanted)), 0};
-    double sum = 0;
-    for (int i = 0; i < 3; ++i) sum += w[i] = std::max(smallest_weight, w[i] / normal.squaredNorm());
-    for (double& weight : w) weight /= sum;
-    return w;
+    return clampToEdge((wanted - a).dot(edge) / edge.squaredNorm(), lattice.smallest_edge_place);
 }
 
 // Whether a point lies between two labels whose crack the particles' shares place already.
@@ -91,7 +74,7 @@ void smoothOnce(CrackComplex& complex, const LabelLattice& lattice, const Moving
         if (origin.isOnEdge())
             origin.t = placeOnEdge(origin, lattice, wanted);
         else
-            origin.weights = weightsInFace(origin, complex, wanted);
+            placeInFace(origin, complex, wanted, smallest_weight);
     }
     placePoints(complex, lattice);
 }
@@ -99,7 +82,7 @@ void smoothOnce(CrackComplex& complex, const LabelLattice& lattice, const Moving
 }  // namespace
 
 void smoothCracks(CrackComplex& complex, const LabelLattice& lattice, int steps) {
-    if (steps < 1) return;
+    if (steps < 1 || lattice.cracks) return;
     smoothOnce(complex, lattice, findMoving(complex, lattice, true));
     const Moving moving = findMoving(complex, lattice, false);
     for (int step = 1; step < steps; ++step) smoothOnce(complex, lattice, moving);

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "core/numerics/hashed_random.h"
+#include "geometry/cutting/label_by_cracks.h"
 #include "geometry/cutting/label_densities.h"
 
 namespace sherd {
@@ -14,14 +14,7 @@ constexpr int label_wanted = -2;
 
 // Those that are to get a label.
 void placeNodes(LabelLattice& lattice, std::uint64_t seed) {
-    for (const int node : lattice.layout->nodes) {
-        const auto counter = static_cast<std::uint64_t>(node);
-        const int row = node / lattice.size.x();
-        const Vec3 place(node % lattice.size.x(), row % lattice.size.y(), row / lattice.size.y());
-        const Vec3 jitter(hashedRandom(seed, counter, 0), hashedRandom(seed, counter, 1),
-                          hashedRandom(seed, counter, 2));
-        lattice.nodes[node] = lattice.origin + lattice.spacing * (place + lattice.jitter * jitter);
-    }
+    for (const int node : lattice.layout->nodes) lattice.nodes[node] = placeOfNode(lattice, node, seed);
 }
 
 // Which labels have cracks that are placed better than by smoothing.
@@ -63,13 +56,16 @@ void labelUnreached(LabelLattice& lattice, const Discretisation& solid, const Fr
                 for (int next : {front[head] - step, front[head] + step})
                     if (next >= 0 && next < count && lattice.labels[next] == label_wanted) {
                         lattice.labels[next] = lattice.labels[front[head]];
+                        if (lattice.cracks) lattice.parts[next] = lattice.parts[front[head]];
                         front.push_back(next);
                     }
     };
     flood();
     for (const int node : lattice.layout->nodes) {
         if (lattice.labels[node] != label_wanted) continue;
-        lattice.labels[node] = labels.of_particle[nearestParticle(solid, lattice.nodes[node])];
+        const int particle = nearestParticle(solid, lattice.nodes[node]);
+        lattice.labels[node] = labels.of_particle[particle];
+        if (lattice.cracks) lattice.parts[node] = labels.part[particle];
         front = {node};
         flood();
     }
@@ -86,8 +82,16 @@ LabelLattice buildLabelLattice(std::shared_ptr<const LatticeLayout> layout, cons
     lattice.labels.resize(lattice.nodes.size(), without_label);
     for (const int node : lattice.layout->nodes) lattice.labels[node] = label_wanted;
     placeNodes(lattice, seed);
-    labelByDensities(solid, reach, labels, lattice);
-    lattice.sharp = findSharpLabels(labels);
+    if (labels.cracks) {
+        constexpr double place_beside_crack = 0.06;
+        lattice.smallest_edge_place = place_beside_crack;
+        lattice.cracks = labels.cracks;
+        lattice.parts.resize(lattice.nodes.size(), -1);
+        labelByCracks(solid, labels, seed, lattice);
+    } else {
+        labelByDensities(solid, reach, labels, lattice);
+        lattice.sharp = findSharpLabels(labels);
+    }
     labelUnreached(lattice, solid, labels);
     return lattice;
 }

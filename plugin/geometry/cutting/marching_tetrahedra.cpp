@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "geometry/cutting/crack_planes.h"
+
 namespace sherd {
 
 namespace {
@@ -9,13 +11,15 @@ namespace {
 // The place on the edge where the labels of its ends are equally dense: where the contrast (f_a - f_b) / (f_a
 // + f_b), taken as linear, is zero. Unlike the densities it does not change when both fade into the air.
 double crossingOnEdge(const LabelLattice& lattice, int a, int b) {
+    if (lattice.cracks)
+        return clampToEdge(crackOnEdge(lattice, a, b).value_or(0.5), lattice.smallest_edge_place);
     const int la = lattice.labels[a], lb = lattice.labels[b];
     const auto contrast = [&](int node, int own, int other) {
         const double f = lattice.densities.largest(node, own), g = lattice.densities.largest(node, other);
         return f + g > 0 ? (f - g) / (f + g) : 0;
     };
     const double at_a = contrast(a, la, lb), at_b = contrast(b, lb, la);
-    return at_a + at_b > 0 ? clampToEdge(at_a / (at_a + at_b)) : 0.5;
+    return at_a + at_b > 0 ? clampToEdge(at_a / (at_a + at_b), lattice.smallest_edge_place) : 0.5;
 }
 
 /// The points on lattice edges and faces by their nodes, ascending; the third of an edge is -1. Each hangs on
@@ -141,6 +145,9 @@ class Marching {
         CrackPoint point;
         point.between = {onEdge(a, b), onEdge(b, c), onEdge(a, c), -1};
         point.weights = {1.0 / 3, 1.0 / 3, 1.0 / 3, 0};
+        constexpr double least = 0.03;
+        const auto exact = lattice_.cracks ? crackJunction(lattice_, a, b, c) : std::nullopt;
+        if (exact) placeInFace(point, complex_, *exact, least);
         return points_.add(key, addPoint(point));
     }
 

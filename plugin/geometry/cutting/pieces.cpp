@@ -2,6 +2,7 @@
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
+#include "geometry/cutting/hooked_pieces.h"
 #include "geometry/cutting/piece_shells.h"
 #include "geometry/cutting/stray_pieces.h"
 
@@ -55,6 +56,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
     if (!found) return Error{found.error()};
     std::vector<PieceShell> shells = std::move(found).value();
     mergeStrayPieces(boundary, faces.points, solid, labels, most_pieces, shells);
+    if (labels.cracks) mergeHookedPieces(boundary, faces.points, shells);
 
     for (const PieceShell& shell : shells)
         if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};

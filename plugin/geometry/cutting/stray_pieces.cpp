@@ -88,8 +88,9 @@ std::vector<int> chooseTargets(const std::vector<PieceShell>& shells, const Labe
     return merged.roots();
 }
 
-// Moves the triangles of merged shells and drops crack faces with the same shell on both sides.
-void applyMerges(const std::vector<int>& target_of, const LabelBoundary& boundary,
+}  // namespace
+
+void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundary,
                  std::vector<PieceShell>& shells) {
     std::vector<int> piece_of = pieceOfTriangle(shells, boundary);
     for (int& piece : piece_of) piece = target_of[piece];
@@ -113,15 +114,13 @@ void applyMerges(const std::vector<int>& target_of, const LabelBoundary& boundar
     removeEmptyShells(shells);
 }
 
-}  // namespace
-
 void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
                       const Discretisation& solid, const FragmentLabels& labels, int most_pieces,
                       std::vector<PieceShell>& shells) {
     std::vector<char> is_stray = findStrays(boundary, points, solid, labels, shells);
     addSmallest(shells, most_pieces, is_stray);
     if (std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end()) return;
-    applyMerges(chooseTargets(shells, boundary, points, is_stray), boundary, shells);
+    mergeShells(chooseTargets(shells, boundary, points, is_stray), boundary, shells);
 }
 
 }  // namespace sherd

@@ -16,4 +16,9 @@ void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& po
                       const Discretisation& solid, const FragmentLabels& labels, int most_pieces,
                       std::vector<PieceShell>& shells);
 
+/// Makes each shell a part of its target (#shells; itself, if it stays), and drops crack faces with the same
+/// shell on both sides.
+void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundary,
+                 std::vector<PieceShell>& shells);
+
 }  // namespace sherd

@@ -40,7 +40,7 @@ class SurfaceFitting {
             return surface_.indexOf(
                 surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
         const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
-        point.t = clampToEdge(starts_inside ? t : 1 - t);
+        point.t = clampToEdge(starts_inside ? t : 1 - t, lattice_.smallest_edge_place);
         return surface_.indexOf(hit->second);
     }
 

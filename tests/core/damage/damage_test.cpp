@@ -41,6 +41,8 @@ TEST(Damage, TensionAtTheParticleOrItsSurfaceBreaksCompressionOnlyWhereItCrushes
     EXPECT_EQ(damage.count, 3);
     EXPECT_NEAR(damage.largest_stress_pa, 10, 1e-12);
     EXPECT_NEAR(damage.overstress[0], 6 / 4.5, 1e-12);
+    EXPECT_EQ(damage.stress[0], 2 * stress.particles[0]);
+    EXPECT_EQ(damage.stress[3], 2 * stress.surface[0]) << "of the point that is nearest to failure";
     // 2 x 9 of compression against 3 x 4.5.
     const Damage crushed = damageOf(stress, 2, sampling, 4.5, 3);
     EXPECT_EQ(crushed.damaged, (std::vector<char>{1, 1, 1, 1}));

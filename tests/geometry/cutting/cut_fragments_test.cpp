@@ -2,10 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cfenv>
 #include <functional>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <set>
 
 #include "core/sampling/sample_solid.h"
@@ -271,6 +273,33 @@ TEST(FragmentSurfaces, LieWhereTwoSeedsAreEquallyNear) {
         }
     }
     EXPECT_NEAR(sum / count, middle, 0.1 * h);
+}
+
+// Crack planes: the second ends at the first, and all faces lie in one of the two.
+TEST(FragmentSurfaces, LieInCrackPlanes) {
+    const TriangleMesh mesh = shapes::slab({1, 1, 1}, 4, 4, 4);
+    const Discretisation solid = particlesOnly(mesh, 0.1);
+    const CrackPlane first{Vec3(1, 0.5, 0.2).normalized(), 0.03},
+        second{Vec3(-0.3, 1, 0.4).normalized(), -0.02};
+    auto tree = std::make_shared<CrackTree>();
+    const int below = tree->cut(tree->addRoot(), first), low = tree->cut(below + 1, second);
+    FragmentLabels labels = labelled(solid, 3, [&](const Vec3& x) {
+        return first.distance(x) < 0 ? 0 : second.distance(x) < 0 ? 1 : 2;
+    });
+    labels.cracks = tree;
+    for (const int label : labels.of_particle) labels.part.push_back(std::array{below, low, low + 1}[label]);
+    const auto fragments = cut(mesh, solid, labels);
+    ASSERT_EQ(fragments.pieces.size(), 3u);
+    double inside = 0, off = 0;
+    for (const FragmentSurface& piece : fragments.pieces)
+        for (std::size_t t = 0; t < piece.parents.size(); ++t) {
+            if (piece.parents[t] >= 0) continue;
+            const Vec3 area = areaVector(piece.mesh, static_cast<int>(t));
+            const bool is_of_first = piece.label == 0 || fragments.pieces[piece.across[t]].label == 0;
+            off += area.norm() - std::abs(area.dot((is_of_first ? first : second).normal));
+            inside += area.norm();
+        }
+    EXPECT_LT(off / inside, 0.005);
 }
 
 // Clusters across the diagonal of the particle grid: a plane, halfway between the rows x + y = 0 and 0.1, not

@@ -71,7 +71,8 @@ class DamageReading::Reader {
           strength_(strength),
           bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
-          overstress(of.problem_->solid->particles.size(), 0.0) {}
+          overstress(of.problem_->solid->particles.size(), 0.0),
+          worst(overstress.size(), SymmetricTensor::Zero()) {}
 
     /// Reads the points of a part that may be as near to failure as the overstress `wanted`, or under the
     /// largest tension.
@@ -156,8 +157,12 @@ class DamageReading::Reader {
         }
         const PrincipalStresses principal = principalStresses(stress);
         const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
-        double& largest = overstress[of_.points_.points[at].particle];
-        largest = std::max(largest, scale_ / strength_.at_points[at] * equivalent);
+        const int particle = of_.points_.points[at].particle;
+        const double own = scale_ / strength_.at_points[at] * equivalent;
+        if (own > overstress[particle]) {
+            overstress[particle] = own;
+            worst[particle] = scale_ * stress;
+        }
         tension = std::max(tension, principal.largest);
     }
 
@@ -228,8 +233,9 @@ class DamageReading::Reader {
     Eigen::Vector3f per_edge_;  ///< of a cell
 
   public:
-    std::vector<double> overstress;  ///< per particle, the largest that was read
-    double tension = 0;              ///< the largest that was read
+    std::vector<double> overstress;      ///< per particle, the largest that was read
+    std::vector<SymmetricTensor> worst;  ///< per particle, the stress that made it, Pa
+    double tension = 0;                  ///< the largest that was read
 };
 
 /// The least strength at the points of a part.
@@ -287,6 +293,7 @@ Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField
     damage.overstress = std::move(reader.overstress);
     for (const double overstress : damage.overstress) damage.damaged.push_back(failed(overstress));
     damage.count = static_cast<int>(std::count(damage.damaged.begin(), damage.damaged.end(), 1));
+    damage.stress = std::move(reader.worst);
     damage.largest_stress_pa = scale * reader.tension;
     return damage;
 }

@@ -1,0 +1,129 @@
+#include "geometry/cutting/hooked_pieces.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numeric>
+
+#include "core/numerics/pi.h"
+#include "core/numerics/union_find.h"
+#include "geometry/cutting/stray_pieces.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr double most_in_the_way = 0.04;  // of the crack area
+constexpr double tolerance = 0.1736;      // sine of 10 degrees
+constexpr int directions = 400;
+
+/// A crack face of a piece.
+struct Face {
+    Vec3 normal;  // outward, unit
+    double area;
+    int triangle;
+};
+
+bool isFree(const std::vector<Face>& faces, double allowed, const Vec3& direction) {
+    for (const Face& face : faces) {
+        if (face.normal.dot(direction) > tolerance) allowed -= face.area;
+        if (allowed < 0) return false;
+    }
+    return true;
+}
+
+/// Tries the ways out that most pieces have first: away from the cracks, and along a wall.
+bool isHooked(const std::vector<Face>& faces) {
+    double all = 0;
+    Vec3 sum = Vec3::Zero();
+    Mat3 facing = Mat3::Zero();
+    for (const Face& face : faces) {
+        all += face.area;
+        sum += face.area * face.normal;
+        facing += face.area * face.normal * face.normal.transpose();
+    }
+    const double allowed = most_in_the_way * all;
+    const auto free = [&](const Vec3& direction) { return isFree(faces, allowed, direction); };
+    const Vec3 along = Eigen::SelfAdjointEigenSolver<Mat3>(facing).eigenvectors().col(0);
+    if (free(-sum.normalized()) || free(along) || free(-along)) return false;
+    for (int k = 0; k < directions; ++k) {
+        const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z),
+                     angle = k * pi * (3 - std::sqrt(5.0));
+        if (free(Vec3(r * std::cos(angle), r * std::sin(angle), z))) return false;
+    }
+    return true;
+}
+
+class Merging {
+  public:
+    Merging(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+            const std::vector<PieceShell>& shells)
+        : boundary_(boundary),
+          shells_(shells),
+          piece_of_(pieceOfTriangle(shells, boundary)),
+          faces_(shells.size()),
+          merged_(shells.size()) {
+        for (std::size_t s = 0; s < shells.size(); ++s)
+            for (const int t : shells[s].triangles) {
+                if (t < boundary.body_count) continue;
+                const auto& [a, b, c] = boundary.triangles[t];
+                const Vec3 area = (points[b] - points[a]).cross(points[c] - points[a]) / 2;
+                if (area.norm() > 0) faces_[s].push_back({area.normalized(), area.norm(), t});
+            }
+    }
+
+    std::vector<int> run() {
+        std::vector<int> order(shells_.size());
+        std::iota(order.begin(), order.end(), 0);
+        std::stable_sort(order.begin(), order.end(),
+                         [&](int a, int b) { return shells_[a].volume < shells_[b].volume; });
+        std::vector<char> changed(shells_.size(), 1);
+        while (std::find(changed.begin(), changed.end(), 1) != changed.end())
+            for (const int s : order) {
+                if (!merged_.isRoot(s) || !changed[s]) changed[s] = 0;
+                if (!changed[s]) continue;
+                changed[s] = 0;
+                if (!faces_[s].empty() && isHooked(faces_[s])) changed[mergeIntoNeighbour(s)] = 1;
+            }
+        return merged_.roots();
+    }
+
+  private:
+    int across(const Face& face) { return merged_.root(piece_of_[boundary_.opposite(face.triangle)]); }
+
+    /// Faces between what is one piece by now.
+    void dropInner(int piece) {
+        std::vector<Face>& faces = faces_[piece];
+        faces.erase(std::remove_if(faces.begin(), faces.end(),
+                                   [&](const Face& face) { return across(face) == piece; }),
+                    faces.end());
+    }
+
+    /// Returns the neighbour.
+    int mergeIntoNeighbour(int piece) {
+        std::map<int, double> areas;
+        for (const Face& face : faces_[piece]) areas[across(face)] += face.area;
+        const auto most = std::max_element(areas.begin(), areas.end(),
+                                           [](const auto& a, const auto& b) { return a.second < b.second; });
+        merged_.uniteInto(most->first, piece);
+        faces_[most->first].insert(faces_[most->first].end(), faces_[piece].begin(), faces_[piece].end());
+        dropInner(most->first);
+        return most->first;
+    }
+
+    const LabelBoundary& boundary_;
+    const std::vector<PieceShell>& shells_;
+    std::vector<int> piece_of_;
+    std::vector<std::vector<Face>> faces_;  // #shells
+    UnionFind merged_;
+};
+
+}  // namespace
+
+void mergeHookedPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+                       std::vector<PieceShell>& shells) {
+    mergeShells(Merging(boundary, points, shells).run(), boundary, shells);
+}
+
+}  // namespace sherd
