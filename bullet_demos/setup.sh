@@ -74,6 +74,3 @@ build_targets() {
 
 # OpenBLAS takes its oldest kernels on a processor that is newer than itself; these are right for all with AVX2.
 if [ -z "${OPENBLAS_CORETYPE:-}" ] && grep -qs avx2 /proc/cpuinfo; then export OPENBLAS_CORETYPE=Haswell; fi
-
-# Threads of OpenBLAS wait by spinning: on cores that others use as well, one thread is far faster than two.
-export OPENBLAS_NUM_THREADS=${OPENBLAS_NUM_THREADS:-1}

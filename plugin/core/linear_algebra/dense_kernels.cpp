@@ -1,6 +1,7 @@
 #include "core/linear_algebra/dense_kernels.h"
 
 #include <cstddef>
+#include <cstdlib>
 #include <vector>
 
 extern "C" {
@@ -30,6 +31,9 @@ void sgemv_(const char* trans, const int* m, const int* n, const float* alpha, c
             const float* x, const int* incx, const float* beta, float* y, const int* incy);
 void dsyevd_(const char* jobz, const char* uplo, const int* n, double* a, const int* lda, double* w,
              double* work, const int* lwork, int* iwork, const int* liwork, int* info);
+#ifdef __GNUC__
+void openblas_set_num_threads(int count) __attribute__((weak));  // OpenBLAS alone has it
+#endif
 }
 
 namespace sherd {
@@ -65,6 +69,19 @@ constexpr Number one = 1;
 template <class Number>
 constexpr Number minus_one = -1;
 constexpr int step = 1;
+
+// Work is shared out between threads above these kernels. OpenBLAS's own threads wait by spinning, which on
+// cores that others use as well takes many times as long, and their number changes the bits.
+bool limitBlasThreads() {
+#ifdef __GNUC__
+    const bool is_chosen = std::getenv("OPENBLAS_NUM_THREADS") || std::getenv("OMP_NUM_THREADS");
+    if (!is_chosen && openblas_set_num_threads) openblas_set_num_threads(1);
+    return !is_chosen;
+#else
+    return false;
+#endif
+}
+[[maybe_unused]] const bool has_one_thread = limitBlasThreads();
 
 }  // namespace
 
