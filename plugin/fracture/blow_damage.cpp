@@ -34,7 +34,7 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
         return response.strain_energy_j;
     };
     Result<BlowForces> forces =
-        blowForces(struck.solid, struck.fracture.contact, blow, solve, NearFields::wanted, ms);
+        blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
     if (!forces) return false;
     found.level = Level::reduced;
     found.forces = std::move(forces).value();

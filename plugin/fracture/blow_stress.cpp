@@ -76,7 +76,8 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     forces.loads = scaled(answer.forces, 1 / pressed);
     for (const PointForce& load : forces.loads)
         if (load.force.dot(stack.strike.push) > 0) forces.strike.push_back(load);
-    const Result<double> energy = solve(forces.loads);
+    forces.contact.others = forces.loads;
+    const Result<double> energy = solve(forces.loads, forces.contact);
     if (!energy) return Error{energy.error()};
     forces.strain_energy_j = std::min(energy.value() * forces.pulse.peak_force_n * forces.pulse.peak_force_n,
                                       stack.largestEnergy());
@@ -113,7 +114,7 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 }
 
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
-                              const StressOfLoads& solve, NearFields near_fields, StageTimes& ms) {
+                              const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms) {
     const ContactBody body = struckBody(solid);
     if (blow.isSqueezed()) return squeezingForces(solid, contact, blow, solve, ms);
     const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
@@ -123,8 +124,7 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     if (forces.strike.empty()) return forces;
     // Finer grids around the contacts see the near field themselves.
     const StressSettings& stress = solid.settings().stress;
-    if (near_fields == NearFields::wanted && stress.trial_function == TrialFunction::spline &&
-        !stress.resample_contacts)
+    if (grid.near_fields && stress.trial_function == TrialFunction::spline && !stress.resample_contacts)
         forces.contact = timed(ms.loads, [&] { return contactField(body, patches); });
     SupportAnswer answer;
     std::vector<Foundation> foundations;
@@ -134,11 +134,12 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
         foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strikes, contact); });
 
     const double patch_energy_j = patchEnergy(body, strikes, contact, solid.spacing());
+    const double unseen_j = patch_energy_j - patchEnergy(body, strikes, contact, grid.spacing_m);
     double unit_energy_j = 0, brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
         const Result<double> energy = solve(forces.loads, forces.contact);
         if (!energy) return Error{energy.error()};
-        unit_energy_j = energy.value();
+        unit_energy_j = energy.value() + unseen_j;
         const double body_energy_j = std::max(unit_energy_j - patch_energy_j, least_part * unit_energy_j);
         const Impact impact = impactOf(strikes, answer.held);
         forces.pulse =
@@ -174,7 +175,7 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& s
         return stress.unit.strain_energy_j;
     };
     Result<BlowForces> forces =
-        blowForces(struck.solid, struck.fracture.contact, blow, solve, NearFields::wanted, ms);
+        blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
     if (!forces) return Error{forces.error()};
     static_cast<BlowForces&>(stress) = std::move(forces).value();
     if (stress.contact.near.empty()) return stress;

@@ -34,8 +34,11 @@ struct BlowStress : BlowForces {
 using StressOfLoads =
     std::function<Result<double>(const std::vector<PointForce>& unit_loads, const ContactField& contact)>;
 
-/// Whether the near field of what strikes is looked for.
-enum class NearFields { wanted, left_out };
+/// On what the forces of a blow are solved.
+struct SolvingGrid {
+    double spacing_m = 0;
+    bool near_fields = true;  ///< whether the near field of what strikes is looked for
+};
 
 /// What the loads need to know of a solid. Refers to it.
 ContactBody struckBody(const BreakableSolid& solid);
@@ -54,9 +57,10 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 /// one solve: what the body stores under a unit force decides how the energy is shared, and so the peak force
 /// and the duration. Supports answer the more the longer the pulse is, and lengthen it themselves, so the
 /// solve is repeated until their answer stays. Weight is left out: the body bears it before and after the
-/// blow as well. The last loads that `solve` is given are those that are returned.
+/// blow as well. What a grid coarser than the solid's own does not see of the dents below the strikes is
+/// added (patchEnergy). The last loads that `solve` is given are those that are returned.
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
-                              const StressOfLoads& solve, NearFields near_fields, StageTimes& ms);
+                              const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms);
 
 /// The same with the stress of a full solve.
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,

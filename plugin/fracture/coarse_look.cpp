@@ -25,8 +25,8 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
     };
     StageTimes parts_of_it;
     const Result<BlowForces> forces =
-        blowForces(solid, fracture.contact, blow, solve, NearFields::left_out, parts_of_it);
-    constexpr double margin = 2.7;  // by which the full solve may store more, see CoarseModel
+        blowForces(solid, fracture.contact, blow, solve, {model.value().spacing(), false}, parts_of_it);
+    constexpr double margin = 1.5;  // by which the full solve may store more, see CoarseModel
     if (!forces || !(margin * forces.value().strain_energy_j < smallestCrackEnergy(solid, fracture)))
         return std::nullopt;
     BlowOutcome held;

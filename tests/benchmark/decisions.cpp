@@ -46,7 +46,7 @@ class Answering {
         : solid_(solid),
           sampling_(*valueOrExit(solid.discretisation())),
           fracture_(solid.settings().fracture),
-          strong_(sampling_.particles.size(), nothing_breaks) {
+          strength_(unbreakable(solid.material()), solid.strength().scatterLength(), {}) {
         fracture_.use_reduced_model = reduced;
     }
 
@@ -54,7 +54,7 @@ class Answering {
     double ask(const Blow& blow, double& ms, bool& known) const {
         StageTimes times;
         const double start = processorMilliseconds();
-        const BlowDamage found = blowDamage({solid_, sampling_, fracture_, 1}, blow, strength(), times);
+        const BlowDamage found = blowDamage({solid_, sampling_, fracture_, 1}, blow, strength_, times);
         ms = processorMilliseconds() - start;
         known = !found.forces.contact.near.empty();
         return found.damage.largest_stress_pa / found.forces.pulse.peak_force_n;
@@ -81,17 +81,21 @@ class Answering {
     }
 
   private:
-    Strength strength() const { return {solid_.failureCriterion(), solid_.material(), strong_}; }
+    static Material unbreakable(Material material) {
+        material.tensile_strength_pa = nothing_breaks;
+        material.strength_scatter = 0;
+        return material;
+    }
 
     std::vector<PointForce> ask(const Blow& blow) const {
         StageTimes times;
-        return blowDamage({solid_, sampling_, fracture_, 1}, blow, strength(), times).forces.loads;
+        return blowDamage({solid_, sampling_, fracture_, 1}, blow, strength_, times).forces.loads;
     }
 
     const BreakableSolid& solid_;
     const Discretisation& sampling_;
     FractureSettings fracture_;
-    std::vector<double> strong_;
+    BodyStrength strength_;
 };
 
 struct Answers {

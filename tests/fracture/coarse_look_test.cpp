@@ -47,7 +47,8 @@ double coarseEnergy(const BreakableSolid& solid, const Blow& blow) {
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&) {
         return solid.coarseModel().value().strainEnergy(loads);
     };
-    return blowForces(solid, solid.settings().fracture.contact, blow, solve, NearFields::left_out, ms)
+    return blowForces(solid, solid.settings().fracture.contact, blow, solve,
+                      {solid.coarseModel().value().spacing(), false}, ms)
         .value()
         .strain_energy_j;
 }
@@ -58,8 +59,8 @@ TEST(CoarseLook, ItsEnergyIsNearlyTheFullSolves) {
         ASSERT_TRUE(solid->coarseModel().ok()) << solid->coarseModel().error();
         const double ratio =
             coarseEnergy(*solid, blowInTheMiddle(0.1, 3)) / fullEnergy(*solid, blowInTheMiddle(0.1, 3));
-        EXPECT_GT(ratio, 1 / 2.7) << "the margin of the look";
-        EXPECT_LT(ratio, 1.02) << "a coarser space is stiffer";
+        EXPECT_GT(ratio, 1 / 1.5) << "the margin of the look";
+        EXPECT_LT(ratio, 1.25) << "the dent is added in closed form";
     }
 }
 
@@ -72,7 +73,7 @@ TEST(CoarseLook, TellsProngsApartThatLieInOneCell) {
 TEST(CoarseLook, WhatItSaysIsHeldIsHeldByAFullSolve) {
     int coarse = 0, full = 0;
     for (const TriangleMesh& surface : pieces())
-        for (double speed = 0.5; speed < 30; speed *= 1.5) {
+        for (double speed = 0.5; speed < 30; speed *= 1.2) {
             const auto solid = fragment(surface);
             const FractureSettings& fracture = solid->settings().fracture;
             const Blow blow = blowInTheMiddle(0.02, speed);

@@ -38,8 +38,10 @@ class NearFieldBlow : public ::testing::Test {
         const Discretisation& sampling = *solid.discretisation().value();
         FractureSettings fracture = solid.settings().fracture;
         fracture.use_reduced_model = level == Level::reduced;
-        const std::vector<double> strengths(sampling.particles.size(), 1e30);
-        const Strength strength{solid.failureCriterion(), solid.material(), strengths};
+        Material strong = solid.material();
+        strong.tensile_strength_pa = 1e30;
+        strong.strength_scatter = 0;
+        const BodyStrength strength(strong, solid.strength().scatterLength(), {});
         StageTimes ms;
         const BlowDamage found = blowDamage({solid, sampling, fracture, 1}, blow, strength, ms);
         EXPECT_EQ(found.level, level);

@@ -170,8 +170,11 @@ std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vec
     for (const Strike& strike : strikes)
         for (const StrikePoint& point : strike.points) {
             const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
-            ContactPatch patch{point.spot, point.contact->normal, share * point.push,
-                               patchRadius(body, strike, point, settings), {}};
+            ContactPatch patch{point.spot,
+                               point.contact->normal,
+                               share * point.push,
+                               patchRadius(body, strike, point, settings),
+                               {}};
             patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m);
             patches.push_back(std::move(patch));
         }

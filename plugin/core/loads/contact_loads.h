@@ -38,7 +38,8 @@ double patchRadius(const ContactBody& body, const Strike& strike, const StrikePo
 
 /// Strain energy that the patches of strikes store about themselves at 1 N in total, J. Under a traction that
 /// falls off as (1 - (r/a)^2)^(3/2) a half-space gives way by 5 (1 - nu^2) F / (7 E a) in the mean, weighted
-/// with the traction (the Hankel transform of Johnson 1985, 3.4). A Hertz contact gives way by that, too: what a grid of that spacing stores there is counted twice.
+/// with the traction (the Hankel transform of Johnson 1985, 3.4). A Hertz contact gives way by that, too:
+/// what a grid of that spacing stores there is counted twice.
 double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
                    const ContactSettings& settings, double spacing_m);
 

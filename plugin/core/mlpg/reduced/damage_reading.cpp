@@ -140,8 +140,8 @@ class DamageReading::Reader {
         return coefficients;
     }
 
-    /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and particle
-    /// count there.
+    /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and
+    /// particle count there.
     void include(const Vec3& x, const Eigen::Matrix3f& gradient, const Eigen::Vector3f& normal, int at,
                  double failing_pa) {
         const Elasticity& elasticity = of_.problem_->elasticity;

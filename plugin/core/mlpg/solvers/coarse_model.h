@@ -23,6 +23,8 @@ class CoarseModel {
     /// has least in a chunk of few particles, where most of the energy sits below the contact: 0.37.
     Result<double> strainEnergy(const std::vector<PointForce>& loads) const;
 
+    double spacing() const { return problem_->solid->spacing; }  ///< m
+
   private:
     CoarseModel(std::shared_ptr<const SplineProblem> problem, PinnedSystem system);
 

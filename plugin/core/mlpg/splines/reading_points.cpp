@@ -46,16 +46,16 @@ Vec3 ReadingPoints::position(const CellParts& solid, int part, const ReadingPoin
     return solid.origin + cells.cwiseProduct(solid.edges);
 }
 
-int ReadingPoints::particleAt(const GridPoint& place) const {
-    int particle = -1;
+int ReadingPoints::nearestTo(const GridPoint& place) const {
+    int point = -1;
     double nearest = std::numeric_limits<double>::infinity();
     for (int at = starts[place.part]; at < starts[place.part + 1]; ++at) {
         const double squared = (points[at].xi.cast<double>() - place.xi).squaredNorm();
         if (squared >= nearest) continue;
         nearest = squared;
-        particle = points[at].particle;
+        point = at;
     }
-    return particle;
+    return point;
 }
 
 }  // namespace sherd

@@ -30,8 +30,8 @@ struct ReadingPoints {
 
     /// Where a point of a part is, m.
     static Vec3 position(const CellParts& solid, int part, const ReadingPoint& point);
-    /// What a place in a part counts for: the particle of the nearest point there; -1 if there is none.
-    int particleAt(const GridPoint& place) const;
+    /// The nearest point of its part, by its number; -1 if there is none.
+    int nearestTo(const GridPoint& place) const;
 };
 
 }  // namespace sherd

@@ -41,7 +41,7 @@ void expectTheDamageOfReadingEverything(const BothSolutions& wall, double roundi
             const FailureCriterion& criterion = *failureCriterion(name);
             const Damage all = damagedParticles(field, 1000, *wall.solid, {criterion, brittle, at_samples});
             const Damage found = wall.reduced.reading.damage(response.unknowns, {{}, {}, loads}, 1000,
-                                                               {criterion, brittle, at_points});
+                                                             {criterion, brittle, at_points});
             EXPECT_EQ(found.count, all.count) << name << ' ' << of_peak;
             EXPECT_EQ(found.damaged, all.damaged);
             EXPECT_NEAR(found.largest_stress_pa, all.largest_stress_pa, rounding * all.largest_stress_pa);
