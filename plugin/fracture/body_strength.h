@@ -21,6 +21,8 @@ class BodyStrength {
     /// At any point.
     const MaterialStrength& at() const { return strength_; }
     double scatterLength() const { return scatter_length_m_; }
+    /// The app gave a strength field.
+    bool isPainted() const { return is_painted_; }
 
     /// Where the full solves of a body read its stress, Pa (strengthsAtSamples); of one sampling.
     const std::vector<double>& atSamples(const Discretisation& sampling) const {

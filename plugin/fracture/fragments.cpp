@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "fracture/debris.h"
 #include "fracture/voxel_owners.h"
 #include "geometry/cutting/cut_fragments.h"
 
@@ -11,7 +12,9 @@ Result<FragmentSurfaces> cutPieces(const StrikeContext& struck, const FragmentLa
     CutSettings settings;
     settings.seed = struck.seed;
     settings.roughness = struck.fracture.crack_roughness;
-    settings.most_pieces = struck.fracture.largest_fragment_count;
+    settings.pieces.most = struck.fracture.largest_fragment_count;
+    if (struck.fracture.debris == Debris::merged)
+        settings.pieces.smallest_m3 = smallestFragment(struck.solid, struck.fracture);
     return cutFragments(struck.solid.cuttable(struck.sampling), struck.sampling, labels, settings);
 }
 

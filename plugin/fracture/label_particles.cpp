@@ -1,5 +1,9 @@
 #include "fracture/label_particles.h"
 
+#include <algorithm>
+#include <limits>
+#include <vector>
+
 #include "core/clustering/bisection.h"
 #include "core/clustering/clusters.h"
 #include "core/clustering/merge_labels.h"
@@ -8,15 +12,39 @@
 
 namespace sherd {
 
+namespace {
+
+constexpr double stops_cracks = 10;  // strength, in that of the weakest damaged particle
+
+/// Marks particles (#, or empty: none) of a painted strength at which cracks from weaker material stop.
+std::vector<char> whereCracksStop(const StrikeContext& struck, const Damage& damage) {
+    if (!struck.solid.strength().isPainted()) return {};
+    std::vector<double> strengths;
+    double weakest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < damage.damaged.size(); ++i) {
+        strengths.push_back(struck.solid.strength().at().at(struck.sampling.particles[i].position));
+        if (damage.damaged[i]) weakest = std::min(weakest, strengths[i]);
+    }
+    std::vector<char> holds(damage.damaged.size());
+    for (std::size_t i = 0; i < holds.size(); ++i)
+        holds[i] = !damage.damaged[i] && strengths[i] > stops_cracks * weakest;
+    return holds;
+}
+
+}  // namespace
+
 FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, double strain_energy_j,
                               const BlowAxis& axis) {
     const FractureSettings& fracture = struck.fracture;
     const int clusters = clusterCount(struck, damage, strain_energy_j);
     const double wall = struck.solid.wallThickness();
+    // Boxes stand for whole cells: cracks through cells would leave pieces without any.
+    const bool through_cells =
+        fracture.crack_pattern == CrackPattern::stress && fracture.collision_shape != CollisionShape::boxes;
     FragmentLabels labels =
-        fracture.crack_pattern == CrackPattern::stress
+        through_cells
             ? bisectParticles(struck.sampling, damage, clusters, fracture.largest_fragment_count, wall,
-                              struck.seed, fracture.guide, axis)
+                              struck.seed, whereCracksStop(struck, damage), fracture.guide, axis)
             : clusterParticles(struck.sampling, damage, clusters, wall, struck.seed, fracture.guide, axis);
     const double smallest_m3 =
         fracture.debris == Debris::merged ? smallestFragment(struck.solid, fracture) : 0;

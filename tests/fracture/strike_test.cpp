@@ -44,12 +44,15 @@ TEST(Strike, StressGrowsWithTheSpeedOfTheBlow) {
 }
 
 TEST(Strike, WarningsOfTheStressReachTheOutcome) {
+    EXPECT_TRUE(strike(*plate(Material::plaster()), blowInTheMiddle(1, 10), 1).warnings.empty());
+    Settings settings;
+    settings.stress.trial_function = TrialFunction::mls;
+    settings.sampling.spacing_m = 0.025;
     Material soft = Material::plaster();
-    EXPECT_TRUE(strike(*plate(soft), blowInTheMiddle(1, 10), 1).warnings.empty());
     soft.poisson_ratio = 0.48;
-    const BlowOutcome out = strike(*plate(soft), blowInTheMiddle(1, 10), 1);
-    ASSERT_EQ(out.warnings.size(), 1u);
-    EXPECT_NE(out.warnings[0].find("Poisson"), std::string::npos) << out.warnings[0];
+    const BlowOutcome out = strike(*plate(soft, settings), blowInTheMiddle(1, 10), 1);
+    ASSERT_FALSE(out.warnings.empty());
+    EXPECT_NE(out.warnings.back().find("Poisson"), std::string::npos) << out.warnings.back();
     EXPECT_TRUE(out.message.empty()) << out.message;
 }
 
@@ -120,7 +123,8 @@ TEST(Strike, TensionAcrossCompressionBreaksByMohrCoulombOnly) {
     EXPECT_EQ(squeezeCube(rankine, 4.9, settings).outcome, Outcome::held);
     const BlowOutcome broken = squeezeCube(coulomb, 4.9, settings);
     EXPECT_EQ(broken.outcome, Outcome::broke) << broken.message;
-    EXPECT_LT(broken.largest_stress_pa, coulomb.tensile_strength_pa * 1.2);
+    // The largest tension of all is at the rims of the contacts, where the strength is a hundredfold.
+    EXPECT_LT(broken.largest_stress_pa, coulomb.tensile_strength_pa * 2);
 }
 
 // Right under a contact there is compression from all sides, which crushes by the largest compression, and
@@ -129,11 +133,12 @@ TEST(Strike, CompressionFromAllSidesCrushesByTheLargestCompressionOnly) {
     Settings settings;
     settings.sampling.spacing_m = 0.0125;
     settings.fracture.contact.largest_patch = 1;
-    const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
-    const BlowOutcome broken = squeezeCube(rankine, 3.7, settings);
+    Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
+    rankine.compressive_strength_pa = coulomb.compressive_strength_pa = 2 * rankine.tensile_strength_pa;
+    const BlowOutcome broken = squeezeCube(rankine, 1.9, settings);
     EXPECT_EQ(broken.outcome, Outcome::broke) << broken.message;
     EXPECT_LT(broken.largest_stress_pa, rankine.tensile_strength_pa);
-    EXPECT_EQ(squeezeCube(coulomb, 3.7, settings).outcome, Outcome::held);
+    EXPECT_EQ(squeezeCube(coulomb, 1.9, settings).outcome, Outcome::held);
 }
 
 // The same with cracks that cost nothing, so that the bound is that of the failure criterion.
@@ -231,19 +236,21 @@ TEST(Strike, WithoutContactsNothingHappens) {
     EXPECT_EQ(out.damaged_particles, 0);
 }
 
-TEST(Strike, CracksRunWhereTheStrengthFieldIsWeak) {
+TEST(Strike, CracksStopWhereTheStrengthFieldIsHigh) {
     Settings settings;
-    const auto share_on_the_right = [&] {
+    const auto pieces_on_the_left = [&] {
         const auto solid = plate(Material::plaster(), settings);
         const BlowOutcome out = strike(*solid, blowInTheMiddle(0.5, 6), 1);
         EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
-        int right = 0;
-        for (const Fragment& f : out.fragments) right += f.solid->moments().centroid.x() > 0.003;
-        return static_cast<double>(right) / out.fragments.size();
+        EXPECT_GE(out.fragments.size(), 10u);
+        return std::count_if(out.fragments.begin(), out.fragments.end(), [&](const Fragment& f) {
+            return f.solid->moments().centroid.x() < -0.5 * settings.sampling.spacing_m;
+        });
     };
-    EXPECT_NEAR(share_on_the_right(), 0.5, 0.2);
+    settings.sampling.spacing_m = 0.01;
+    EXPECT_GE(pieces_on_the_left(), 4);
     settings.strength.field = [](const Vec3& x) { return x.x() > 0 ? 1.0 : 1e4; };
-    EXPECT_GT(share_on_the_right(), 0.8);
+    EXPECT_EQ(pieces_on_the_left(), 1);
 }
 
 // The blow pays for a crack, but not for a particle at a hundred times the strength.

@@ -4,7 +4,6 @@
 #include <array>
 #include <map>
 #include <memory>
-#include <numeric>
 #include <utility>
 
 #include "core/clustering/best_cut.h"
@@ -36,16 +35,23 @@ struct Cell {
 class Bisection {
   public:
     Bisection(const Discretisation& solid, const std::vector<Vec3>& axes,
-              const std::vector<TensionMetric>& metrics, std::uint64_t seed)
+              const std::vector<TensionMetric>& metrics, const std::vector<char>& holds, std::uint64_t seed)
         : solid_(solid),
           axes_(axes),
           metrics_(metrics),
           seed_(seed),
           connected_(solid),
           cell_of_(solid.particles.size(), -1) {
-        std::vector<int> all(solid.particles.size());
-        std::iota(all.begin(), all.end(), 0);
-        for (auto& members : connected_.of(all)) addCell(std::move(members), tree_->addRoot());
+        for (const bool held : {false, true}) {
+            std::vector<int> all;
+            for (std::size_t i = 0; i < solid.particles.size(); ++i)
+                if ((!holds.empty() && holds[i]) == held) all.push_back(static_cast<int>(i));
+            if (all.empty()) continue;
+            for (auto& members : connected_.of(all)) {
+                addCell(std::move(members), tree_->addRoot());
+                if (held) cells_.back().pieces = 0;
+            }
+        }
     }
 
     void run(int pieces) {
@@ -200,7 +206,8 @@ class Bisection {
 
 FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
                                int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const GuideField& guide, const BlowAxis& blow) {
+                               const std::vector<char>& holds, const GuideField& guide,
+                               const BlowAxis& blow) {
     const std::vector<Vec3> axes = wallAxes(solid);
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
@@ -208,7 +215,7 @@ FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage
     const int pieces = std::min(clusters + labels.count, most_pieces);
     labels.count = 0;
     const auto metrics = tensionMetrics(solid, axes, region, pieces, wall_thickness_m, guide, blow);
-    Bisection bisection(solid, axes, metrics, seed);
+    Bisection bisection(solid, axes, metrics, holds, seed);
     bisection.run(pieces);
     bisection.label(labels);
     return labels;

@@ -15,11 +15,13 @@ namespace sherd {
 /// tension_metric.h). The body is cut in two by a plane (see best_cut.h), and so is the part that would still
 /// become most pieces, until there are as many as `clusters` and the connected undamaged parts together, and
 /// at most `most_pieces`. A plane cuts one part only, so later cracks end at earlier ones. Cracks start where
-/// the body is damaged, but run through undamaged material. What a cut leaves unconnected is a part of its
+/// the body is damaged, but run through undamaged material, except where it `holds` (#particles, or
+/// empty: nowhere): what is connected there stays whole. What a cut leaves unconnected is a part of its
 /// own, or if it is too little joins the neighbour that it touches most. A count of 1 means that nothing came
 /// off: nothing but specks (see damaged_region.h) is damaged.
 FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
                                int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const GuideField& guide = {}, const BlowAxis& blow = {});
+                               const std::vector<char>& holds = {}, const GuideField& guide = {},
+                               const BlowAxis& blow = {});
 
 }  // namespace sherd

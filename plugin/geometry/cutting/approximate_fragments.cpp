@@ -140,7 +140,7 @@ Result<FragmentSurfaces> approximateFragments(const TriangleMesh& surface, const
     if (settings.roughness > 0)
         roughenCracks(complex, lattice, settings.roughness * solid.spacing, settings.seed);
     auto assembled =
-        assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels, settings.most_pieces);
+        assemblePieces(surface, toFaces(complex, triangle_at, outside), solid, labels, settings.pieces);
     if (!assembled)
         return Error{"The fragments' surfaces could not be cut (" + why + "; on the lattice " +
                      assembled.error() +

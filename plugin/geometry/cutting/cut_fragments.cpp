@@ -68,7 +68,7 @@ std::optional<FragmentSurfaces> tryLattice(const CuttableSolid& cuttable, const 
         why = attempt.failure;
         return {};
     }
-    auto pieces = assemblePieces(surface, attempt.faces, solid, labels, settings.most_pieces);
+    auto pieces = assemblePieces(surface, attempt.faces, solid, labels, settings.pieces);
     why = pieces ? "the volumes of the fragments do not add up" : pieces.error();
     if (!pieces || !(std::abs(volumeRatio(surface, pieces.value()) - 1) <= volume_tolerance)) return {};
     return FragmentSurfaces{std::move(pieces).value(), {}};

@@ -4,12 +4,12 @@
 #include <sherd/triangle_mesh.h>
 
 #include <cstdint>
-#include <limits>
 
 #include "core/clustering/fragment_labels.h"
 #include "core/sampling/discretisation.h"
 #include "geometry/cutting/cuttable_solid.h"
 #include "geometry/cutting/fragment_surfaces.h"
+#include "geometry/cutting/stray_pieces.h"
 
 namespace sherd {
 
@@ -17,9 +17,8 @@ struct CutSettings {
     std::uint64_t seed = 1;  ///< of the small irregularity of the crack faces, and of their roughness
     /// How far crack faces are displaced at random, as a fraction of the particle spacing.
     double roughness = 0;
-    int lattices = 6;  ///< tried before the fallback
-    /// Where more come out, the smallest become part of their neighbours; two at least are left.
-    int most_pieces = std::numeric_limits<int>::max();
+    int lattices = 6;         ///< tried before the fallback
+    PieceLimits pieces = {};  ///< what is beyond them becomes part of its neighbours
 };
 
 /// Cuts a closed surface along the faces between fragments. Cracks run where the smoothed densities of two

@@ -50,12 +50,12 @@ FragmentSurface extract(const PieceShell& shell, const LabelBoundary& boundary, 
 
 Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, const CutFaces& faces,
                                                     const Discretisation& solid, const FragmentLabels& labels,
-                                                    int most_pieces) {
+                                                    const PieceLimits& limits) {
     const LabelBoundary boundary = labelBoundary(faces);
     auto found = pieceShells(boundary, faces, body.vertices.front());
     if (!found) return Error{found.error()};
     std::vector<PieceShell> shells = std::move(found).value();
-    mergeStrayPieces(boundary, faces.points, solid, labels, most_pieces, shells);
+    mergeStrayPieces(boundary, faces.points, solid, labels, limits, shells);
     if (labels.cracks) mergeHookedPieces(boundary, faces.points, shells);
 
     for (const PieceShell& shell : shells)

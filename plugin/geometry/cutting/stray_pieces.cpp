@@ -37,14 +37,16 @@ std::vector<char> findStrays(const LabelBoundary& boundary, const std::vector<Ve
     return is_stray;
 }
 
-// Makes strays of the smallest pieces, so that at most so many others are left.
-void addSmallest(const std::vector<PieceShell>& shells, int most_pieces, std::vector<char>& is_stray) {
+// Makes strays of pieces beyond the limits.
+void addSmallest(const std::vector<PieceShell>& shells, const PieceLimits& limits,
+                 std::vector<char>& is_stray) {
     std::vector<std::pair<double, int>> kept;  // volume and number
     for (std::size_t s = 0; s < shells.size(); ++s)
         if (!is_stray[s]) kept.push_back({shells[s].volume, static_cast<int>(s)});
     std::sort(kept.begin(), kept.end());
-    const int excess = static_cast<int>(kept.size()) - std::max(2, most_pieces);
-    for (int i = 0; i < excess; ++i) is_stray[kept[i].second] = true;
+    const int excess = static_cast<int>(kept.size()) - std::max(2, limits.most);
+    for (int i = 0; i + 2 < static_cast<int>(kept.size()); ++i)
+        if (i < excess || kept[i].first < limits.smallest_m3) is_stray[kept[i].second] = true;
 }
 
 // The crack area that each piece shares with each neighbour, m^2.
@@ -115,10 +117,10 @@ void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundar
 }
 
 void mergeStrayPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
-                      const Discretisation& solid, const FragmentLabels& labels, int most_pieces,
+                      const Discretisation& solid, const FragmentLabels& labels, const PieceLimits& limits,
                       std::vector<PieceShell>& shells) {
     std::vector<char> is_stray = findStrays(boundary, points, solid, labels, shells);
-    addSmallest(shells, most_pieces, is_stray);
+    addSmallest(shells, limits, is_stray);
     if (std::find(is_stray.begin(), is_stray.end(), true) == is_stray.end()) return;
     mergeShells(chooseTargets(shells, boundary, points, is_stray), boundary, shells);
 }

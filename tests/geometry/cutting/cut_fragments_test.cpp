@@ -151,7 +151,7 @@ TEST(FragmentSurfaces, AtMostAsManyAsAreWanted) {
     CutSettings settings;
     const std::size_t unlimited = cut(mesh, solid, labels, settings).pieces.size();
     for (const int most : {20, 7, 2}) {
-        settings.most_pieces = most;
+        settings.pieces.most = most;
         ASSERT_GT(unlimited, static_cast<std::size_t>(most));
         const FragmentSurfaces fragments = cut(mesh, solid, labels, settings);
         EXPECT_EQ(static_cast<int>(fragments.pieces.size()), most);
