@@ -11,8 +11,8 @@ namespace sherd {
 /// What a blow did to the struck body.
 enum class Outcome {
     broke,  ///< the body was removed from the world, and its fragments stand in its place
-    /// The body stays whole: nothing failed, the energy pays for no crack, or no piece came loose. In the last
-    /// case what failed stays damaged: when a later blow damages more, cracks run through all of it.
+    /// The body stays whole: nothing failed, the energy pays for no crack, or no piece came loose. In the
+    /// last case what failed stays damaged: when a later blow damages more, cracks run through all of it.
     held,
     failed,  ///< the blow could not be worked out; the body stays whole, and `message` says why
     /// The budget (Budget) left no room for the blow: it was not decided, and the body stays whole.

@@ -153,7 +153,7 @@ struct GuideField {
 enum class CrackPattern {
     /// Cracks cut the damaged part in two, and again, until there are as many pieces as are wanted. Each runs
     /// straight through, where it costs least: it is short, and the largest tension of the blow acts at right
-    /// angles to it. Pieces grow with the distance from the blow, from dust to shards.
+    /// angles to it. Pieces grow with the distance from the blow. With CollisionShape::boxes: `seeds`.
     stress,
     /// The paper's: every particle belongs to the nearest of seeds (Eq. 18); the stress says only how dense
     /// these are.

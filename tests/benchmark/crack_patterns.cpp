@@ -64,10 +64,6 @@ void measure(Scene scene, int seeds) {
             for (const CrackFace& face : faces) share.add(face);
             const double own = hookedShare(faces);
             hooked += own > 0.05;
-            if (own > 0.05 && std::getenv("DBG"))
-                std::printf("  hooked %.0f %%: %.1f particles, %zu faces\n", 100 * own,
-                            volumeOf(piece) / volume * assets.value().bodies[0].particleCount(),
-                            faces.size());
             worst = std::max(worst, own);
             sizes.push_back(volumeOf(piece) / volume);
         }

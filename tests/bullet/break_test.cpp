@@ -263,6 +263,7 @@ int breaksOfPieces(bool shoot, double same_blow_s) {
     Settings settings = coarse(0.06);
     settings.fracture.fragment_count = 2;
     settings.fracture.same_blow_s = same_blow_s;
+    settings.fracture.crack_pattern = CrackPattern::seeds;  // equal pieces, which break again
     settings.fracture.smallest_fragment_m3 = 1e-9;
     const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
                                                 crumbly(), settings);

@@ -35,6 +35,7 @@ struct FallingPlate {
         settings.fracture.smallest_fragment_m3 = 3e-4;
         settings.fracture.rest_after_break_s = settings.fracture.same_blow_s = 0;
         settings.fracture.fragment_count = 4;
+        settings.fracture.crack_pattern = CrackPattern::seeds;  // equal pieces: many of them break again
         return settings;
     }
     std::vector<BlowEvent> run(int steps, double dt = 1.0 / 60) {
