@@ -68,13 +68,16 @@ class Answering {
         if (fracture_.use_reduced_model && solid_.reducedStress()) {
             const ReducedStress& reduced = *solid_.reducedStress();
             const auto response = valueOrExit(reduced.model.respond(forces));
+            const Strength strength{solid_.failureCriterion(), solid_.material(),
+                                    strength_.atPoints(reduced.reading)};
             largest =
-                reduced.reading.damage(response.unknowns, {{}, {}, forces}, 1, strength()).largest_stress_pa;
+                reduced.reading.damage(response.unknowns, {{}, {}, forces}, 1, strength).largest_stress_pa;
         } else {
             StageTimes times;
             const StressField stress = valueOrExit(unitStress(
                 {solid_, sampling_, fracture_, 1}, *valueOrExit(solid_.stressSolver()), forces, times));
-            largest = damagedParticles(stress, 1, sampling_, strength()).largest_stress_pa;
+            largest = damagedParticles(stress, 1, sampling_, strengthAtSamples(solid_, strength_))
+                          .largest_stress_pa;
         }
         ms = processorMilliseconds() - start;
         return largest;
