@@ -1,0 +1,20 @@
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace sherd {
+
+/// The free vibrations of a body under loads of 1 N in total. Modes are scaled so that one of amplitude a has
+/// the strain energy a^2 / 2. Under a force F(t) with those loads each is an oscillator,
+///     a'' = w^2 (work F - a).
+struct StruckModes {
+    Eigen::ArrayXd rates_rad_s;  ///< w, ascending
+    Eigen::ArrayXd work;         ///< of the loads on each mode of amplitude 1, J^(1/2) / N
+
+    bool empty() const { return rates_rad_s.size() == 0; }
+    double slowestPeriod() const;  ///< s; 0 if there are none
+    /// Strain energy that the modes have under the static loads, J.
+    double staticEnergy() const { return 0.5 * work.square().sum(); }
+};
+
+}  // namespace sherd
