@@ -207,11 +207,11 @@ TEST_F(BakedAssetTest, AFullSolveSamplesAnewWhatTheFileLeavesOut) {
 std::shared_ptr<const ReducedStress> altered(const std::shared_ptr<const ReducedStress>& reduced) {
     const ReducedModel& model = reduced->model;
     const std::shared_ptr<const SplineProblem> problem(reduced, &model.problem());
-    return std::make_shared<const ReducedStress>(
-        ReducedStress{ReducedModel(problem, model.stiffness(), model.modes(), {21, 22, 23}),
-                      reduced->reading,
-                      reduced->peaks,
-                      {"third warning"}});
+    return std::make_shared<const ReducedStress>(ReducedStress{
+        ReducedModel(problem, model.stiffness(), model.modes(), model.vibrations(), {21, 22, 23}),
+        reduced->reading,
+        reduced->peaks,
+        {"third warning"}});
 }
 
 /// Every field is another than its default, and the mesh has all attributes.

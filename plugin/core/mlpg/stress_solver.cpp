@@ -73,6 +73,11 @@ Result<StressField> StressSolver::solveContact(const ContactField& contact) cons
     return guarded<StressField>([&] { return impl_->solveContact(contact); });
 }
 
+Result<StressField> StressSolver::stressOfUnknowns(const Eigen::VectorXd& unknowns,
+                                                   const ContactField& contact) const {
+    return guarded<StressField>([&] { return impl_->stressOfUnknowns(unknowns, contact); });
+}
+
 Result<StressField> StressSolver::solveTraction(
     const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
     const std::vector<Vec3>& points) const {

@@ -68,6 +68,9 @@ class StressSolver {
     /// Its `points` are the places of the contacts. Surfaces have the traction that acts on them, but for
     /// those near the loads that no disc stands for. The strain energy is not found. Splines only.
     Result<StressField> solveContact(const ContactField& contact) const;
+    /// The stress of a displacement (#unknowns, m) as solve and solveContact read it, with no load acting: at
+    /// the particles, at the surface, free of traction but near the loads of `contact`, and at its places.
+    Result<StressField> stressOfUnknowns(const Eigen::VectorXd& unknowns, const ContactField& contact) const;
 
     /// Stress under tractions t(x, n) on the whole surface, integrated with the cells' own surface points.
     Result<StressField> solveTraction(

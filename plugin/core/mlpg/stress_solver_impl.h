@@ -19,6 +19,9 @@ struct StressSolver::Impl {
     virtual Result<StressField> solveContact(const ContactField&) const {
         return Error{"Near fields are there for spline trial functions only."};
     }
+    virtual Result<StressField> stressOfUnknowns(const Eigen::VectorXd&, const ContactField&) const {
+        return Error{"Unknowns are read for spline trial functions only."};
+    }
     virtual Result<StressField> solveTraction(
         const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
         const std::vector<Vec3>& points) const = 0;

@@ -67,6 +67,23 @@ void archiveModes(Archive& archive, const SplineSpace& space, ProperModes& modes
     archiveStarts(archive, unit_starts, function_count, unit_loads.size());
 }
 
+/// None, or as many as there are proper modes.
+template <class Archive>
+void archiveVibrations(Archive& archive, const ProperModes& modes, VibrationModes& vibrations) {
+    bool any = vibrations.rates_rad_s.size() > 0;
+    sherd::archive(archive, any);
+    if (!any || !archive.good()) return;
+    Eigen::ArrayXd& rates = vibrations.rates_rad_s;
+    Eigen::MatrixXf& shapes = vibrations.shapes;
+    if (Archive::reads) {
+        rates.resize(modes.count);
+        shapes.resize(modes.count, modes.count);
+    }
+    archive.raw(rates.data(), static_cast<std::size_t>(rates.size()) * sizeof(double));
+    archive.raw(shapes.data(), static_cast<std::size_t>(shapes.size()) * sizeof(float));
+    archive.require(rates.allFinite() && rates.minCoeff() > 0 && shapes.allFinite());
+}
+
 /// The lower half.
 template <class Archive>
 void archiveCompliance(Archive& archive, const SplineSpace& space, ComplianceMatrix& compliance) {
@@ -126,6 +143,7 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
                                                     const Material& material, const ReducedStress* written) {
     PackedStiffness stiffness;
     ProperModes modes;
+    VibrationModes vibrations;
     ComplianceMatrix compliance;
     ReducedModelLimits limits;
     bool is_direct = false;
@@ -136,6 +154,7 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
         const auto& [model, reading, table, trust] = *written;
         stiffness = model.stiffness();
         modes = model.modes();
+        vibrations = model.vibrations();
         compliance = model.compliance();
         limits = model.limits();
         is_direct = model.isDirect();
@@ -155,7 +174,13 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
         archiveCompliance(archive, *problem.space, compliance);
     } else {
         archiveStiffness(archive, problem.space->function_count, stiffness);
+    }
+    bool has_modes = modes.count > 0;  // a small solid may do without
+    sherd::archive(archive, has_modes);
+    archive.require(has_modes || is_direct);
+    if (has_modes) {
         archiveModes(archive, *problem.space, modes);
+        archiveVibrations(archive, modes, vibrations);
     }
     archivePoints(archive, *sampling, points);
     if (!archive.good()) return nullptr;
@@ -164,8 +189,9 @@ std::shared_ptr<const ReducedStress> archiveReduced(Archive& archive,
                               : StressBounds(problem.parts(), problem.space->degree, problem.elasticity, {});
     bounds.archiveBoxes(archive);
     if (!Archive::reads || !archive.good()) return nullptr;
-    ReducedModel model = is_direct ? ReducedModel(made, std::move(compliance))
-                                   : ReducedModel(made, std::move(stiffness), std::move(modes), limits);
+    ReducedModel model =
+        is_direct ? ReducedModel(made, std::move(compliance), std::move(modes), std::move(vibrations))
+                  : ReducedModel(made, std::move(stiffness), std::move(modes), std::move(vibrations), limits);
     return std::make_shared<const ReducedStress>(
         ReducedStress{std::move(model), DamageReading(made, std::move(points), std::move(bounds)),
                       std::move(peaks), std::move(warnings)});

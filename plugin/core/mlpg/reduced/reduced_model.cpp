@@ -61,10 +61,11 @@ Result<LoadedFunctions> loadedFunctions(const SplineProblem& problem, const std:
 }  // namespace
 
 ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness,
-                           ProperModes modes, const ReducedModelLimits& limits)
+                           ProperModes modes, VibrationModes vibrations, const ReducedModelLimits& limits)
     : problem_(std::move(problem)),
       stiffness_(std::move(stiffness)),
       modes_(std::move(modes)),
+      vibrations_(std::move(vibrations)),
       local_(*problem_),
       limits_(limits),
       functions_of_component_(static_cast<std::size_t>(problem_->space->component_count), 0) {
@@ -78,7 +79,9 @@ Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> pro
                                         const ReducedModelLimits& limits) {
     auto modes = ProperModes::make(*problem, unit, limits.modes);
     if (!modes) return Error{modes.error()};
-    ReducedModel model(std::move(problem), PackedStiffness(stiffness), std::move(modes).value(), limits);
+    VibrationModes vibrations = VibrationModes::make(*problem, modes.value());
+    ReducedModel model(std::move(problem), PackedStiffness(stiffness), std::move(modes).value(),
+                       std::move(vibrations), limits);
     constexpr int least_local_parts = 4;
     if (model.most_local_ < least_local_parts * model.problem_->space->perPart())
         return Error{
@@ -90,14 +93,22 @@ Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> pro
 
 Result<ReducedModel> ReducedModel::makeDirect(std::shared_ptr<const SplineProblem> problem,
                                               const SparseSolver& factor, const std::vector<int>& pinned,
-                                              const Progress& progress) {
+                                              const UnitResponses& unit, const Progress& progress) {
     auto compliance = ComplianceMatrix::make(*problem, factor, pinned, progress);
     if (!compliance) return Error{compliance.error()};
-    return ReducedModel(std::move(problem), std::move(compliance).value());
+    ProperModes modes;
+    VibrationModes vibrations;
+    if (auto made = ProperModes::make(*problem, unit, ReducedModelLimits{}.modes)) {
+        modes = std::move(made).value();
+        vibrations = VibrationModes::make(*problem, modes);
+    }
+    return ReducedModel(std::move(problem), std::move(compliance).value(), std::move(modes),
+                        std::move(vibrations));
 }
 
-ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance)
-    : ReducedModel(std::move(problem), {}, {}, {}) {
+ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance,
+                           ProperModes modes, VibrationModes vibrations)
+    : ReducedModel(std::move(problem), {}, std::move(modes), std::move(vibrations), {}) {
     compliance_ = std::move(compliance);
 }
 
@@ -208,6 +219,24 @@ Result<ReducedResponse> ReducedModel::solve(const LoadedFunctions& loaded, const
 Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loads) const {
     LocalSystem none;
     return respond(loads, none);
+}
+
+StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads) const {
+    StruckModes struck;
+    if (vibrations_.rates_rad_s.size() == 0) return struck;
+    const auto forces = forcesAt(*problem_, loads);
+    if (!forces) return struck;
+    Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);
+    for (int unknown = 0; unknown < forces.value().size(); ++unknown)
+        if (const auto force = static_cast<float>(forces.value()[unknown]); force != 0)
+            modes_.addWork(unknown, force, work);
+    struck.rates_rad_s = vibrations_.rates_rad_s;
+    struck.work = (vibrations_.shapes.transpose() * work).array().cast<double>();
+    return struck;
+}
+
+Eigen::VectorXf ReducedModel::vibration(const Eigen::ArrayXd& amplitudes) const {
+    return modes_.displacement(vibrations_.shapes * amplitudes.matrix().cast<float>());
 }
 
 }  // namespace sherd

@@ -9,7 +9,9 @@
 #include "core/mlpg/reduced/local_functions.h"
 #include "core/mlpg/reduced/packed_stiffness.h"
 #include "core/mlpg/reduced/proper_modes.h"
+#include "core/mlpg/reduced/vibration_modes.h"
 #include "core/mlpg/splines/spline_problem.h"
+#include "core/vibration/struck_modes.h"
 
 namespace sherd {
 
@@ -42,12 +44,13 @@ class ReducedModel {
     /// that the factor holds.
     static Result<ReducedModel> makeDirect(std::shared_ptr<const SplineProblem> problem,
                                            const SparseSolver& factor, const std::vector<int>& pinned,
-                                           const Progress& progress = {});
+                                           const UnitResponses& unit, const Progress& progress = {});
 
     /// Of parts that were made before.
     ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness, ProperModes modes,
-                 const ReducedModelLimits& limits);
-    ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance);
+                 VibrationModes vibrations, const ReducedModelLimits& limits);
+    ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance, ProperModes modes,
+                 VibrationModes vibrations);
 
     /// The equations of the functions about loads. Loads at the same places need no other.
     struct LocalSystem {
@@ -68,11 +71,18 @@ class ReducedModel {
     /// some loads.
     Result<ReducedResponse> respond(const Eigen::VectorXd& forces, const LocalSystem& system) const;
 
+    /// The vibrations under point forces; none if the forces are not on the solid, or nothing is known of its
+    /// vibrations.
+    StruckModes struckModes(const std::vector<PointForce>& loads) const;
+    /// The displacement of vibrations with these amplitudes (see StruckModes), #unknowns.
+    Eigen::VectorXf vibration(const Eigen::ArrayXd& amplitudes) const;
+
     const SplineProblem& problem() const { return *problem_; }
     const PackedStiffness& stiffness() const { return stiffness_; }
     const ProperModes& modes() const { return modes_; }
+    const VibrationModes& vibrations() const { return vibrations_; }
     const ComplianceMatrix& compliance() const { return compliance_; }
-    /// Whether the compliance matrix answers, without stiffness and modes.
+    /// Whether the compliance matrix answers: then modes are for vibrations alone, and there may be none.
     bool isDirect() const { return compliance_.entries.size() > 0; }
     const ReducedModelLimits& limits() const { return limits_; }
 
@@ -85,6 +95,7 @@ class ReducedModel {
     std::shared_ptr<const SplineProblem> problem_;
     PackedStiffness stiffness_;
     ProperModes modes_;
+    VibrationModes vibrations_;
     ComplianceMatrix compliance_;
     LocalFunctions local_;
     ReducedModelLimits limits_;

@@ -33,6 +33,8 @@ class SplineSolver : public StressSolver::Impl {
                               const Vec3& spin_rad_s) const override;
     Result<double> strainEnergy(const std::vector<PointForce>& loads) const override;
     Result<StressField> solveContact(const ContactField& contact) const override;
+    Result<StressField> stressOfUnknowns(const Eigen::VectorXd& unknowns,
+                                         const ContactField& contact) const override;
     Result<StressField> solveTraction(
         const std::function<Vec3(const Vec3& x, const Vec3& unit_normal)>& traction,
         const std::vector<Vec3>& points) const override;
@@ -132,6 +134,12 @@ Result<double> SplineSolver::strainEnergy(const std::vector<PointForce>& loads) 
     return energy;
 }
 
+std::vector<Vec3> positionsOf(const std::vector<SurfacePlace>& places) {
+    std::vector<Vec3> positions;
+    for (const SurfacePlace& place : places) positions.push_back(place.position);
+    return positions;
+}
+
 Result<StressField> SplineSolver::solveContact(const ContactField& contact) const {
     const Stopwatch watch;
     Result<Eigen::VectorXd> loaded = contactRemainder(problem_, reading_points_, contact);
@@ -141,13 +149,22 @@ Result<StressField> SplineSolver::solveContact(const ContactField& contact) cons
     StressField field;
     field.solve_ms = watch.milliseconds();
     const Stopwatch recovery_watch;
-    std::vector<Vec3> places;
-    for (const SurfacePlace& place : contact.places) places.push_back(place.position);
-    readStress(problem_, samples_, problem_.fieldOf(solved.value().unknowns), {}, places, field);
+    readStress(problem_, samples_, problem_.fieldOf(solved.value().unknowns), {}, positionsOf(contact.places),
+               field);
     addNearField(*problem_.solid, contact, problem_.elasticity, field);
     field.recovery_ms = recovery_watch.milliseconds();
     field.residual_rel = solved.value().residual_rel;
     field.warnings = report.warnings;
+    return finiteOrError(std::move(field));
+}
+
+Result<StressField> SplineSolver::stressOfUnknowns(const Eigen::VectorXd& unknowns,
+                                                   const ContactField& contact) const {
+    if (unknowns.size() != 3L * problem_.space->function_count)
+        return Error{"The unknowns are those of another stress problem."};
+    StressField field;
+    readStress(problem_, samples_, problem_.fieldOf(unknowns), {}, positionsOf(contact.places), field);
+    addNearField(*problem_.solid, {{}, contact.places, contact.others}, problem_.elasticity, field);
     return finiteOrError(std::move(field));
 }
 
@@ -196,7 +213,7 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
                                     [&](double done) { tell(solves_done * done); });
     if (!unit) return Error{unit.error()};
     const bool is_direct = 3 * problem_.space->function_count <= limits.direct_unknowns;
-    auto model = is_direct ? ReducedModel::makeDirect(shared_problem_, factor, system_.pinned())
+    auto model = is_direct ? ReducedModel::makeDirect(shared_problem_, factor, system_.pinned(), unit.value())
                            : ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
     if (!model) return Error{model.error()};
     tell(modes_done);

@@ -103,31 +103,37 @@ Eigen::VectorXd PartIntegrals::momentsOf(const CellPart& part) const {
     return Eigen::Map<const Eigen::VectorXd>(part.moments.data(), static_cast<long>(part.moments.size()));
 }
 
+/// From pairs in each direction to pairs of functions.
+Eigen::MatrixXd PartIntegrals::betweenFunctions(const Eigen::VectorXd& pairs, double scale) const {
+    const int functions = width_ * width_ * width_, square = width_ * width_;
+    Eigen::MatrixXd matrix(functions, functions);
+    for (int b = 0; b < functions; ++b) {
+        const int bx = b % width_ * width_, by = b / width_ % width_ * width_, bz = b / square * width_;
+        double* entry = matrix.data() + static_cast<long>(b) * functions;
+        for (int az = 0; az < width_; ++az)
+            for (int ay = 0; ay < width_; ++ay) {
+                const double* source = pairs.data() + ((bz + az) * square + by + ay) * square + bx;
+                for (int ax = 0; ax < width_; ++ax) *entry++ = scale * source[ax];
+            }
+    }
+    return matrix;
+}
+
 PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) const {
-    const int functions = width_ * width_ * width_, pairs = width_ * width_;
     Gram gram;
     for (int j = 0; j < 3; ++j)
         for (int i = 0; i <= j; ++i) {
             const auto factor = [&](int d) -> const Eigen::MatrixXd& {
                 return pairs_[(d == i ? 1 : 0) + (d == j ? 2 : 0)];
             };
-            const Eigen::VectorXd all = contract(factor(0), factor(1), factor(2), moments);
-            const double scale = edges_.prod() / (edges_[i] * edges_[j]);
-            Eigen::MatrixXd& target = gram[3 * i + j];
-            target.resize(functions, functions);
-            // From pairs in each direction to a pair of functions.
-            for (int b = 0; b < functions; ++b) {
-                const int bx = b % width_ * width_, by = b / width_ % width_ * width_,
-                          bz = b / pairs * width_;
-                double* entry = target.data() + static_cast<long>(b) * functions;
-                for (int az = 0; az < width_; ++az)
-                    for (int ay = 0; ay < width_; ++ay) {
-                        const double* source = all.data() + ((bz + az) * pairs + by + ay) * pairs + bx;
-                        for (int ax = 0; ax < width_; ++ax) *entry++ = scale * source[ax];
-                    }
-            }
+            gram[3 * i + j] = betweenFunctions(contract(factor(0), factor(1), factor(2), moments),
+                                               edges_.prod() / (edges_[i] * edges_[j]));
         }
     return gram;
+}
+
+Eigen::MatrixXd PartIntegrals::products(const CellPart& part) const {
+    return betweenFunctions(contract(pairs_[0], pairs_[0], pairs_[0], momentsOf(part)), edges_.prod());
 }
 
 Eigen::MatrixXd PartIntegrals::divergences(const CellPart& part,

@@ -21,6 +21,8 @@ class PartIntegrals {
     Gram gradientProducts(const CellPart& part) const;
     const Gram& wholeCell() const { return whole_; }
 
+    /// int phi_a phi_b dV, m^3.
+    Eigen::MatrixXd products(const CellPart& part) const;
     /// int phi_a^2 dV over a cell's volume, #functions.
     Eigen::VectorXd squares(const CellPart& part) const;
 
@@ -37,6 +39,7 @@ class PartIntegrals {
   private:
     Eigen::VectorXd momentsOf(const CellPart& part) const;
     Gram contracted(const Eigen::VectorXd& moments) const;
+    Eigen::MatrixXd betweenFunctions(const Eigen::VectorXd& pairs, double scale) const;
 
     int width_, powers_;  // functions and moments in one direction
     Vec3 edges_;

@@ -14,7 +14,8 @@ struct ComplianceMatrixTest : testing::Test {
         return both;
     }
     static ReducedModel direct(const BothSolutions& both) {
-        return valueOf(ReducedModel::makeDirect(both.problem, both.factor.solver(), both.factor.pinned()));
+        return valueOf(
+            ReducedModel::makeDirect(both.problem, both.factor.solver(), both.factor.pinned(), both.unit));
     }
 };
 
