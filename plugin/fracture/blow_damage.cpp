@@ -1,6 +1,8 @@
 #include "fracture/blow_damage.h"
 
 #include "core/mlpg/splines/contact_remainder.h"
+#include "fracture/crack_energy.h"
+#include "fracture/damage_over_time.h"
 #include "fracture/stage.h"
 
 namespace sherd {
@@ -20,18 +22,27 @@ Strength strengthAtSamples(const BreakableSolid& solid, const BodyStrength& stre
 
 namespace {
 
+double crackEnergy(const StrikeContext& struck) {
+    return smallestCrackEnergy(struck.solid, struck.fracture);
+}
+
+/// The near field of a contact that presses with a force; the places stay.
+ContactField timesForce(const ContactField& unit, double force_n) {
+    return {unit.near.times(force_n), unit.places, unit.others};
+}
+
 /// False if the reduced model cannot answer.
 bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
                      const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField&) -> Result<double> {
+                                    const ContactField&) -> Result<UnitResponse> {
         const AddedTime time(ms.solve);
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();
-        return response.strain_energy_j;
+        return UnitResponse{response.strain_energy_j, reduced.model.struckModes(loads)};
     };
     Result<BlowForces> forces =
         blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
@@ -51,9 +62,18 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     }
     const AddedTime time(ms.damage);
     const BreakableSolid& solid = struck.solid;
-    found.damage = reduced.reading.damage(
-        response.unknowns, found.forces.contact, found.forces.pulse.peak_force_n,
-        {solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)});
+    const Strength at_points{solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)};
+    const BlowForces& acting = found.forces;
+    const DamageAt damage_at = [&](const VibrationState& state) {
+        if (state.modes.size() == 0)
+            return reduced.reading.damage(response.unknowns, acting.contact, state.force_n, at_points);
+        const auto force = static_cast<float>(state.force_n);
+        const Eigen::VectorXf unknowns =
+            force * response.unknowns +
+            reduced.model.vibration(state.modes - state.force_n * acting.modes.work);
+        return reduced.reading.damage(unknowns, timesForce(acting.contact, state.force_n), 1, at_points);
+    };
+    found.damage = damageOverTime(found.forces, crackEnergy(struck), damage_at);
     return true;
 }
 
@@ -65,9 +85,17 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrengt
     found.warnings = stress.unit.warnings;
     if (!stress.strike.empty()) {
         const AddedTime time(ms.damage);
-        found.damage = damagedParticles(stress.unit, stress.pulse.peak_force_n,
-                                        *valueOrFail(struck.solid.completeDiscretisation()),
-                                        strengthAtSamples(struck.solid, strength), {}, stress.places);
+        const Discretisation& sampling = *valueOrFail(struck.solid.completeDiscretisation());
+        const Strength at_samples = strengthAtSamples(struck.solid, strength);
+        const DamageAt damage_at = [&](const VibrationState& state) {
+            if (state.modes.size() == 0)
+                return damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places);
+            const StressField field =
+                valueOrFail(stressAt(stress, state, *valueOrFail(struck.solid.stressSolver()),
+                                     struck.solid.reducedStress()->model));
+            return damagedParticles(field, 1, sampling, at_samples, {}, stress.places);
+        };
+        found.damage = damageOverTime(stress, crackEnergy(struck), damage_at);
     }
     found.forces = std::move(stress);
 }

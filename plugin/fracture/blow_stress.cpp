@@ -77,11 +77,33 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     for (const PointForce& load : forces.loads)
         if (load.force.dot(stack.strike.push) > 0) forces.strike.push_back(load);
     forces.contact.others = forces.loads;
-    const Result<double> energy = solve(forces.loads, forces.contact);
-    if (!energy) return Error{energy.error()};
-    forces.strain_energy_j = std::min(energy.value() * forces.pulse.peak_force_n * forces.pulse.peak_force_n,
-                                      stack.largestEnergy());
+    const Result<UnitResponse> unit = solve(forces.loads, forces.contact);
+    if (!unit) return Error{unit.error()};
+    forces.strain_energy_j =
+        std::min(unit.value().strain_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n,
+                 stack.largestEnergy());
     return forces;
+}
+
+/// The pulse of an impact, and what of the body's vibrations goes with it.
+void strikeBody(const Impact& impact, StruckBody body, double shortest_s, BlowForces& forces) {
+    const double body_energy_j =
+        std::max(body.strain_energy_j_n2 - body.patch_energy_j_n2, least_part * body.strain_energy_j_n2);
+    forces.pulse = contactPulse(impact, body_energy_j + body.others_energy_j_n2, shortest_s);
+    forces.strain_energy_j = body.strain_energy_j_n2 * forces.pulse.peak_force_n * forces.pulse.peak_force_n;
+    forces.pressed.clear();
+    forces.ringing.clear();
+    if (!(impact.hertz_force_n > 0)) return;
+    const double stiff_s = pulseDuration(impact.hertz_force_n, impact.mass_kg * impact.speed_m_s);
+    if (isQuasiStatic(body.modes.slowestPeriod(), std::max(stiff_s, shortest_s))) return;
+    ModalImpact found = modalImpact(impact, body, shortest_s);
+    forces.pulse = found.pulse;
+    forces.strain_energy_j = 0;
+    for (const VibrationState& state : found.pressed)
+        forces.strain_energy_j = std::max(forces.strain_energy_j, state.energy_j);
+    forces.modes = std::move(body.modes);
+    forces.pressed = std::move(found.pressed);
+    forces.ringing = std::move(found.ringing);
 }
 
 }  // namespace
@@ -135,15 +157,15 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
 
     const double patch_energy_j = patchEnergy(body, strikes, contact, solid.spacing());
     const double unseen_j = patch_energy_j - patchEnergy(body, strikes, contact, grid.spacing_m);
-    double unit_energy_j = 0, brought_j = 0;
+    double brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
-        const Result<double> energy = solve(forces.loads, forces.contact);
-        if (!energy) return Error{energy.error()};
-        unit_energy_j = energy.value() + unseen_j;
-        const double body_energy_j = std::max(unit_energy_j - patch_energy_j, least_part * unit_energy_j);
+        Result<UnitResponse> unit = solve(forces.loads, forces.contact);
+        if (!unit) return Error{unit.error()};
         const Impact impact = impactOf(strikes, answer.held);
-        forces.pulse =
-            contactPulse(impact, body_energy_j + answer.others_energy_j, contact.shortest_contact_s);
+        strikeBody(impact,
+                   {std::move(unit.value().modes), unit.value().strain_energy_j + unseen_j, patch_energy_j,
+                    answer.others_energy_j},
+                   contact.shortest_contact_s, forces);
         brought_j = impact.energy();
         if (foundations.empty()) break;
         SupportAnswer next = timed(ms.loads, [&] {
@@ -155,24 +177,45 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     }
     if (forces.contact.near.empty()) forces.contact.others = forces.strike;
     forces.contact.others = together(std::move(forces.contact.others), answer.forces);
-    forces.strain_energy_j =
-        std::min(unit_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n, brought_j);
+    forces.strain_energy_j = std::min(forces.strain_energy_j, brought_j);
     return forces;
+}
+
+Result<StressField> stressAt(const BlowStress& stress, const VibrationState& state,
+                             const StressSolver& solver, const ReducedModel& model) {
+    StressField sum = stress.unit;
+    const Eigen::ArrayXd beyond = state.modes - state.force_n * stress.modes.work;
+    const auto more = solver.stressOfUnknowns(model.vibration(beyond).cast<double>(), stress.contact);
+    if (!more) return more;
+    const auto add = [&](std::vector<SymmetricTensor>& all, const std::vector<SymmetricTensor>& own) {
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = state.force_n * all[i] + own[i];
+    };
+    add(sum.particles, more.value().particles);
+    add(sum.surface, more.value().surface);
+    add(sum.points, more.value().points);
+    return sum;
 }
 
 Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
                               StageTimes& ms) {
     BlowStress stress;
+    const ReducedStress* reduced = struck.solid.reducedStress();  // knows the vibrations
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField& contact) -> Result<double> {
+                                    const ContactField& contact) -> Result<UnitResponse> {
+        UnitResponse response;
+        if (reduced) response.modes = reduced->model.struckModes(loads);
         if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
             const AddedTime time(ms.solve);
-            return solver.strainEnergy(loads);
+            const Result<double> energy = solver.strainEnergy(loads);
+            if (!energy) return Error{energy.error()};
+            response.strain_energy_j = energy.value();
+            return response;
         }
         Result<StressField> unit = unitStress(struck, solver, loads, ms);
         if (!unit) return Error{unit.error()};
         stress.unit = std::move(unit).value();
-        return stress.unit.strain_energy_j;
+        response.strain_energy_j = stress.unit.strain_energy_j;
+        return response;
     };
     Result<BlowForces> forces =
         blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);

@@ -97,7 +97,8 @@ std::optional<BlowBound> closeBound(const BreakableSolid& solid, const PeakTable
             answer.root_compliance = held * most.root_compliance;
         }
     }
-    return boundOf(impactOf(strikes, held), strike, answer, isHeld(solid, blow), contact.shortest_contact_s);
+    return boundOf(impactOf(strikes, held), strike, answer, isHeld(solid, blow), slowestPeriod(solid),
+                   contact.shortest_contact_s);
 }
 
 }  // namespace sherd

@@ -20,8 +20,11 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
                                 const FractureSettings& fracture) {
     const Result<CoarseModel>& model = solid.coarseModel();
     if (!model) return std::nullopt;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&) {
-        return model.value().strainEnergy(loads);
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
+                                    const ContactField&) -> Result<UnitResponse> {
+        const Result<double> energy = model.value().strainEnergy(loads);
+        if (!energy) return Error{energy.error()};
+        return UnitResponse{energy.value()};
     };
     StageTimes parts_of_it;
     const Result<BlowForces> forces =

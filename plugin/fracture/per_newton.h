@@ -44,8 +44,11 @@ struct Support {
 bool boundAnswer(const PeakTable& table, const std::vector<Support>& supports, double mass_kg,
                  double root_mobility, double share, PerNewton& answer);
 
-/// What follows for a blow. `is_held`: the body may not give way.
+/// The slowest period of a solid's vibrations, s; 0: nothing is known of them.
+double slowestPeriod(const BreakableSolid& solid);
+
+/// What follows for a blow. `is_held`: the body may not give way. `period_s`: the slowest of its vibrations.
 BlowBound boundOf(const Impact& impact, const PerNewton& strike, const PerNewton& answer, bool is_held,
-                  double shortest_s);
+                  double period_s, double shortest_s);
 
 }  // namespace sherd

@@ -21,6 +21,7 @@ class Quick {
           blow_(blow),
           settings_(settings),
           mass_kg_(solid.mass()),
+          period_s_(slowestPeriod(solid)),
           held_(isHeld(solid, blow)),
           has_supports_(!solid.isAnchored() && blow.isSupported()) {}
 
@@ -34,7 +35,7 @@ class Quick {
         PerNewton answer;
         if (has_supports_ && !boundAnswer(table_, supports(), mass_kg_, strike_.root_mobility, 1, answer))
             return std::nullopt;
-        return boundOf(impact_, strike_, answer, held_, settings_.shortest_contact_s);
+        return boundOf(impact_, strike_, answer, held_, period_s_, settings_.shortest_contact_s);
     }
 
   private:
@@ -138,7 +139,7 @@ class Quick {
     const PeakTable& table_;
     const Blow& blow_;
     const ContactSettings& settings_;
-    double mass_kg_;
+    double mass_kg_, period_s_;
     bool held_, has_supports_;
     Impact impact_;
     PerNewton strike_;

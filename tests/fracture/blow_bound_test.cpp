@@ -102,13 +102,13 @@ TEST_F(BlowBounds, TheGateSkipsATapByItsStress) {
     EXPECT_EQ(solved.level, Level::full);
 }
 
-// 20 blows at the largest speed that is skipped, each held by the full solve.
+// 30 blows at the largest speed that is skipped, each held by the full solve.
 TEST_F(BlowBounds, NoBlowThatIsSkippedBreaks) {
     FractureSettings fully = solid().settings().fracture;
     fully.use_reduced_model = false;
     RandomBlows blows(bowl().mesh, 9);
     int by_stress = 0;
-    for (int i = 0; i < 20; ++i) {
+    for (int i = 0; i < 30; ++i) {
         Blow blow = blows.next();
         for (ContactImpulse& contact : blow.contacts) contact.approach_m_s *= 100;
         while (canBreak(solid(), blow, solid().settings().fracture))

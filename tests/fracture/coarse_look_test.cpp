@@ -44,8 +44,9 @@ double fullEnergy(const BreakableSolid& solid, const Blow& blow) {
 
 double coarseEnergy(const BreakableSolid& solid, const Blow& blow) {
     StageTimes ms;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&) {
-        return solid.coarseModel().value().strainEnergy(loads);
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
+                                    const ContactField&) -> Result<UnitResponse> {
+        return UnitResponse{solid.coarseModel().value().strainEnergy(loads).value()};
     };
     return blowForces(solid, solid.settings().fracture.contact, blow, solve,
                       {solid.coarseModel().value().spacing(), false}, ms)

@@ -5,8 +5,16 @@
 
 namespace sherd {
 
-NearField::NearField(const std::vector<ContactDisc>& discs, double poisson_ratio) : discs_(discs) {
+NearField::NearField(const std::vector<ContactDisc>& discs, double poisson_ratio)
+    : discs_(discs), poisson_ratio_(poisson_ratio) {
     for (const ContactDisc& disc : discs) fields_.emplace_back(disc, poisson_ratio);
+}
+
+NearField NearField::times(double factor) const {
+    if (factor == 0) return {};
+    std::vector<ContactDisc> discs = discs_;
+    for (ContactDisc& disc : discs) disc.traction_pa *= factor;
+    return NearField(discs, poisson_ratio_);
 }
 
 Mat3 NearField::stressAt(const Vec3& x) const {

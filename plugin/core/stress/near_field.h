@@ -14,6 +14,8 @@ class NearField {
     NearField(const std::vector<ContactDisc>& discs, double poisson_ratio);
 
     bool empty() const { return discs_.empty(); }
+    /// The same under tractions that many times as large.
+    NearField times(double factor) const;
     const std::vector<ContactDisc>& discs() const { return discs_; }
 
     Mat3 stressAt(const Vec3& x) const;  ///< Pa
@@ -25,6 +27,7 @@ class NearField {
 
   private:
     std::vector<ContactDisc> discs_;
+    double poisson_ratio_ = 0;
     std::vector<DiscField> fields_;
 };
 
