@@ -7,7 +7,9 @@
 #include "core/clustering/bisection.h"
 #include "core/clustering/clusters.h"
 #include "core/clustering/merge_labels.h"
+#include "core/loads/contact_loads.h"
 #include "fracture/cluster_count.h"
+#include "fracture/crack_reach.h"
 #include "fracture/debris.h"
 
 namespace sherd {
@@ -33,10 +35,10 @@ std::vector<char> whereCracksStop(const StrikeContext& struck, const Damage& dam
 
 }  // namespace
 
-FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, double strain_energy_j,
-                              const BlowAxis& axis) {
+FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, const BlowForces& forces) {
     const FractureSettings& fracture = struck.fracture;
-    const int clusters = clusterCount(struck, damage, strain_energy_j);
+    const BlowAxis axis = axisOf(forces.strike);
+    const int clusters = clusterCount(struck, damage, forces.strain_energy_j);
     const double wall = struck.solid.wallThickness();
     // Boxes stand for whole cells: cracks through cells would leave pieces without any.
     const bool through_cells =
@@ -44,7 +46,8 @@ FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage,
     FragmentLabels labels =
         through_cells
             ? bisectParticles(struck.sampling, damage, clusters, fracture.largest_fragment_count, wall,
-                              struck.seed, whereCracksStop(struck, damage), fracture.guide, axis)
+                              struck.seed, whereCracksStop(struck, damage), holeOf(struck, damage, forces),
+                              fracture.guide, axis)
             : clusterParticles(struck.sampling, damage, clusters, wall, struck.seed, fracture.guide, axis);
     const double smallest_m3 =
         fracture.debris == Debris::merged ? smallestFragment(struck.solid, fracture) : 0;

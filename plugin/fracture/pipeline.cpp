@@ -76,9 +76,8 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     damage = valueOrFail(furtherWaves(struck, forces.loads, out.peak_force_n, std::move(damage), out.ms));
     noteDamage(damage, out);
 
-    const FragmentLabels labels = timed(out.ms.cluster, [&] {
-        return labelParticles(struck, damage, forces.strain_energy_j, axisOf(forces.strike));
-    });
+    const FragmentLabels labels =
+        timed(out.ms.cluster, [&] { return labelParticles(struck, damage, forces); });
     if (labels.count < 2) return keepDamage(struck, damage, out);
 
     FragmentSurfaces surfaces = valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, labels); }));

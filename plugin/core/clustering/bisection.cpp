@@ -30,6 +30,7 @@ struct Cell {
     double pieces = 0;               // that it is to become; 0 once it is not to be cut
     int part = -1;                   // of the tree
     bool stray = false;
+    bool around_hole = false;
 };
 
 class Bisection {
@@ -54,7 +55,29 @@ class Bisection {
         }
     }
 
+    /// Cuts along the planes of a hole; what is outside is one piece, whatever plane it lies behind.
+    void cutOut(const std::vector<CrackPlane>& hole) {
+        for (const CrackPlane& plane : hole) {
+            // The first cells are cut first, and what is cut out of them comes last.
+            const int before = static_cast<int>(cells_.size());
+            for (int which = before - 1; which >= 0; --which) {
+                if (cells_[which].around_hole) continue;
+                Sides sides = sidesOf(cells_[which], plane);
+                if (sides[0].members.empty() || sides[1].members.empty()) continue;
+                const std::vector<int> outside = sides[1].members;
+                replace(which, plane, std::move(sides));
+                for (const int i : outside) {
+                    cells_[cell_of_[i]].around_hole = true;
+                    cells_[cell_of_[i]].pieces = 0;
+                }
+            }
+        }
+    }
+
     void run(int pieces) {
+        const auto around =
+            std::count_if(cells_.begin(), cells_.end(), [](const Cell& cell) { return cell.around_hole; });
+        if (around > 0) pieces += static_cast<int>(around) - 1;
         while (static_cast<int>(cells_.size()) - strays_ < pieces) {
             const auto next =
                 std::max_element(cells_.begin(), cells_.end(),
@@ -66,6 +89,7 @@ class Bisection {
 
     void label(FragmentLabels& labels) const {
         UnionFind merged(cells_.size());
+        joinAroundHole(merged);
         joinStrays(merged);
         std::vector<int> number(cells_.size(), -1);
         for (std::size_t c = 0; c < cells_.size(); ++c)
@@ -176,6 +200,17 @@ class Bisection {
         return samples;
     }
 
+    void joinAroundHole(UnionFind& merged) const {
+        int first = -1;
+        for (std::size_t c = 0; c < cells_.size(); ++c) {
+            if (!cells_[c].around_hole) continue;
+            if (first < 0)
+                first = static_cast<int>(c);
+            else
+                merged.uniteInto(first, static_cast<int>(c));
+        }
+    }
+
     void joinStrays(UnionFind& merged) const {
         for (std::size_t c = 0; c < cells_.size(); ++c) {
             if (!cells_[c].stray) continue;
@@ -206,8 +241,8 @@ class Bisection {
 
 FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
                                int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const std::vector<char>& holds, const GuideField& guide,
-                               const BlowAxis& blow) {
+                               const std::vector<char>& holds, const std::vector<CrackPlane>& hole,
+                               const GuideField& guide, const BlowAxis& blow) {
     const std::vector<Vec3> axes = wallAxes(solid);
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
@@ -216,6 +251,7 @@ FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage
     labels.count = 0;
     const auto metrics = tensionMetrics(solid, axes, region, pieces, wall_thickness_m, guide, blow);
     Bisection bisection(solid, axes, metrics, holds, seed);
+    bisection.cutOut(hole);
     bisection.run(pieces);
     bisection.label(labels);
     return labels;

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 
+#include "core/clustering/crack_tree.h"
 #include "core/clustering/fragment_labels.h"
 #include "core/damage/damage.h"
 #include "core/loads/blow.h"
@@ -17,11 +18,13 @@ namespace sherd {
 /// at most `most_pieces`. A plane cuts one part only, so later cracks end at earlier ones. Cracks start where
 /// the body is damaged, but run through undamaged material, except where it `holds` (#particles, or
 /// empty: nowhere): what is connected there stays whole. What a cut leaves unconnected is a part of its
-/// own, or if it is too little joins the neighbour that it touches most. A count of 1 means that nothing came
+/// own, or if it is too little joins the neighbour that it touches most. Where there is a `hole`, a convex
+/// part of the body with planes whose normals point out of it, cracks run in it and around it: the rest stays
+/// whole. A count of 1 means that nothing came
 /// off: nothing but specks (see damaged_region.h) is damaged.
 FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
                                int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const std::vector<char>& holds = {}, const GuideField& guide = {},
-                               const BlowAxis& blow = {});
+                               const std::vector<char>& holds = {}, const std::vector<CrackPlane>& hole = {},
+                               const GuideField& guide = {}, const BlowAxis& blow = {});
 
 }  // namespace sherd

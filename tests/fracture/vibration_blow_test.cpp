@@ -1,0 +1,161 @@
+// Blows that are short for the body they fall on.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/pi.h"
+#include "fracture/blow_damage.h"
+#include "fracture/decide_blow.h"
+#include "support/shapes.h"
+
+namespace sherd {
+namespace {
+
+Material unbreakable(Material material) {
+    material.tensile_strength_pa = 9e9;
+    material.compressive_strength_pa = 9e10;
+    material.strength_scatter = 0;
+    return material;
+}
+
+std::shared_ptr<const BreakableSolid> prepared(const TriangleMesh& mesh, const Material& material,
+                                               const Settings& settings = {}) {
+    const auto solid = BreakableSolid::make(mesh, material, settings);
+    EXPECT_TRUE(solid && solid.value()->prepare({}) && solid.value()->reducedStress());
+    return solid.value();
+}
+
+/// A ball of that modulus flies in the direction of y.
+Blow ball(const Vec3& point, double mass_kg, double speed_m_s, double radius_m, double modulus_pa) {
+    ContactImpulse contact;
+    contact.point = point;
+    contact.normal = contact.impulse = Vec3::UnitY();
+    contact.approach_m_s = speed_m_s;
+    contact.partner_radius_m = radius_m;
+    contact.partner_youngs_modulus_pa = modulus_pa;
+    contact.partner_poisson_ratio = 0.3;
+    return {{contact}, {Mobility::ofPoint(mass_kg)}};
+}
+
+BlowDamage solved(const BreakableSolid& solid, const Blow& blow, Level level) {
+    FractureSettings fracture = solid.settings().fracture;
+    fracture.use_reduced_model = level == Level::reduced;
+    StageTimes ms;
+    BlowDamage found =
+        blowDamage({solid, *solid.discretisation().value(), fracture, 1}, blow, solid.strength(), ms);
+    EXPECT_EQ(found.level, level);
+    return found;
+}
+
+/// A free beam after Euler and Bernoulli that half a sine wave strikes in its middle. The symmetric modes
+/// have tan(k L / 2) + tanh(k L / 2) = 0.
+struct StruckBeam {
+    double length, height, width, youngs, density;
+
+    double rate(int mode) const {
+        const double k = kl(mode) / length;
+        return k * k * height / std::sqrt(12.0) * std::sqrt(youngs / density);
+    }
+    /// The largest stress in the middle, until the first swing after the pulse is over, Pa/N.
+    double peakPerNewton(double duration_s) const {
+        const double end = duration_s + 2 * pi / rate(0);
+        double peak = 0;
+        constexpr int steps = 3000;
+        for (int i = 1; i <= steps; ++i) peak = std::max(peak, stressAt(end * i / steps, duration_s));
+        return peak;
+    }
+    double staticPerNewton() const { return length / 8 * height / 2 / inertia(); }
+
+  private:
+    static double kl(int mode) { return mode == 0 ? 4.730041 : (2 * mode + 1.5) * pi; }
+    double inertia() const { return width * height * height * height / 12; }
+    static double ramp(double t, double w, double duration_s) {
+        if (t <= 0) return 0;
+        const double r = pi / (w * duration_s);
+        return (std::sin(pi * t / duration_s) - r * std::sin(w * t)) / (1 - r * r);
+    }
+    double stressAt(double t, double duration_s) const {
+        double sum = 0;
+        for (int mode = 0; mode < 40; ++mode) {
+            // A symmetric mode is cos(k x) / cos(k L / 2) + cosh(k x) / cosh(k L / 2); its square has the
+            // integral L.
+            const double half = kl(mode) / 2, k = kl(mode) / length;
+            const double value = 1 / std::cos(half) + 1 / std::cosh(half);
+            const double curvature = k * k * (1 / std::cosh(half) - 1 / std::cos(half));
+            const double w = rate(mode);
+            const double share = ramp(t, w, duration_s) + ramp(t - duration_s, w, duration_s);
+            sum -= value * curvature / (length * k * k * k * k) * share;
+        }
+        return height / 2 / inertia() * sum;
+    }
+};
+
+TEST(VibrationBlow, ARodIsBentAsAStruckBeam) {
+    const Material material = unbreakable(Material::ceramic());
+    const StruckBeam beam{0.8, 0.02, 0.024, material.youngs_modulus_pa, material.density_kg_m3};
+    const auto rod = prepared(shapes::slab({0.8, 0.02, 0.024}, 20, 1, 1), material);
+    const double period = 2 * pi / beam.rate(0);
+    EXPECT_NEAR(beam.peakPerNewton(20 * period), beam.staticPerNewton(), 0.05 * beam.staticPerNewton());
+    for (const double modulus : {1e9, 3e7, 3e6}) {
+        const BlowDamage found = solved(*rod, ball(Vec3(0, -0.01, 0), 0.2, 2, 0.03, modulus), Level::reduced);
+        const ContactPulse& pulse = found.forces.pulse;
+        const double stress = found.damage.largest_stress_pa / pulse.peak_force_n;
+        const double expected = beam.peakPerNewton(pulse.duration_s);
+        EXPECT_NEAR(stress, expected, 0.1 * expected) << pulse.duration_s / period << " periods";
+        EXPECT_GT(std::abs(beam.staticPerNewton() - expected), 0.1 * expected) << "it is no static blow";
+    }
+}
+
+TEST(VibrationBlow, TheReducedModelAndTheFullSolveAgree) {
+    const auto plate = prepared(shapes::slab({0.3, 0.01, 0.24}, 10, 1, 8), unbreakable(Material::glass()),
+                                Settings::forQuality(Quality::preview));
+    for (const double modulus : {5e10, 1e8}) {
+        const Blow blow = ball(Vec3(0.05, -0.005, 0.03), 0.05, 3, 0.02, modulus);
+        const BlowDamage fast = solved(*plate, blow, Level::reduced),
+                         full = solved(*plate, blow, Level::full);
+        ASSERT_FALSE(fast.forces.pressed.empty());
+        EXPECT_NEAR(fast.forces.pulse.peak_force_n, full.forces.pulse.peak_force_n,
+                    0.02 * full.forces.pulse.peak_force_n);
+        EXPECT_NEAR(fast.damage.largest_stress_pa, full.damage.largest_stress_pa,
+                    0.04 * full.damage.largest_stress_pa);
+    }
+}
+
+TEST(VibrationBlow, ALongContactIsQuasiStatic) {
+    const TriangleMesh mesh = shapes::slab({0.2, 0.15, 0.1}, 3, 3, 3);
+    const Settings preview = Settings::forQuality(Quality::preview);
+    const auto block = prepared(mesh, unbreakable(Material::ceramic()), preview);
+    const auto bare = BreakableSolid::make(mesh, unbreakable(Material::ceramic()), preview).value();
+    const Blow blow = ball(Vec3(0.02, -0.075, 0.01), 5, 0.5, 0.1, 1e7);
+    const BlowDamage found = solved(*block, blow, Level::full), plain = solved(*bare, blow, Level::full);
+    EXPECT_TRUE(found.forces.pressed.empty());
+    EXPECT_EQ(found.forces.pulse.peak_force_n, plain.forces.pulse.peak_force_n);
+    EXPECT_EQ(found.damage.largest_stress_pa, plain.damage.largest_stress_pa);
+}
+
+double largestPiece(const BreakableSolid& solid, const Blow& blow) {
+    const BlowOutcome out = decideBlow(solid, blow, solid.settings().fracture, 1);
+    EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
+    double largest = 0;
+    for (const Fragment& fragment : out.fragments) largest = std::max(largest, fragment.solid->mass());
+    return largest / solid.mass();
+}
+
+TEST(VibrationBlow, AFastBallLeavesAHoleInAWallAndASlowOneBringsItDown) {
+    const TriangleMesh mesh = shapes::slab({1.2, 0.06, 0.9}, 12, 1, 9);
+    Settings settings = Settings::forQuality(Quality::preview);
+    const Vec3 from(0.03, -0.03, 0.02);
+    const Blow fast = ball(from, 0.05, 40, 0.012, 2e11), slow = ball(from, 50, 4, 0.2, 1e7);
+    for (const CrackPattern pattern : {CrackPattern::stress, CrackPattern::seeds}) {
+        settings.fracture.crack_pattern = pattern;
+        const auto wall = prepared(mesh, Material::plaster(), settings);
+        EXPECT_GT(largestPiece(*wall, fast), 0.9);
+        EXPECT_LT(largestPiece(*wall, slow), 0.5);
+        const auto bare = BreakableSolid::make(mesh, Material::plaster(), settings).value();
+        EXPECT_LT(largestPiece(*bare, fast), 0.6) << "a quasi-static solve bends all of the wall";
+    }
+}
+
+}  // namespace
+}  // namespace sherd
