@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
+
+#include "core/numerics/parallel_chunks.h"
 
 namespace sherd {
 
@@ -23,27 +26,29 @@ void include(Damage more, Damage& sum) {
     sum.largest_stress_pa = std::max(sum.largest_stress_pa, more.largest_stress_pa);
 }
 
+/// What all states damage together, each read on its own.
+Damage damageOf(const std::vector<VibrationState>& states, const DamageAt& damage_at) {
+    std::vector<Damage> each(states.size());
+    forEachChunk(static_cast<int>(states.size()), [&](int i) { each[i] = damage_at(states[i]); });
+    Damage sum;
+    for (Damage& damage : each) include(std::move(damage), sum);
+    return sum;
+}
+
 }  // namespace
 
 Damage damageOverTime(BlowForces& forces, double crack_j, const DamageAt& damage_at) {
     if (forces.pressed.empty()) return damage_at({0, forces.pulse.peak_force_n, {}, forces.strain_energy_j});
-    Damage pressed, ringing;
-    for (const VibrationState& state : forces.pressed) include(damage_at(state), pressed);
-    double energy = 0;
-    for (const VibrationState& state : forces.ringing) {
-        include(damage_at(state), ringing);
-        energy = std::max(energy, state.energy_j);
+    Damage found = damageOf(forces.pressed, damage_at);
+    if (found.count > 0 && forces.strain_energy_j >= crack_j) {  // what would have rung is in pieces by then
+        forces.crack_time_s = forces.pulse.duration_s;
+        return found;
     }
-    const bool breaks = pressed.count > 0 && forces.strain_energy_j >= crack_j;
-    if (breaks) forces.crack_time_s = forces.pulse.duration_s;
-    if (ringing.damaged.empty()) return pressed;
-    if (breaks) {
-        pressed.largest_stress_pa = std::max(pressed.largest_stress_pa, ringing.largest_stress_pa);
-        return pressed;
-    }
-    include(std::move(ringing), pressed);
-    forces.strain_energy_j = std::max(forces.strain_energy_j, energy);
-    return pressed;
+    if (forces.ringing.empty()) return found;
+    include(damageOf(forces.ringing, damage_at), found);
+    for (const VibrationState& state : forces.ringing)
+        forces.strain_energy_j = std::max(forces.strain_energy_j, state.energy_j);
+    return found;
 }
 
 }  // namespace sherd
