@@ -76,13 +76,13 @@ struct StressSettings {
     TestFunction test_function = TestFunction::galerkin;
     TrialFunction trial_function = TrialFunction::spline;
     Basis basis = Basis::quadratic;
-    /// How often the grid is made finer around loads that it is too coarse for (paper, section 5), 0 to 4.
-    /// Spline trial functions only.
+    /// How often the grid is made finer where it is too coarse for loads or for a high stress (paper, section
+    /// 5), 0 to 4. Spline trial functions only.
     int resampling_rounds = 2;
     /// How far a finer grid reaches beyond the loads, at least, in cells of the coarser grid.
     double resampling_margin = 2;
-    /// Whether blows in a world are resampled around their contacts as well. It sharpens the stress right at
-    /// the contact only, and takes longer than the rest of a blow. A StressModel always resamples.
+    /// Whether blows in a world are resampled as well. It sharpens the stress at contacts, and at fillets and
+    /// roots below the spacing; it takes longer than the rest of a blow. A StressModel always resamples.
     bool resample_contacts = false;
     /// Radius of the supports of mls and gmls, in particle spacings. At 0 it is 1.4 for gmls, 2.2 for mls
     /// with a linear basis and 2.8 with a quadratic one.

@@ -24,7 +24,7 @@ class SplineSolver : public StressSolver::Impl {
           problem_(*shared_problem_),
           stiffness_(std::move(stiffness)),
           system_(std::move(system)),
-          resampling_(resampling),
+          resampling_(std::move(resampling)),
           material_(material),
           samples_(locateSamples(*problem_.solid)),
           reading_points_(*problem_.solid, samples_) {}
@@ -93,8 +93,7 @@ Result<StressField> SplineSolver::solve(const std::vector<PointForce>& loads, co
     const Eigen::VectorXd& unknowns = solved.value().unknowns;
     const SplineField whole = problem_.fieldOf(unknowns);
     const BodyLoads acting{loads, inertiaForces(*problem_.space, problem_.motions, acceleration, spin_force)};
-    const Result<std::vector<Zoom>> zooms = resample(*problem_.solid->surface, whole, acting,
-                                                     problem_.elasticity, problem_.supports, resampling_);
+    const Result<std::vector<Zoom>> zooms = resampling_.resample(problem_, whole, acting);
     if (!zooms) return Error{zooms.error()};
 
     StressField field;
@@ -264,10 +263,14 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     report.reciprocal_condition = factor.reciprocalCondition();
     report.warnings = trustWarnings(factor);
     // Zooms know whole material only.
-    const Resampling resampling{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
-    auto solver =
-        std::make_unique<SplineSolver>(std::make_shared<const SplineProblem>(std::move(problem).value()),
-                                       std::move(stiffness), std::move(system).value(), resampling, material);
+    const ResamplingReach reach{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
+    const auto shared = std::make_shared<const SplineProblem>(std::move(problem).value());
+    constexpr int of_factor = 2;  // what finer grids at high stress may store, times the factor
+    const Stopwatch resampling_watch;
+    Resampling resampling(*shared, reach, of_factor * report.factor_entries);
+    report.assemble_ms += resampling_watch.milliseconds();
+    auto solver = std::make_unique<SplineSolver>(shared, std::move(stiffness), std::move(system).value(),
+                                                 std::move(resampling), material);
     solver->report = std::move(report);
     return std::unique_ptr<Impl>(std::move(solver));
 }

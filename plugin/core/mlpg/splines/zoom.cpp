@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/conjugate_gradients.h"
 #include "core/mlpg/pinned_unknowns.h"
 #include "core/mlpg/splines/internal_forces.h"
@@ -16,17 +17,16 @@ namespace {
 constexpr int cells_of_rim =
     1;  // along the border of a box, which are not read: most functions there are held
 
-/// Functions whose support reaches beyond the box: the correction must not.
-std::vector<int> functionsAcrossBorder(const SplineSpace& space, const Eigen::Vector3i& lower,
-                                       const Eigen::Vector3i& upper) {
-    std::vector<int> held;
+/// Functions whose support does not reach beyond the box: the correction must not.
+std::vector<int> functionsInside(const SplineSpace& space, const CellBox& box) {
+    std::vector<int> inside;
     for (int f = 0; f < space.function_count; ++f) {
         const Eigen::Vector3i& highest = space.highest_cells[f];
-        const bool inside = ((highest.array() - space.degree) >= lower.array()).all() &&
-                            (highest.array() < upper.array()).all();
-        if (!inside) held.push_back(f);
+        if (((highest.array() - space.degree) >= box.lower.array()).all() &&
+            (highest.array() < box.upper.array()).all())
+            inside.push_back(f);
     }
-    return held;
+    return inside;
 }
 
 /// The box in cells of the fine grid, which begin along x where the coarse grid or the box does, whichever
@@ -36,81 +36,133 @@ CellBox onFineGrid(const CellBox& box) {
     return {begin, begin + 2 * (box.upper - box.lower)};
 }
 
-/// What must not move: functions that reach beyond the box, and where nothing of a component does and no
-/// support holds it, six unknowns against its rigid motions.
-std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const CellBox& fine_box,
+/// The rows and columns of some functions of a matrix in CSC, in blocks of 3 from the diagonal downwards.
+SparseMatrix blocksOf(const SparseMatrix& matrix, const std::vector<int>& functions) {
+    std::vector<int> place(matrix.size / 3, -1);
+    for (size_t f = 0; f < functions.size(); ++f) place[functions[f]] = static_cast<int>(f);
+    SparseMatrix part;
+    part.size = 3 * static_cast<int>(functions.size());
+    part.starts.push_back(0);
+    for (const int function : functions)
+        for (int column = 3 * function; column < 3 * function + 3; ++column) {
+            for (int k = matrix.starts[column]; k < matrix.starts[column + 1]; ++k) {
+                const int row = matrix.indices[k];
+                if (place[row / 3] < 0) continue;
+                part.indices.push_back(3 * place[row / 3] + row % 3);
+                part.values.push_back(matrix.values[k]);
+            }
+            part.starts.push_back(static_cast<int>(part.indices.size()));
+        }
+    return part;
+}
+
+/// Where all of a component moves and no support holds it, six unknowns against its rigid motions; as
+/// unknowns of the moving functions.
+std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const std::vector<int>& moving,
                               const std::vector<PointSpring>& springs, const SparseMatrix& stiffness) {
-    std::vector<int> held;
+    std::vector<int> place(space.function_count, -1);
+    for (size_t f = 0; f < moving.size(); ++f) place[moving[f]] = static_cast<int>(f);
     std::vector<char> is_held(space.component_count, 0);
     for (const PointSpring& spring : springs) is_held[space.component_of_part[spring.part]] = 1;
-    for (const int function : functionsAcrossBorder(space, fine_box.lower, fine_box.upper)) {
-        is_held[space.component[function]] = 1;
-        for (int i = 0; i < 3; ++i) held.push_back(3 * function + i);
-    }
+    for (int f = 0; f < space.function_count; ++f)
+        if (place[f] < 0) is_held[space.component[f]] = 1;
+    std::vector<int> held;
+    if (std::all_of(is_held.begin(), is_held.end(), [](char h) { return h; })) return held;
     const RigidMotions motions = splineMotions(fine, space);
     for (const int unknown : unknownsToPin(motions, stiffness))
-        if (!is_held[motions.componentOfUnknown(unknown)]) held.push_back(unknown);
+        if (!is_held[motions.componentOfUnknown(unknown)])
+            held.push_back(3 * place[unknown / 3] + unknown % 3);
     return held;
 }
 
-/// What is added to the coarse displacement, at the raw functions; `entries` counts the numbers stored for
-/// it.
-Result<Eigen::Matrix3Xd> solveCorrection(const SplineField& coarse, const CellBox& fine_box,
-                                         const Elasticity& elasticity, const BodyLoads& loads,
-                                         const std::vector<PointSpring>& springs,
-                                         const VolumetricProjection* projection, long long& entries) {
-    const CellParts& fine = *coarse.parts;
-    const SplineSpace& space = *coarse.space;
-    Eigen::Matrix3Xd external = bodyForcesAt(fine, space, loads.body_forces);
-    addPointForces(fine, space, loads.forces, external);
-    Eigen::VectorXd residual = space.gather(
-        external - splineInternalForces(fine, space, elasticity, springs, projection, coarse.raw));
-    SparseMatrix stiffness = splineStiffness(fine, space, elasticity, springs, projection);
-    const std::vector<int> held = heldUnknowns(fine, space, fine_box, springs, stiffness);
-    pinUnknowns(stiffness, held);
-    for (const int unknown : held) residual[unknown] = 0;
-    entries = static_cast<long long>(stiffness.values.size());
+/// K c = r for what moves.
+Result<Eigen::VectorXd> solveCorrection(const ZoomGrid& grid, const Eigen::VectorXd& residual) {
     constexpr double tolerance = 1e-5;  // far below what the grid resolves
-    const Result<Eigen::VectorXd> correction = solveByConjugateGradients(stiffness, residual, tolerance);
-    if (!correction) return Error{correction.error()};
-    return space.expand(correction.value());
+    if (!grid.factor) return solveByConjugateGradients(grid.stiffness, residual, tolerance);
+    const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {
+        return residual - symmetricBlockProduct(grid.stiffness, unknowns);
+    };
+    Result<PinnedSystem::Solution> solved = grid.factor->solve(residual, residual_of, tolerance);
+    if (!solved) return Error{solved.error()};
+    return std::move(solved.value().unknowns);
 }
 
 }  // namespace
 
-Result<Zoom> zoomIn(const TriangleMesh& surface, const SplineField& coarse, const CellBox& box,
-                    const Elasticity& elasticity, const BodyLoads& loads,
-                    const std::vector<SupportSpring>& supports) {
-    Result<CellParts> refined = refineCellParts(surface, *coarse.parts, box.lower, box.upper);
-    if (!refined) return Error{refined.error()};
-    Zoom zoom;
-    SplineField& field = zoom.field;
-    field.parts = std::make_shared<const CellParts>(std::move(refined).value());
-    const CellParts& fine = *field.parts;
-    field.space = std::make_shared<const SplineSpace>(fine, coarse.space->degree);
-    const std::vector<int> parents = parentParts(*coarse.parts, fine);
-    field.raw = refinedCoefficients(*coarse.parts, *coarse.space, coarse.raw, fine, *field.space, parents);
-    zoom.loads = loadsInside(fine, *field.space, parents, loads);
+long long ZoomGrid::entries() const {
+    return static_cast<long long>(stiffness.values.size()) + (factor ? factor->solver().factorEntries() : 0);
+}
 
-    const auto projection = projectionFor(elasticity, fine, *field.space);
-    const CellBox fine_box = onFineGrid(box);
-    const Result<Eigen::Matrix3Xd> correction =
-        solveCorrection(field, fine_box, elasticity, zoom.loads, springsOf(fine, supports), projection.get(),
-                        zoom.stiffness_entries);
-    if (!correction) return Error{correction.error()};
-    field =
-        splineField(field.parts, field.space, field.raw + correction.value(), elasticity, projection.get());
+Result<ZoomGrid> zoomGrid(const TriangleMesh& surface, const CellParts& coarse, const SplineSpace& space,
+                          const CellBox& box, const Elasticity& elasticity,
+                          const std::vector<SupportSpring>& supports) {
+    Result<CellParts> refined = refineCellParts(surface, coarse, box.lower, box.upper);
+    if (!refined) return Error{refined.error()};
+    ZoomGrid grid;
+    grid.parts = std::make_shared<const CellParts>(std::move(refined).value());
+    grid.space = std::make_shared<const SplineSpace>(*grid.parts, space.degree);
+    grid.parents = parentParts(coarse, *grid.parts);
+    grid.springs = springsOf(*grid.parts, supports);
+    grid.projection = projectionFor(elasticity, *grid.parts, *grid.space);
+    grid.box = onFineGrid(box);
     const Eigen::Vector3i rim = Eigen::Vector3i::Constant(cells_of_rim);
-    zoom.inner = {fine_box.lower + rim, fine_box.upper - rim};
+    grid.inner = {grid.box.lower + rim, grid.box.upper - rim};
+    const SparseMatrix stiffness =
+        splineStiffness(*grid.parts, *grid.space, elasticity, grid.springs, grid.projection.get());
+    grid.moving = functionsInside(*grid.space, grid.box);
+    grid.held = heldUnknowns(*grid.parts, *grid.space, grid.moving, grid.springs, stiffness);
+    grid.stiffness = blocksOf(stiffness, grid.moving);
+    pinUnknowns(grid.stiffness, grid.held);
+    return grid;
+}
+
+Status factorZoom(ZoomGrid& grid) {
+    std::vector<Eigen::Vector3i> places;
+    for (const int function : grid.moving) places.push_back(grid.space->highest_cells[function]);
+    Result<PinnedSystem> system =
+        PinnedSystem::factor(grid.stiffness, grid.held, 3, places, Precision::refined);
+    if (!system) return Error{system.error()};
+    grid.factor = std::make_shared<const PinnedSystem>(std::move(system).value());
+    return success();
+}
+
+Result<Zoom> zoomIn(const ZoomGrid& grid, const SplineField& coarse, const Elasticity& elasticity,
+                    const BodyLoads& loads) {
+    const CellParts& fine = *grid.parts;
+    const SplineSpace& space = *grid.space;
+    const Eigen::Matrix3Xd raw =
+        refinedCoefficients(*coarse.parts, *coarse.space, coarse.raw, fine, space, grid.parents);
+    Zoom zoom;
+    zoom.loads = loadsInside(fine, space, grid.parents, loads);
+    zoom.inner = grid.inner;
+    zoom.stiffness_entries = grid.entries();
+    Eigen::Matrix3Xd external = bodyForcesAt(fine, space, zoom.loads.body_forces);
+    addPointForces(fine, space, zoom.loads.forces, external);
+    const Eigen::VectorXd all = space.gather(
+        external - splineInternalForces(fine, space, elasticity, grid.springs, grid.projection.get(), raw));
+    Eigen::VectorXd residual(grid.stiffness.size);
+    for (size_t f = 0; f < grid.moving.size(); ++f)
+        residual.segment<3>(3L * f) = all.segment<3>(3L * grid.moving[f]);
+    for (const int unknown : grid.held) residual[unknown] = 0;
+    const Result<Eigen::VectorXd> solved = solveCorrection(grid, residual);
+    if (!solved) return Error{solved.error()};
+    Eigen::VectorXd correction = Eigen::VectorXd::Zero(all.size());
+    for (size_t f = 0; f < grid.moving.size(); ++f)
+        correction.segment<3>(3L * grid.moving[f]) = solved.value().segment<3>(3L * f);
+    zoom.field = splineField(grid.parts, grid.space, raw + space.expand(correction), elasticity,
+                             grid.projection.get());
     return zoom;
 }
 
-bool displacementGradient(const Zoom& zoom, const Vec3& x, Mat3& gradient) {
+bool isInside(const Zoom& zoom, const Vec3& x) {
     const CellParts& grid = *zoom.field.parts;
     const Eigen::Array3d u = (x - grid.origin).cwiseQuotient(grid.edges);
-    const bool inside = (u >= zoom.inner.lower.cast<double>().array()).all() &&
-                        (u < zoom.inner.upper.cast<double>().array()).all();
-    const GridPoint point = inside ? locate(grid, x) : GridPoint{};
+    return (u >= zoom.inner.lower.cast<double>().array()).all() &&
+           (u < zoom.inner.upper.cast<double>().array()).all();
+}
+
+bool displacementGradient(const Zoom& zoom, const Vec3& x, Mat3& gradient) {
+    const GridPoint point = isInside(zoom, x) ? locate(*zoom.field.parts, x) : GridPoint{};
     if (point.part < 0) return false;
     gradient = gradientOn(zoom.field, point.part, point.xi);
     return true;
