@@ -12,7 +12,7 @@ struct StressField {
     std::vector<SymmetricTensor> particles;  ///< one each, in the order of StressModel::particlePositions
     std::vector<SymmetricTensor> surface;    ///< one each, in the order of StressModel::surfacePositions
     std::vector<SymmetricTensor> points;     ///< one a point that was asked for, in their order
-    std::vector<double> point_spacing_m;     ///< one a point: between the particles there; finer by resampling
+    std::vector<double> point_spacing_m;     ///< one a point: between the particles there; finer if resampled
     double strain_energy_j = 0;
     /// |K u - f| / |f| of the linear solve: stiffness matrix K, displacements u, load vector f.
     double residual_rel = 0;
