@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+#include <sherd/stress_model.h>
+#include <sherd/triangle_mesh.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace sherd;
+
+const std::string folder = std::string(SHERD_TEST_DATA) + "/cases/bracket_fillet";
+
+/// Points of the surface that are far from the loads, with the largest principal stress there.
+struct Reference {
+    std::vector<Vec3> points;
+    std::vector<double> tensions;
+};
+
+Reference readReference() {
+    std::ifstream in(folder + "/reference_surface.csv");
+    std::string line;
+    std::getline(in, line);
+    Reference reference;
+    while (std::getline(in, line)) {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream row(line);
+        double v[11];
+        for (double& value : v) row >> value;
+        if (v[10] == 0) continue;
+        reference.points.emplace_back(v[0], v[1], v[2]);
+        reference.tensions.push_back(v[9]);
+    }
+    return reference;
+}
+
+/// Two legs whose ends are pulled apart, with a fillet of 4 mm between them.
+class Bracket : public ::testing::Test {
+  protected:
+    static StressModel model(int resampling_rounds) {
+        Material material;
+        material.youngs_modulus_pa = 60e9;
+        material.poisson_ratio = 0.22;
+        material.density_kg_m3 = 2400;
+        Settings settings;
+        settings.stress.resampling_rounds = resampling_rounds;
+        auto mesh = readObj(folder + "/surface.obj");
+        if (!mesh) throw std::runtime_error(mesh.error());
+        auto model = StressModel::make(mesh.value(), material, settings, {});
+        if (!model) throw std::runtime_error(model.error());
+        return std::move(model).value();
+    }
+    static std::vector<SymmetricTensor> solve(const StressModel& model, const std::vector<Vec3>& points) {
+        SurfaceLoad down{BoxRegion{Vec3(0.1, 0, 0), Vec3(0.1, 0.02, 0.03)}};
+        SurfaceLoad left{BoxRegion{Vec3(0, 0.1, 0), Vec3(0.02, 0.1, 0.03)}};
+        down.force_n = Vec3(0, -100, 0);
+        left.force_n = Vec3(-100, 0, 0);
+        auto field = model.solve({down, left}, points);
+        if (!field) throw std::runtime_error(field.error());
+        return std::move(field).value().points;
+    }
+    static double errorOf(int resampling_rounds) {
+        const Reference reference = readReference();
+        EXPECT_GT(reference.points.size(), 250u);
+        const auto stresses = solve(model(resampling_rounds), reference.points);
+        double difference = 0, norm = 0;
+        for (std::size_t i = 0; i < stresses.size(); ++i) {
+            difference += std::pow(largestPrincipal(stresses[i]) - reference.tensions[i], 2);
+            norm += std::pow(reference.tensions[i], 2);
+        }
+        return std::sqrt(difference / norm);
+    }
+};
+
+// Against quadratic tetrahedra, at 258 points. The loads are far from the fillet, of which a cell is larger.
+TEST_F(Bracket, TheFilletIsResampled) {
+    const double without = errorOf(0), with = errorOf(2);
+    EXPECT_GT(without, 0.2);
+    EXPECT_LT(with, 0.12);
+}
+
+TEST_F(Bracket, AFurtherSolveOnKeptGridsGivesTheSameBits) {
+    const std::vector<Vec3> points = readReference().points;
+    const StressModel bracket = model(2);
+    const auto first = solve(bracket, points), again = solve(bracket, points);
+    for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i], again[i]);
+}
+
+}  // namespace
