@@ -70,11 +70,14 @@ bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
 }
 
 /// Whether the blow may be decided later where many bodies are struck at once: nothing flies through the
-/// body, it is struck by other breakable bodies or by what does not move.
+/// body, it is struck by other breakable bodies, by what does not move, or by what it cannot slow down.
 bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
+    constexpr btScalar much_heavier = 50;  // whole or broken, the body takes a few percent of its speed
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        if (breakables_.find(struck.partners[p]) || struck.partners[p]->isStaticObject()) continue;
-        if (struck.blow.isStruckBy(static_cast<int>(p))) return false;
+        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
+        if (!partner || partner->isStaticObject() || breakables_.find(partner)) continue;
+        const bool is_slowed = much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();
+        if (is_slowed && struck.blow.isStruckBy(static_cast<int>(p))) return false;
     }
     return true;
 }

@@ -26,11 +26,6 @@ double crackEnergy(const StrikeContext& struck) {
     return smallestCrackEnergy(struck.solid, struck.fracture);
 }
 
-/// The near field of a contact that presses with a force; the places stay.
-ContactField timesForce(const ContactField& unit, double force_n) {
-    return {unit.near.times(force_n), unit.places, unit.others};
-}
-
 /// False if the reduced model cannot answer.
 bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
                      const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
@@ -64,14 +59,16 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     const BreakableSolid& solid = struck.solid;
     const Strength at_points{solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)};
     const BlowForces& acting = found.forces;
+    const ContactReading pressed = reduced.reading.contactReading(acting.contact);
+    const ContactReading free = reduced.reading.contactReading({});
     const DamageAt damage_at = [&](const VibrationState& state) {
         if (state.modes.size() == 0)
-            return reduced.reading.damage(response.unknowns, acting.contact, state.force_n, at_points);
-        const auto force = static_cast<float>(state.force_n);
-        const Eigen::VectorXf unknowns =
-            force * response.unknowns +
+            return reduced.reading.damage(response.unknowns, pressed, state.force_n, at_points);
+        const Eigen::VectorXf swing =
             reduced.model.vibration(state.modes - state.force_n * acting.modes.work);
-        return reduced.reading.damage(unknowns, timesForce(acting.contact, state.force_n), 1, at_points);
+        if (!(state.force_n > 0)) return reduced.reading.damage(swing, free, 1, at_points);
+        const Eigen::VectorXf unknowns = response.unknowns + swing / static_cast<float>(state.force_n);
+        return reduced.reading.damage(unknowns, pressed, state.force_n, at_points);
     };
     found.damage = damageOverTime(found.forces, crackEnergy(struck), damage_at);
     return true;

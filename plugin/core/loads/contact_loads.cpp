@@ -165,6 +165,10 @@ double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
 
 std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
                                          const ContactSettings& settings) {
+    constexpr double few = 4, fine = 0.25, coarse = 0.7;  // patches; lengths of parts in radii
+    double count = 0;
+    for (const Strike& strike : strikes) count += static_cast<double>(strike.points.size());
+    const double length = std::clamp(fine * std::sqrt(count / few), fine, coarse);
     const double momentum = momentumOf(strikes);
     std::vector<ContactPatch> patches;
     for (const Strike& strike : strikes)
@@ -175,7 +179,7 @@ std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vec
                                share * point.push,
                                patchRadius(body, strike, point, settings),
                                {}};
-            patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m);
+            patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m, length);
             patches.push_back(std::move(patch));
         }
     return patches;

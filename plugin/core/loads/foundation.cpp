@@ -21,7 +21,8 @@ constexpr double largest_tilt = 2e-3;  // of a body that rests, against its foun
 constexpr double faint = 1e-3;         // stiffness that counts, against the foundation's greatest
 constexpr double widest = 4;           // heights over a foundation within which it is not faint
 constexpr std::size_t most_foundations = 16;  // in a heap: those that carry most, which most of it goes to
-constexpr double point_count = 200;           // of a foundation, about
+constexpr double most_points = 200;           // of a foundation, about
+constexpr double points_in_all = 400;         // of those of a heap, which have 25 each at least
 constexpr double parts_per_way = 8;  // from a load to a part: the bed's stiffness changes over that way
 
 /// Contacts that become one foundation.
@@ -103,11 +104,12 @@ std::vector<Above> loadsAbove(const std::vector<Source>& sources, const Footprin
 }
 
 /// Between points of a foundation: as close as its width and the pressure below the loads ask for.
-double pointSpacing(const Footprint& footprint, const std::vector<Above>& loads) {
+double pointSpacing(const Footprint& footprint, const std::vector<Above>& loads, double points) {
     double height = std::numeric_limits<double>::infinity();
     for (const Above& load : loads) height = std::min(height, load.height_m);
-    const double loaded = std::min(footprint.area(), pi * widest * widest * height * height);
-    return std::max(std::min(height / 2, footprint.width() / 4), std::sqrt(loaded / point_count));
+    const double below = loads.size() * pi * widest * widest * height * height;
+    return std::max(std::min(height / 2, footprint.width() / 4),
+                    std::sqrt(std::min(footprint.area(), below) / points));
 }
 
 /// Short below the loads and longer away from them, where the bed is faint and even.
@@ -157,11 +159,11 @@ double nearestDistance(const std::vector<FoundationPoint>& points, const std::ve
 }
 
 Foundation foundationOf(const ContactBody& body, const Group& group, const Mobility& partner,
-                        const std::vector<Source>& sources, const ContactSettings& settings) {
+                        const std::vector<Source>& sources, double points, const ContactSettings& settings) {
     const double margin = settings.smallest_patch * body.wall_thickness_m;
     const Footprint footprint(group.points, group.push, margin);
     const std::vector<Above> loads = loadsAbove(sources, footprint, group.points.front(), margin);
-    const double size = pointSpacing(footprint, loads);
+    const double size = pointSpacing(footprint, loads, points);
     const double depth = flatness * body.wall_thickness_m + largest_tilt * footprint.length();
     const auto longest = [&](const Vec2& place, double reach) {
         return longestPart(footprint, loads, size, place, reach);
@@ -187,9 +189,11 @@ std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
     std::vector<Foundation> foundations;
     const std::vector<Source> sources = sourcesOf(blow, strikes);
     if (sources.empty()) return foundations;
-    for (const Group& group : groupsOf(blow)) {
+    const std::vector<Group> groups = groupsOf(blow);
+    const double points = std::min(most_points, points_in_all / std::max<std::size_t>(1, groups.size()));
+    for (const Group& group : groups) {
         Foundation foundation =
-            foundationOf(body, group, blow.partner(group.first->partner), sources, settings);
+            foundationOf(body, group, blow.partner(group.first->partner), sources, points, settings);
         if (!foundation.points.empty()) foundations.push_back(std::move(foundation));
     }
     return foundations;

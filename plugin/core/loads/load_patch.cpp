@@ -126,18 +126,16 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
 }
 
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius) {
-    constexpr double length_of_parts = 0.25;  // of the radius
+                                    double radius, double length) {
     std::vector<PatchPart> parts;
     for (const int t : tree.trianglesNear(spot.point, radius)) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         if (!facesPush(triangle, push)) continue;
         const Vec3 normal = areaVector(triangle).normalized();
-        subdivideNear(
-            triangle, spot.point, radius, length_of_parts * radius, 12, [&](const Vec3& x, double area) {
-                const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));
-                if (share > 0) parts.push_back({x, normal, share * area});
-            });
+        subdivideNear(triangle, spot.point, radius, length * radius, 12, [&](const Vec3& x, double area) {
+            const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));
+            if (share > 0) parts.push_back({x, normal, share * area});
+        });
     }
     return parts;
 }

@@ -36,8 +36,9 @@ struct PatchPart {
 };
 
 /// The surface within `radius` of `spot` that faces the push, under a traction with the profile of a contact.
+/// `length`: of the parts at most, in radii.
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius);
+                                    double radius, double length = 0.25);
 
 /// Spreads a force over the parts of a patch. Returns quadrature points whose forces add up to `force`; one
 /// at the spot if there are no parts.

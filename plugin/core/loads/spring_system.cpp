@@ -179,13 +179,15 @@ SpringSystem springSystemOf(const ContactBody& body, const std::vector<Foundatio
 Pressed pressedSprings(const SpringSystem& system, double duration_s) {
     const Eigen::VectorXd strike = strikeOn(system);
     constexpr int most_rounds = 30;
+    constexpr int free_rounds = 6;  // then springs only leave: those of a heap may come and go for ever
     const std::vector<Spring>& springs = system.springs;
     std::vector<char> pressed(springs.size(), 1), next(springs.size());
     Rest rest;
     for (int round = 0; round < most_rounds; ++round) {
         rest = restOn(system, pressed, strike, duration_s);
         for (std::size_t i = 0; i < springs.size(); ++i)
-            next[i] = -system.stretch(springs[i], rest.displacement) > 0;
+            next[i] =
+                (pressed[i] || round < free_rounds) && -system.stretch(springs[i], rest.displacement) > 0;
         if (next == pressed) break;
         pressed = next;
     }

@@ -8,7 +8,6 @@
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
 #include "core/mlpg/splines/monomials.h"
-#include "core/stress/loaded_places.h"
 #include "core/stress/surface_traction.h"
 
 namespace sherd {
@@ -60,13 +59,12 @@ Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
 class DamageReading::Reader {
   public:
     Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const Eigen::MatrixXf& dilatation,
-           const ContactField& contact, double scale, const Strength& strength)
+           const ContactReading& contact, double scale, const Strength& strength)
         : of_(of),
           raw_(raw),
           dilatation_(dilatation),
           projected_share_(static_cast<float>(projectedShare(of.problem_->elasticity))),
-          near_(contact.near),
-          loaded_(contact.others, of.problem_->solid->spacing),
+          contact_(contact),
           scale_(scale),
           strength_(strength),
           bound_(strength.criterion, strength.material),
@@ -88,17 +86,15 @@ class DamageReading::Reader {
         }
     }
 
-    /// Reads the stress at a place that is none of the points.
-    void readAt(const SurfacePlace& point) {
-        const GridPoint place = locate(of_.problem_->parts(), point.position);
-        if (place.part < 0) return;
+    /// Reads the stress at a place of the contact, which is none of the points.
+    void readPlace(std::size_t place) {
         switch (of_.problem_->space->degree) {
             case 1:
-                return readAt<1>(place, point);
+                return readPlace<1>(place);
             case 2:
-                return readAt<2>(place, point);
+                return readPlace<2>(place);
             default:
-                return readAt<3>(place, point);
+                return readPlace<3>(place);
         }
     }
 
@@ -110,7 +106,7 @@ class DamageReading::Reader {
     template <int degree>
     void read(int part, double wanted) {
         const Coefficients<degree> coefficients = coefficientsOf<degree>(part);
-        const double near = near_.empty() ? 0 : of_.nearBound(near_, part);
+        const double near = contact_.hasNearField() ? contact_.nearBound(part) : 0;
         for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at) {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
@@ -118,17 +114,18 @@ class DamageReading::Reader {
             const double failing = wanted * strength_.at_points[at];
             if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), failing)) continue;
             const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
-            include(x, gradient, point.normal, at, failing);
+            include(x, gradient, point.normal, at, at, failing);
         }
     }
 
     template <int degree>
-    void readAt(const GridPoint& place, const SurfacePlace& point) {
-        const int nearest = of_.points_.nearestTo(place);
-        if (nearest < 0) return;
-        const Coefficients<degree> coefficients = coefficientsOf<degree>(place.part);
-        include(point.position, projectedGradient<degree>(coefficients, place.part, place.xi.cast<float>()),
-                point.normal.cast<float>(), nearest, 0);
+    void readPlace(std::size_t number) {
+        const ContactReading::Place& place = contact_.places()[number];
+        const Coefficients<degree> coefficients = coefficientsOf<degree>(place.where.part);
+        const Eigen::Matrix3f gradient =
+            projectedGradient<degree>(coefficients, place.where.part, place.where.xi.cast<float>());
+        include(place.position, gradient, place.normal, place.nearest, contact_.numberOfPlace(number),
+                near_to_failure * strength_.at_points[place.nearest]);
     }
 
     template <int degree>
@@ -141,17 +138,17 @@ class DamageReading::Reader {
     }
 
     /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and
-    /// particle count there.
+    /// particle count there; `number`: in the contact's reading.
     void include(const Vec3& x, const Eigen::Matrix3f& gradient, const Eigen::Vector3f& normal, int at,
-                 double failing_pa) {
+                 int number, double failing_pa) {
         const Elasticity& elasticity = of_.problem_->elasticity;
         Mat3 whole = elasticity.stress(gradient.cast<double>());
-        if (!near_.empty()) whole += near_.stressAt(x);
+        if (contact_.hasNearField()) whole += contact_.nearStress(number, x);
         SymmetricTensor stress = toSymmetricTensor(whole);
         if (!normal.isZero(0)) {
             const Vec3 outward = normal.cast<double>().normalized();
-            if (!loaded_.isNear(x))
-                stress = withTraction(stress, outward, near_.tractionAt(x, outward), elasticity);
+            if (!contact_.isLoaded(x))
+                stress = withTraction(stress, outward, contact_.tractionAt(x, outward), elasticity);
             // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
             if (doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing_pa)) return;
         }
@@ -225,8 +222,7 @@ class DamageReading::Reader {
     const Eigen::Matrix4Xf& raw_;
     const Eigen::MatrixXf& dilatation_;  ///< projected, or empty
     float projected_share_;
-    const NearField& near_;
-    LoadedPlaces loaded_;
+    const ContactReading& contact_;
     double scale_;
     const Strength& strength_;
     EquivalentBound bound_;
@@ -246,25 +242,23 @@ double DamageReading::weakest(int part, const Strength& strength) const {
     return least;
 }
 
-/// No principal stress of the near field in a part is larger.
-double DamageReading::nearBound(const NearField& near, int part) const {
-    const CellParts& solid = problem_->parts();
-    const Vec3 middle = solid.parts[part].cell.cast<double>() + Vec3::Constant(0.5);
-    return near.largestAbout(solid.origin + middle.cwiseProduct(solid.edges), solid.edges.norm() / 2);
+Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
+                             const Strength& strength) const {
+    return damage(unknowns, contactReading(contact), scale, strength);
 }
 
-Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
+Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
                              const Strength& strength) const {
     const Eigen::Matrix4Xf raw = expand(unknowns);
     Eigen::MatrixXf dilatation;
     if (problem_->projection) dilatation = problem_->projection->dilatation<float>(raw.topRows<3>());
     Reader reader(*this, raw, dilatation, contact, scale, strength);
-    for (const SurfacePlace& point : contact.places) reader.readAt(point);
+    for (std::size_t place = 0; place < contact.places().size(); ++place) reader.readPlace(place);
     const EquivalentBound equivalent_bound(strength.criterion, strength.material);
     std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of, dilatation);
-    if (!contact.near.empty())
+    if (contact.hasNearField())
         for (std::size_t part = 0; part < ranges.size(); ++part)
-            ranges[part] = widened(ranges[part], nearBound(contact.near, static_cast<int>(part)));
+            ranges[part] = widened(ranges[part], contact.nearBound(static_cast<int>(part)));
     const int part_count = static_cast<int>(ranges.size());
 
     std::vector<double> overstress_bound(ranges.size());

@@ -5,10 +5,10 @@
 
 #include "core/damage/damage.h"
 #include "core/damage/material_strength.h"
+#include "core/mlpg/reduced/contact_reading.h"
 #include "core/mlpg/reduced/stress_bounds.h"
 #include "core/mlpg/splines/reading_points.h"
 #include "core/mlpg/splines/spline_problem.h"
-#include "core/stress/near_field.h"
 
 namespace sherd {
 
@@ -24,6 +24,12 @@ class DamageReading {
     /// field of contacts. The overstress of particles below half their strength may be 0.
     Damage damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                   const Strength& strength) const;
+    /// The same for one of many displacements under the same contacts. `scale` multiplies both.
+    Damage damage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
+                  const Strength& strength) const;
+    ContactReading contactReading(const ContactField& contact) const {
+        return ContactReading(*problem_, points_, contact);
+    }
 
     /// What `strength` is at the points, Pa.
     std::vector<double> strengths(const MaterialStrength& strength) const;
@@ -35,7 +41,6 @@ class DamageReading {
     class Reader;
 
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
-    double nearBound(const NearField& near, int part) const;
     double weakest(int part, const Strength& strength) const;
 
     std::shared_ptr<const SplineProblem> problem_;
