@@ -13,7 +13,7 @@ picture_packages=(povray webp)
 viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libopenal-dev libgl1-mesa-dri libegl-mesa0
   libegl1)
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3 xvfb xauth)
+test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3 xvfb xauth doxygen)
 
 say() { printf '%s\n' "$*" >&2; }
 die() {
@@ -50,26 +50,35 @@ install_packages() {
     die "apt-get could not install: ${missing[*]} (see above)"
 }
 
+# in_turn COMMAND ...: while no other of these scripts configures or builds in the same folder.
+in_turn() { flock "$build" "$@"; }
+
 # configure [CMAKE ARGUMENT ...]: only if that was not done yet with the same arguments; ninja notices all other changes.
 configure() {
   local stamp=$build/configured_with
   if [ -f "$build/build.ninja" ] && [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$*" ]; then return; fi
   mkdir -p "$build"
-  cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
+  in_turn cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
     die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
   printf '%s' "$*" >"$stamp"
 }
 
 # add_option CMAKE_ARGUMENT ...: to a folder that is configured; what else it was configured with stays.
 add_option() {
-  cmake "$@" "$build" >"$build/configure.log" 2>&1 || die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
+  in_turn cmake "$@" "$build" >"$build/configure.log" 2>&1 || die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
 }
 
 # build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal.
 build_targets() {
   local quiet=(--quiet)
-  [ -t 2 ] && quiet=()
-  ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
+  if [ -t 2 ]; then
+    quiet=()
+  else
+    local steps
+    steps=$(ninja -C "$build" -n "$@" 2>/dev/null | sed -n 's#^\[[0-9]*/\([0-9]*\)\].*#\1#p' | tail -n 1) || true
+    [ "${steps:-0}" -lt 20 ] || say "building $steps files on $(nproc) cores; this takes minutes"
+  fi
+  in_turn ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
 }
 
 # OpenBLAS takes its oldest kernels on a processor that is newer than itself; these are right for all with AVX2.

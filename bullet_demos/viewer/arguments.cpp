@@ -26,6 +26,9 @@ void addMeshOptions(CLI::App& app, Raw& raw, ViewArguments& arguments) {
         ->check(CLI::IsMember(sherd::namesInFiles<sherd::Quality>()))
         ->type_name("NAME");
     app.add_flag("--repair", mesh.repair, "Mend the mesh, and wrap it where that is not enough");
+    app.add_option("--shell", mesh.shell_thickness_m,
+                   "Make the mesh hollow, with walls of this thickness, m: for vases and figures")
+        ->check(CLI::PositiveNumber);
     app.add_option("--scale", mesh.scale, "Multiplies the coordinates of the mesh")
         ->check(CLI::PositiveNumber);
     app.add_option("--size", mesh.size_m, "Longest side of the mesh, m")->check(CLI::PositiveNumber);

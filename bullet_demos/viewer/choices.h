@@ -14,8 +14,9 @@ namespace demo {
 struct OwnMesh {
     std::string material = "ceramic";
     bool repair = false;
-    double scale = 1;   ///< multiplies the file's coordinates
-    double size_m = 0;  ///< above 0: the longest side of its box, whatever the scale
+    double scale = 1;              ///< multiplies the file's coordinates
+    double size_m = 0;             ///< above 0: the longest side of its box, whatever the scale
+    double shell_thickness_m = 0;  ///< above 0: the mesh is made hollow, with walls of that
     double drop_height_m = 1;
     std::optional<sherd::UpAxis> up_axis;  ///< none: what is usual in the format
 };

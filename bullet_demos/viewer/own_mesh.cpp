@@ -21,6 +21,7 @@ sherd::Repair repairOf(const Choices& choices, const sherd::TriangleMesh& mesh) 
     sherd::Repair repair = own.repair ? sherd::Repair::automatic() : sherd::Repair();
     const double longest = longestSide(mesh);
     repair.scale = own.size_m > 0 && longest > 0 ? own.size_m / longest : own.scale;
+    repair.shell_thickness_m = own.shell_thickness_m;
     repair.up_axis = own.up_axis.value_or(usualUpAxis(choices.file));
     return repair;
 }

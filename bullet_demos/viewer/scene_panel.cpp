@@ -22,6 +22,10 @@ void chooseScene(ViewerState& state, const std::vector<std::string>& files) {
     if (state.choices.isScene()) return;
     OwnMesh& mesh = state.choices.own_mesh;
     state.reload |= ImGui::Checkbox("repair the mesh", &mesh.repair);
+    float shell = float(1e3 * mesh.shell_thickness_m);
+    ImGui::SliderFloat("hollow, wall", &shell, 0, 20, shell > 0 ? "%.1f mm" : "solid");
+    state.reload |= ImGui::IsItemDeactivatedAfterEdit();
+    mesh.shell_thickness_m = 1e-3 * shell;
     float height = float(mesh.drop_height_m);
     ImGui::SliderFloat("drop from", &height, 0, 3, "%.2f m");
     if (ImGui::IsItemDeactivatedAfterEdit()) state.restart = true;

@@ -64,6 +64,7 @@ struct Breakable {
     double young_until_s = 0;        ///< simulated time; 0 for what is no fragment
     bool in_world = true;            ///< at the last syncWithWorld
     bool warned = false;             ///< an event has said what the asset warns of
+    bool told_unbreakable = false;   ///< an event has said why nothing breaks it
     BodyToken token = no_token;      ///< tells `body` from a new one at its address
     int generation = 0;              ///< how many breaks in this world made it
     double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known

@@ -5,6 +5,7 @@
 #include "bullet/body_checks.h"
 #include "bullet/body_removal.h"
 #include "bullet/body_swap.h"
+#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
@@ -69,6 +70,28 @@ Status FractureWorld::Impl::checkHook() const {
             "bodies cannot break in this world any more: its constraint solver was set after the "
             "FractureWorld was made; make that after setConstraintSolver"};
     return success();
+}
+
+/// Once for each body: an app that does not hear of it only sees that nothing breaks.
+void FractureWorld::Impl::tellWhatCannotBreak() {
+    const bool is_hooked = decorator_.inPlace();
+    if (is_hooked && !awake_) return;
+    for (const auto& breakable : breakables_.all()) {
+        if ((is_hooked && breakable->canBeStruck()) || breakable->told_unbreakable || !breakable->in_world ||
+            breakable->body->isKinematicObject())
+            continue;
+        breakable->told_unbreakable = true;
+        BlowEvent event(breakable->asset);
+        event.outcome = Outcome::failed;
+        event.name = breakable->name;
+        event.body = breakable->body;
+        event.asset_transform = breakable->placed(breakable->body->getWorldTransform());
+        event.position = fromBullet(breakable->body->getWorldTransform().getOrigin());
+        event.message = is_hooked ? "nothing breaks this body any more: its mass was set to 0 after it was "
+                                    "added; a static body breaks where it has BodyOptions::supports"
+                                  : checkHook().error();
+        current_.push_back({std::move(event), {}});
+    }
 }
 
 Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> breakable) {

@@ -72,7 +72,10 @@ void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, double wait
     figures.outcome = Outcome::dropped;
     figures.impulse_n_s = normalImpulse(struck.blow);
     figures.waited_s = waited_s;
-    figures.message = "the budget left no room for this blow; the body stays whole";
+    figures.message =
+        "the budget left no room for this blow, so the body stays whole: raise "
+        "Budget::milliseconds_per_step, "
+        "longest_wait_s or fragments_alive to have more";
     current_.push_back({eventOf(struck, figures), {}});
 }
 

@@ -51,6 +51,7 @@ void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
 }
 
 void FractureWorld::Impl::afterIntegration() {
+    tellWhatCannotBreak();
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             if (awake_) timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });

@@ -141,6 +141,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
+    void tellWhatCannotBreak();
     Result<btRigidBody*> putIntoWorld(std::unique_ptr<Breakable> breakable, const BodyOptions& options);
     Status refusal(btRigidBody* body, const BreakableOptions& options) const;
     bool insideStep() const { return isInsideStep(world_); }

@@ -17,7 +17,7 @@ int main(int argc, char** argv) {
         }
         const bool bakes = arguments.value().command == sherd::cli::Arguments::Command::bake;
         const sherd::Status done = bakes ? sherd::cli::runBake(arguments.value().bake, std::cout)
-                                         : sherd::cli::runStress(arguments.value());
+                                         : sherd::cli::runStress(arguments.value(), std::cout);
         if (!done) std::cerr << done.error() << "\n";
         return done ? 0 : 1;
     } catch (const std::exception& failure) {

@@ -8,6 +8,7 @@
 #include "cli/csv_file.h"
 #include "cli/report.h"
 #include "cli/vtk_file.h"
+#include "core/stress/principal_stresses.h"
 
 namespace sherd::cli {
 
@@ -54,9 +55,27 @@ StressPicture pictureOf(const StressModel& model, const StressField& field, std:
             {field.points.begin() + std::ptrdiff_t(wanted), field.points.end()}};
 }
 
+/// A line on where the table is, and where the largest tension in it.
+void tell(const StressTable& table, const std::string& path, std::ostream& out) {
+    std::size_t most = 0;
+    std::vector<double> tensions;
+    for (const SymmetricTensor& stress : table.stresses)
+        tensions.push_back(principalStresses(stress).largest);
+    for (std::size_t i = 0; i < tensions.size(); ++i)
+        if (tensions[i] > tensions[most]) most = i;
+    out << path << ": stress at " << tensions.size() << " points";
+    if (!tensions.empty())
+        out << "; the largest tension is " << 1e-6 * tensions[most] << " MPa, at ("
+            << table.positions[most].transpose().format(Eigen::IOFormat(6, Eigen::DontAlignCols, ", ", ", "))
+            << ") m";
+    out << "\n";
+}
+
 Status writeAll(const Arguments& arguments, const StressCase& problem, const StressModel& model,
-                const StressField& field, const std::vector<Vec3>& wanted) {
-    Status status = writeStress(tableOf(model, field, wanted), arguments.out);
+                const StressField& field, const std::vector<Vec3>& wanted, std::ostream& out) {
+    const StressTable table = tableOf(model, field, wanted);
+    Status status = writeStress(table, arguments.out);
+    if (status) tell(table, arguments.out, out);
     const auto report = makeReport(arguments, problem, model, field);
     if (status && !arguments.report.empty()) status = writeReport(report, arguments.report);
     if (status && !arguments.vtk.empty())
@@ -71,7 +90,7 @@ Status writeAll(const Arguments& arguments, const StressCase& problem, const Str
 
 }  // namespace
 
-Status runStress(const Arguments& arguments) {
+Status runStress(const Arguments& arguments, std::ostream& out) {
     const Result<StressCase> problem = readCase(arguments.case_file);
     if (!problem) return Error{problem.error()};
     std::vector<Vec3> wanted;
@@ -87,7 +106,7 @@ Status runStress(const Arguments& arguments) {
     if (!arguments.vtk.empty()) append(points, model.value().surface().vertices);
     const auto field = model.value().solve(problem.value().loads, points, problem.value().spin_rad_s);
     if (!field) return Error{arguments.case_file + ": " + field.error()};
-    return writeAll(arguments, problem.value(), model.value(), field.value(), wanted);
+    return writeAll(arguments, problem.value(), model.value(), field.value(), wanted, out);
 }
 
 }  // namespace sherd::cli

@@ -1,5 +1,6 @@
 #include <sherd/breakable_asset.h>
 
+#include <cmath>
 #include <utility>
 
 #include "core/numerics/thread_priority.h"
@@ -44,8 +45,13 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
     auto solid = BreakableSolid::make(std::move(sound.value().mesh), material, settings);
     if (!solid) return Error{solid.error()};
     std::vector<std::string> warnings;
+    constexpr double heaviest_usual_kg = 20000;
+    const double kilograms = solid.value()->mass();
     if (const std::string size = sizeWarning(solid.value()->surface()); !size.empty())
         warnings.push_back(size);
+    else if (kilograms > heaviest_usual_kg)
+        warnings.push_back("The body weighs " + std::to_string(std::lround(kilograms)) +
+                           " kg; if its file is not in metres, read it with a scale (Repair::scale).");
     return BreakableAsset(std::move(solid).value(),
                           std::make_shared<const RepairReport>(std::move(sound).value().report),
                           std::make_shared<const std::vector<std::string>>(std::move(warnings)));

@@ -272,11 +272,32 @@ TEST(Lifetime, AppMayPutInAnotherSolverWhileHooked) {
             "bodies cannot break in this world any more: its constraint solver was set after the "
             "FractureWorld was made; make that after setConstraintSolver";
         EXPECT_EQ(fracture.add(plate(crumbly()), at(0, 0, 1)).error(), gone);
+        const auto events = fracture.takeEvents();
+        ASSERT_EQ(events.size(), 1u) << "once for the body, not in each step";
+        EXPECT_EQ(events[0].outcome, Outcome::failed);
+        EXPECT_EQ(events[0].message, gone);
+        EXPECT_EQ(events[0].body, fracture.bodies().front());
         btRigidBody* body = addAppsBody(scene);
         EXPECT_EQ(fracture.makeBreakable(body, crumbly(), coarse(0.1)).error(), gone);
     }
     EXPECT_EQ(scene.world->getConstraintSolver(), &other);
     scene.step(2);
+}
+
+TEST(Lifetime, ABodyThatTheAppMakesStaticIsToldOf) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto body = fracture.add(plate(crumbly()), at(0, 0, 0));
+    ASSERT_TRUE(body.ok());
+    ASSERT_TRUE(fracture.add(plate(crumbly()), at(2, 0, 0)).ok());
+    scene.step(2);
+    EXPECT_TRUE(fracture.takeEvents().empty());
+    body.value()->setMassProps(0, btVector3(0, 0, 0));
+    scene.step(3);
+    const auto events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_EQ(events[0].body, body.value());
+    EXPECT_NE(events[0].message.find("its mass was set to 0"), std::string::npos);
 }
 
 TEST(Frames, BodyStandsWhereTheAssetWasPlaced) {
