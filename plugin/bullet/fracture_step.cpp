@@ -19,13 +19,16 @@ constexpr int most_rounds = 8;  // of breaks in one step
 // `times_.whole` is measured here, and in `finishBetweenSteps`: these are all the ways in from outside.
 
 void FractureWorld::Impl::beforeSolve() {
-    timed(times_.whole, [&] { prepareSolve(); });
     new_fragments_ = decided_now_ = 0;
+    const bool was_awake = std::exchange(awake_, anythingAwake(world_));
+    // The clock would take more time than a world asleep does.
+    if (!awake_ && !was_awake && !integrating_ && to_delete_.empty() && !events_.hasReleased()) return;
+    timed(times_.whole, [&] { prepareSolve(); });
     solve_watch_ = {};
 }
 
 void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) {
-    times_.bullet_solve += solve_watch_.milliseconds();
+    if (awake_) times_.bullet_solve += solve_watch_.milliseconds();
     time_s_ += info.m_timeStep;
     if (!any_breakable_) return;
     const AddedTime whole(times_.whole);
@@ -79,7 +82,6 @@ void FractureWorld::Impl::prepareSolve() {
         world_calls_actions_ = false;
         endIntegration();
     }
-    awake_ = anythingAwake(world_);
     any_breakable_ = false;
     if (!awake_) {
         before_.clear();
