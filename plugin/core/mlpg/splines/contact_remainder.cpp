@@ -14,7 +14,9 @@ Result<Eigen::VectorXd> contactRemainder(const SplineProblem& problem, const Rea
             const ReadingPoint& point = points.points[at];
             if (point.area.isZero(0)) continue;
             const Vec3 x = ReadingPoints::position(problem.parts(), static_cast<int>(part), point);
-            const Vec3 area = point.area.cast<double>();
+            const double share = 1 - contact.near.closeShare(x);
+            if (!(share > 0)) continue;
+            const Vec3 area = share * point.area.cast<double>();
             const double size = area.norm();
             const Vec3 force =
                 size * contact.near.tractionAt(x, area / size) - contact.near.stressAt(x) * area;
@@ -22,7 +24,9 @@ Result<Eigen::VectorXd> contactRemainder(const SplineProblem& problem, const Rea
             for (std::size_t a = 0; a < functions.size(); ++a) raw.col(functions[a]) += values[a] * force;
         }
     }
-    const auto others = forcesAt(problem, contact.others);
+    std::vector<PointForce> forces = contact.close;
+    forces.insert(forces.end(), contact.others.begin(), contact.others.end());
+    const auto others = forcesAt(problem, forces);
     if (!others) return others;
     return Eigen::VectorXd(problem.space->gather(raw) + others.value());
 }
