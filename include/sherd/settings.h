@@ -81,6 +81,9 @@ struct StressSettings {
     int resampling_rounds = 2;
     /// How far a finer grid reaches beyond the loads, at least, in cells of the coarser grid.
     double resampling_margin = 2;
+    /// How many cells across a load are fine enough: no finer grid is made around it then. With 4 the largest
+    /// stress at the rim of a contact comes out up to a quarter too low; 9 are right to 2 to 8 %.
+    double resampling_cells = 4;
     /// Whether blows in a world are resampled as well. It sharpens the stress at contacts, and at fillets and
     /// roots below the spacing; it takes longer than the rest of a blow. A StressModel always resamples.
     bool resample_contacts = false;

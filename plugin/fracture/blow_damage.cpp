@@ -48,8 +48,8 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     if (found.forces.strike.empty()) return true;
     if (!found.forces.contact.near.empty()) {
         const AddedTime time(ms.solve);
-        const auto remainder =
-            contactRemainder(reduced.model.problem(), reduced.reading.points(), found.forces.contact);
+        const auto remainder = contactRemainder(reduced.model.problem(), reduced.reading.points(),
+                                                reduced.reading.faces(), found.forces.contact);
         if (!remainder) return false;
         Result<ReducedResponse> rest = reduced.model.respond(remainder.value(), kept);
         if (!rest) return false;

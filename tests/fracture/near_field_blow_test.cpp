@@ -91,8 +91,8 @@ TEST_F(NearFieldBlow, WhatIsLeftForTheGridHasTheForceOfTheContact) {
             blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1},
                        *solid->stressSolver().value(), *blow, ms);
         ASSERT_TRUE(stress);
-        const auto forces =
-            contactRemainder(reduced.model.problem(), reduced.reading.points(), stress.value().contact);
+        const auto forces = contactRemainder(reduced.model.problem(), reduced.reading.points(),
+                                             reduced.reading.faces(), stress.value().contact);
         ASSERT_TRUE(forces);
         Vec3 left = Vec3::Zero(), strike = Vec3::Zero();
         for (long i = 0; i < forces.value().size(); i += 3) left += forces.value().segment<3>(i);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "core/numerics/mesh_measures.h"
@@ -11,44 +12,127 @@ namespace sherd {
 
 namespace {
 
-constexpr double alike = 0.95;          // cosine between the normals of one plane, of its first part's
-constexpr double largest_bulge = 0.05;  // of the radius: how far the body may rise above the plane
+constexpr double smooth = 0.8;  // cosine between the normals of neighbours on one face, of coarse meshes too
 
-/// Parts of a patch that lie on one plane.
+/// Parts of a patch that lie on one smooth face.
 struct Facet {
     Vec3 outward = Vec3::Zero();
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< along it
+    double weight_m2 = 0;                                                        ///< of its parts
 };
 
-/// Splits the parts by their normals, beginning with the one that is pressed most.
-std::vector<Facet> facetsOf(std::vector<PatchPart> parts) {
+/// The different normals of a patch's parts. Those of one triangle follow each other.
+std::vector<Vec3> normalsOf(const std::vector<PatchPart>& parts) {
+    constexpr double same = 1 - 1e-9;
+    std::vector<Vec3> normals;
+    for (const PatchPart& part : parts)
+        if (std::none_of(normals.begin(), normals.end(),
+                         [&](const Vec3& normal) { return normal.dot(part.normal) > same; }))
+            normals.push_back(part.normal);
+    return normals;
+}
+
+/// Splits normals where they turn at once: what turns little by little is one face.
+std::vector<std::vector<Vec3>> faces(std::vector<Vec3> normals) {
+    std::vector<std::vector<Vec3>> found;
+    while (!normals.empty()) {
+        std::vector<Vec3> own{normals.front()};
+        normals.erase(normals.begin());
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const auto others = std::partition(normals.begin(), normals.end(), [&](const Vec3& normal) {
+                return normal.dot(own[i]) < smooth;
+            });
+            own.insert(own.end(), others, normals.end());
+            normals.erase(others, normals.end());
+        }
+        found.push_back(std::move(own));
+    }
+    return found;
+}
+
+std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
     std::vector<Facet> facets;
-    while (!parts.empty()) {
-        const Vec3 first = std::max_element(parts.begin(), parts.end(), [](const auto& a, const auto& b) {
-                               return a.weight_m2 < b.weight_m2;
-                           })->normal;
-        const auto others = std::partition(parts.begin(), parts.end(), [&](const PatchPart& part) {
-            return part.normal.dot(first) >= alike;
-        });
+    for (const std::vector<Vec3>& normals : faces(normalsOf(parts))) {
+        const auto isOn = [&](const PatchPart& part) {
+            return std::any_of(normals.begin(), normals.end(),
+                               [&](const Vec3& normal) { return normal.dot(part.normal) >= smooth; });
+        };
         Facet facet;
-        for (auto part = parts.begin(); part != others; ++part)
-            facet.outward += part->weight_m2 * part->normal;
+        for (const PatchPart& part : parts) {
+            if (!isOn(part)) continue;
+            facet.outward += part.weight_m2 * part.normal;
+            facet.weight_m2 += part.weight_m2;
+        }
         facet.outward.normalize();
-        for (auto part = parts.begin(); part != others; ++part) {
-            const double height = part->centre.dot(facet.outward);
+        for (const PatchPart& part : parts) {
+            if (!isOn(part)) continue;
+            const double height = part.centre.dot(facet.outward);
             facet.lowest = std::min(facet.lowest, height);
             facet.highest = std::max(facet.highest, height);
         }
         facets.push_back(facet);
-        parts.erase(parts.begin(), others);
     }
     return facets;
 }
 
-bool isBehind(const TriangleMesh& surface, const ContactDisc& disc) {
-    const double highest = disc.inward.dot(disc.centre) - largest_bulge * disc.radius;
-    return std::all_of(surface.vertices.begin(), surface.vertices.end(),
-                       [&](const Vec3& v) { return v.dot(disc.inward) >= highest; });
+/// The share of a facet that is pressed. A push that only grazes a round surface misses part of it; the disc
+/// spreads over all of it what presses on the rest.
+double pressedShare(const SurfaceTree& surface, const ContactPatch& patch, const Facet& facet) {
+    double all_m2 = 0;
+    for (const PieceNearby& piece :
+         surfaceAround(surface, patch.spot.point, patch.radius_m, patch.radius_m, 0.25 * patch.radius_m)) {
+        const double area = piece.area.norm();
+        const double squared = (piece.centre - patch.spot.point).squaredNorm();
+        if (piece.area.dot(facet.outward) >= least_facing * area)
+            all_m2 += area * contactProfile(squared / (patch.radius_m * patch.radius_m));
+    }
+    return all_m2 > 0 ? std::min(1.0, facet.weight_m2 / all_m2) : 1;
+}
+
+/// How the body lies about a disc.
+enum class Lie { behind, hollow, before };
+
+/// A hollow surface rises above the disc's plane, but so slowly that the near field goes on there. What is
+/// further away is the grid's anyway.
+Lie lieOf(const SurfaceTree& surface, const ContactDisc& disc) {
+    constexpr double reach = 2.5;               // radii
+    constexpr double bulge = 0.05, rise = 0.5;  // of the radius, of the distance
+    constexpr double flat = 0.02;               // of the radius
+    Lie lie = Lie::behind;
+    for (const PieceNearby& piece :
+         surfaceAround(surface, disc.centre, reach * disc.radius, disc.radius, 0.5 * disc.radius)) {
+        const Vec3 offset = piece.centre - disc.centre;
+        const double distance = offset.norm(), height = -offset.dot(disc.inward);
+        if (distance > reach * disc.radius) continue;
+        if (height > bulge * disc.radius + rise * distance) return Lie::before;
+        if (height > flat * disc.radius) lie = Lie::hollow;
+    }
+    return lie;
+}
+
+/// t - sigma n about the discs.
+std::vector<PointForce> closeRemainder(const SurfaceTree& surface, const NearField& near) {
+    constexpr double size = 0.25;  // of a radius
+    std::vector<PointForce> forces;
+    for (std::size_t i = 0; i < near.discs().size(); ++i) {
+        const ContactDisc& disc = near.discs()[i];
+        for (const PieceNearby& piece : surfaceAround(surface, disc.centre, close_reach * disc.radius,
+                                                      disc.radius, size * disc.radius)) {
+            const double share = near.closeShare(piece.centre, i), area = piece.area.norm();
+            if (!(share * area > 0)) continue;
+            const Vec3 force = area * near.tractionAt(piece.centre, piece.area / area) -
+                               near.stressAt(piece.centre) * piece.area;
+            forces.push_back({piece.centre, share * force});
+        }
+    }
+    return forces;
+}
+
+/// The place opposite a disc: there a thin wall is bent most.
+void addOpposite(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places) {
+    const SurfaceSpot spot = wayOut(tree, disc.centre + 0.1 * disc.radius * disc.inward, disc.inward);
+    if (spot.triangle >= 0)
+        places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
 }
 
 /// Places where friction is small and the surface is pulled most round a disc, as far as they are on it.
@@ -68,6 +152,16 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
         }
 }
 
+/// Of the hardest patches, N over the force of the blow: each disc's field is added to that of all others.
+double leastForceKnown(const std::vector<ContactPatch>& patches) {
+    constexpr std::size_t most_known = 8;
+    if (patches.size() <= most_known) return 0;
+    std::vector<double> forces;
+    for (const ContactPatch& patch : patches) forces.push_back(patch.force.norm());
+    std::nth_element(forces.begin(), forces.begin() + (most_known - 1), forces.end(), std::greater<>());
+    return forces[most_known - 1];
+}
+
 }  // namespace
 
 std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactPatch& patch) {
@@ -77,7 +171,8 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
     if (!(weight > 0)) return {};
     std::vector<ContactDisc> discs;
     for (const Facet& facet : facetsOf(patch.parts)) {
-        const double above = facet.highest - patch.spot.point.dot(facet.outward);
+        const double spot = patch.spot.point.dot(facet.outward);
+        const double above = std::clamp(spot, facet.lowest, facet.highest) - spot;
         const double squared = patch.radius_m * patch.radius_m - above * above;
         if (facet.highest - facet.lowest > largest_sag * patch.radius_m || !(squared > 0)) return {};
         // On a plane that cuts the sphere about the spot off its middle the traction is that of a smaller
@@ -85,17 +180,22 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
         const double in_middle = contactProfile(above * above / (patch.radius_m * patch.radius_m));
         ContactDisc disc{patch.spot.point + above * facet.outward, -facet.outward, std::sqrt(squared),
                          in_middle / weight * patch.force};
-        if (!isBehind(surface.surface(), disc) || discs.size() == most_facets) return {};
+        const Lie lie = lieOf(surface, disc);
+        if (lie == Lie::before || discs.size() == most_facets) return {};
+        disc.hollow = lie == Lie::hollow;
+        disc.traction_pa *= pressedShare(surface, patch, facet);
         discs.push_back(disc);
     }
     return discs;
 }
 
 ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches) {
+    const double least = leastForceKnown(patches);
     ContactField field;
     std::vector<ContactDisc> discs;
     for (const ContactPatch& patch : patches) {
-        const std::vector<ContactDisc> own = contactDiscs(body.surface, patch);
+        const std::vector<ContactDisc> own =
+            patch.force.norm() < least ? std::vector<ContactDisc>() : contactDiscs(body.surface, patch);
         discs.insert(discs.end(), own.begin(), own.end());
         if (!own.empty()) {
             for (const PatchPart& part : patch.parts) field.places.push_back({part.centre, part.normal});
@@ -104,8 +204,12 @@ ContactField contactField(const ContactBody& body, const std::vector<ContactPatc
         const auto forces = spreadForce(patch.parts, patch.spot, patch.force);
         field.others.insert(field.others.end(), forces.begin(), forces.end());
     }
-    for (const ContactDisc& disc : discs) addRim(body.surface, disc, field.places);
+    for (const ContactDisc& disc : discs) {
+        addRim(body.surface, disc, field.places);
+        addOpposite(body.surface, disc, field.places);
+    }
     field.near = NearField(discs, body.material.poisson_ratio);
+    field.close = closeRemainder(body.surface, field.near);
     return field;
 }
 

@@ -7,13 +7,13 @@
 
 namespace sherd {
 
-/// The discs that stand for a contact; none if its surface is not flat.
+/// The discs that stand for a contact; none if the surface near it is neither flat nor smooth and slowly
+/// curved.
 std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactPatch& patch);
 
-/// Contacts as discs on the planes of the surface, where it is flat under them and the body lies behind these
-/// planes: there the body is a half-space less what is missing of it. A contact that hangs over an edge is
-/// the part of a disc that is on the body, and one more disc on each further face that it presses on.
-/// Contacts that are none stay loads.
+/// Contacts as discs on the planes of the surface under them: there the body is nearly a half-space, less
+/// what is missing of it. A contact that hangs over an edge is the part of a disc that is on the body, and
+/// one more disc on each further face that it presses on. Contacts that are none stay loads.
 ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches);
 
 }  // namespace sherd

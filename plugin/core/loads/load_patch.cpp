@@ -63,6 +63,36 @@ void subdivideNear(const TriangleCorners& t, const Vec3& centre, double radius, 
         subdivideNear(part, centre, radius, size, depth - 1, visit);
 }
 
+void addPieces(const TriangleCorners& t, const Vec3& point, double reach, double close, double size,
+               int depth, std::vector<PieceNearby>& pieces) {
+    const double distance = (nearestPoint(t, point) - point).norm();
+    if (distance > reach) return;
+    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    if (longest <= size * std::max(1.0, distance / close) || depth == 0) {
+        pieces.push_back({(t[0] + t[1] + t[2]) / 3, areaVector(t)});
+        return;
+    }
+    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
+    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
+                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
+        addPieces(part, point, reach, close, size, depth - 1, pieces);
+}
+
+/// Whether a ray meets a box.
+bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction) {
+    double first = 0, last = std::numeric_limits<double>::infinity();
+    for (int d = 0; d < 3; ++d) {
+        if (direction[d] == 0) {
+            if (from[d] < box.min()[d] || from[d] > box.max()[d]) return false;
+            continue;
+        }
+        const double a = (box.min()[d] - from[d]) / direction[d], b = (box.max()[d] - from[d]) / direction[d];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    return first <= last;
+}
+
 double lowestAlong(const Vec3& direction, const Eigen::AlignedBox3d& box) {
     return box.center().dot(direction) - (box.sizes() / 2).dot(direction.cwiseAbs());
 }
@@ -138,6 +168,37 @@ std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& 
         });
     }
     return parts;
+}
+
+std::vector<PieceNearby> surfaceAround(const SurfaceTree& tree, const Vec3& point, double reach, double close,
+                                       double size) {
+    constexpr int deepest = 12;
+    std::vector<PieceNearby> pieces;
+    for (const int t : tree.trianglesNear(point, reach))
+        addPieces(cornersOf(tree.surface(), t), point, reach, close, size, deepest, pieces);
+    return pieces;
+}
+
+SurfaceSpot wayOut(const SurfaceTree& tree, const Vec3& from, const Vec3& direction) {
+    SurfaceSpot spot{from, -1};
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const int t :
+         tree.trianglesWhere([&](const Eigen::AlignedBox3d& box) { return meets(box, from, direction); })) {
+        const TriangleCorners corners = cornersOf(tree.surface(), t);
+        const Vec3 area = areaVector(corners);
+        const double facing = area.dot(direction);
+        if (!(facing > 0)) continue;
+        const double along = (corners[0] - from).dot(area) / facing;
+        if (!(along > 0) || along >= nearest) continue;
+        const Vec3 x = from + along * direction;
+        const auto leftOf = [&](int a, int b) {
+            return (corners[b] - corners[a]).cross(x - corners[a]).dot(area) >= 0;
+        };
+        if (!leftOf(0, 1) || !leftOf(1, 2) || !leftOf(2, 0)) continue;
+        nearest = along;
+        spot = {x, t};
+    }
+    return spot;
 }
 
 std::vector<PointForce> spreadForce(const std::vector<PatchPart>& parts, const SurfaceSpot& spot,

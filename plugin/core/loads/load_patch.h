@@ -40,6 +40,20 @@ struct PatchPart {
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length = 0.25);
 
+/// A piece of the surface.
+struct PieceNearby {
+    Vec3 centre = Vec3::Zero();  ///< m
+    Vec3 area = Vec3::Zero();    ///< m^2, outward
+};
+
+/// The surface within `reach` of a point in pieces that are no longer than `size` (m) within `close` of it,
+/// and further away as much longer as they are further.
+std::vector<PieceNearby> surfaceAround(const SurfaceTree& tree, const Vec3& point, double reach, double close,
+                                       double size);
+
+/// Where a ray from a point inside leaves the solid; no triangle if it does not.
+SurfaceSpot wayOut(const SurfaceTree& tree, const Vec3& from, const Vec3& direction);
+
 /// Spreads a force over the parts of a patch. Returns quadrature points whose forces add up to `force`; one
 /// at the spot if there are no parts.
 std::vector<PointForce> spreadForce(const std::vector<PatchPart>& parts, const SurfaceSpot& spot,

@@ -125,7 +125,7 @@ Vec3 ContactDisc::tractionAt(const Vec3& x) const {
 }
 
 DiscField::DiscField(const ContactDisc& disc, double poisson_ratio)
-    : centre_(disc.centre), radius_(disc.radius), nu_(poisson_ratio) {
+    : centre_(disc.centre), radius_(disc.radius), nu_(poisson_ratio), hollow_(disc.hollow) {
     inward_pa_ = disc.traction_pa.dot(disc.inward);
     Vec3 along = disc.traction_pa - inward_pa_ * disc.inward;
     along_pa_ = along.norm();
@@ -135,8 +135,24 @@ DiscField::DiscField(const ContactDisc& disc, double poisson_ratio)
 }
 
 Mat3 DiscField::stressAt(const Vec3& place) const {
+    constexpr double on_plane = 1e-6, whole = 0.4, none = 0.8;
     const Vec3 local = axes_ * (place - centre_) / radius_;
-    const double x = local.x(), y = local.y(), z = std::max(local.z(), 0.0);
+    const double height = -local.z();
+    if (!hollow_ || !(height > on_plane))
+        return turned(behind(local.x(), local.y(), std::max(local.z(), 0.0)));
+    // A hollow surface rises above the plane. There the field goes on as straight as it came. Much higher up
+    // is another part of the body, that it says nothing of.
+    const double steepness = height / std::max(1.0, local.norm());
+    if (steepness >= none) return Mat3::Zero();
+    const double share = std::clamp((none - steepness) / (none - whole), 0.0, 1.0);
+    return turned(share * (2 * behind(local.x(), local.y(), 0) - behind(local.x(), local.y(), height)));
+}
+
+Mat3 DiscField::turned(const Mat3& local) const {
+    return axes_.transpose() * local * axes_;
+}
+
+Mat3 DiscField::behind(double x, double y, double z) const {
     // Far away a disc is a point, to 1.5 % of what is left of the traction there, 1.3 %; and farther out the
     // closed form of a disc loses digits.
     constexpr double far = 8;
@@ -164,8 +180,7 @@ Mat3 DiscField::stressAt(const Vec3& place) const {
     g(2, 1) = y * z_radial + x * y * lift_2;
     g(2, 2) = p * ((1 - 2 * nu) * h.h_m1 - z * h.h_m2) + q * x * (-2 * nu * h.d_0 - z * h.d_m1);
     // sigma = (2 nu / (1 - 2 nu) tr(g) + g + g^T) F / (4 pi), F = 2 pi / 5 of the traction in the middle.
-    const Mat3 stress = 0.1 * (2 * nu / (1 - 2 * nu) * g.trace() * Mat3::Identity() + g + g.transpose());
-    return axes_.transpose() * stress * axes_;
+    return 0.1 * (2 * nu / (1 - 2 * nu) * g.trace() * Mat3::Identity() + g + g.transpose());
 }
 
 }  // namespace sherd

@@ -22,6 +22,7 @@ struct ContactDisc {
     Vec3 inward = Vec3::Zero();       ///< unit normal of the plane, into the solid
     double radius = 0;                ///< m
     Vec3 traction_pa = Vec3::Zero();  ///< in the middle
+    bool hollow = false;              ///< whether the surface about it rises above the plane
 
     /// The traction at a point of the plane, Pa.
     Vec3 tractionAt(const Vec3& x) const;
@@ -34,13 +35,19 @@ class DiscField {
   public:
     DiscField(const ContactDisc& disc, double poisson_ratio);
 
-    /// At x, Pa; before the plane as on it.
+    /// At x, Pa. Before the plane as on it; under a hollow surface, which lies there, as it changes behind
+    /// the plane, and zero far before it.
     Mat3 stressAt(const Vec3& x) const;
 
   private:
+    /// In radii and on the disc's own axes, z >= 0.
+    Mat3 behind(double x, double y, double z) const;
+    Mat3 turned(const Mat3& local) const;
+
     Vec3 centre_;
     Mat3 axes_;  ///< rows: along the tangential traction, across it, inward
     double radius_, nu_;
+    bool hollow_;
     double along_pa_, inward_pa_;  ///< parts of the traction
 };
 

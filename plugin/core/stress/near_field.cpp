@@ -23,6 +23,35 @@ Mat3 NearField::stressAt(const Vec3& x) const {
     return sum;
 }
 
+namespace {
+
+/// 1 close to the disc, 0 from `close_reach` on.
+double closeness(const ContactDisc& disc, const Vec3& x) {
+    constexpr double all = 0.5;  // of the reach
+    const double reach = close_reach * disc.radius, squared = (x - disc.centre).squaredNorm();
+    if (squared >= reach * reach) return 0;
+    const double s = std::min((1 - std::sqrt(squared) / reach) / (1 - all), 1.0);
+    return s * s * (3 - 2 * s);
+}
+
+}  // namespace
+
+double NearField::closeShare(const Vec3& x, std::size_t disc) const {
+    double most = 0, sum = 0;
+    for (const ContactDisc& other : discs_) {
+        const double one = closeness(other, x);
+        most = std::max(most, one);
+        sum += one;
+    }
+    return sum > 0 ? closeness(discs_[disc], x) / sum * most : 0;
+}
+
+double NearField::closeShare(const Vec3& x) const {
+    double most = 0;
+    for (const ContactDisc& disc : discs_) most = std::max(most, closeness(disc, x));
+    return most;
+}
+
 Vec3 NearField::tractionAt(const Vec3& x, const Vec3& outward) const {
     Vec3 sum = Vec3::Zero();
     for (const ContactDisc& disc : discs_)
@@ -36,9 +65,10 @@ double NearField::largestAbout(const Vec3& x, double radius) const {
     double sum = 0;
     for (const ContactDisc& disc : discs_) {
         // Of all directions of the traction, at every Poisson's ratio (tests/core/stress/near_field_test).
-        constexpr double most = 1.65, beyond = 0.85;
+        constexpr double most = 1.65, beyond = 0.85, if_hollow = 1.9;
         const double distance = std::max(0.0, (x - disc.centre).norm() - radius) / disc.radius;
-        sum += disc.traction_pa.norm() * std::min(most, beyond / (distance * distance));
+        sum += (disc.hollow ? if_hollow : 1) * disc.traction_pa.norm() *
+               std::min(most, beyond / (distance * distance));
     }
     return sum;
 }

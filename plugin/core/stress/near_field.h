@@ -17,6 +17,10 @@ class NearField {
     /// The same under tractions that many times as large.
     NearField times(double factor) const;
     const std::vector<ContactDisc>& discs() const { return discs_; }
+    /// The share of a place of the surface that belongs to small pieces about that disc, see ContactField.
+    double closeShare(const Vec3& x, std::size_t disc) const;
+    /// That of all discs together.
+    double closeShare(const Vec3& x) const;
 
     Mat3 stressAt(const Vec3& x) const;  ///< Pa
     /// What acts on the surface at x, Pa: the discs whose plane it lies on, or nearly so. `outward`: its
@@ -33,7 +37,10 @@ class NearField {
 
 /// How far the surface under a contact may be from a plane that stands for it, in radii of the contact, and
 /// the least cosine between its normal and the plane's.
-constexpr double largest_sag = 0.1, least_facing = 0.9;
+constexpr double largest_sag = 0.35, least_facing = 0.8;
+
+/// How far around a disc the surface is looked at in small pieces, in radii.
+constexpr double close_reach = 4;
 
 /// A place of the surface where a contact's stress may be largest.
 struct SurfacePlace {
@@ -46,6 +53,9 @@ struct ContactField {
     NearField near;
     std::vector<SurfacePlace> places;  ///< where they may pull most
     std::vector<PointForce> others;    ///< loads that no disc stands for
+    /// What the near field leaves on the surface close to the discs, t - sigma n, in pieces that are small
+    /// enough for it: the points of a grid are not.
+    std::vector<PointForce> close = {};
 };
 
 }  // namespace sherd

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+
+#include "core/numerics/mesh_measures.h"
 #include "support/shapes.h"
 
 namespace sherd {
@@ -31,7 +35,9 @@ TEST(ContactField, OnAFaceIsOneDiscWithAllOfTheForce) {
     EXPECT_NEAR(disc.radius, 0.02, 1e-12);
     EXPECT_LT((totalOf(disc) + Vec3::UnitZ()).norm(), 0.01);
     EXPECT_TRUE(field.others.empty());
-    for (const SurfacePlace& place : field.places) EXPECT_NEAR(place.position.z(), 0.05, 1e-12);
+    for (const SurfacePlace& place : field.places)
+        EXPECT_NEAR(place.position.z(), &place == &field.places.back() ? -0.05 : 0.05, 1e-12)
+            << "or opposite";
     EXPECT_GT(field.places.size(), 50u);
 }
 
@@ -45,7 +51,7 @@ TEST(ContactField, OverAnEdgeKeepsTheForceThatIsOnTheBody) {
 
 TEST(ContactField, IsLeftToTheGridWhereTheSurfaceIsNotFlatOrNotInFront) {
     const TriangleMesh ball = shapes::icosphere(0.05, 4);
-    const ContactField on_ball = pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.03);
+    const ContactField on_ball = pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.04);
     EXPECT_TRUE(on_ball.near.empty());
     EXPECT_TRUE(on_ball.places.empty());
     EXPECT_GT(on_ball.others.size(), 20u);
@@ -57,6 +63,41 @@ TEST(ContactField, IsLeftToTheGridWhereTheSurfaceIsNotFlatOrNotInFront) {
             ++(pressed(hollow, v, push, 0.004).near.empty() ? left : known);
     EXPECT_GT(left, 0) << "inside of the hollow";
     EXPECT_GT(known, 0) << "outside";
+}
+
+TEST(ContactField, IsKnownOnWallsThatAreRoundInsideAndOutside) {
+    const TriangleMesh tube = shapes::tube(0.05, 0.04, 0.3, 48);
+    for (const double angle : {0.0, 0.065, 0.1}) {  // on facets and on the edges between them
+        const Vec3 out(std::cos(angle), std::sin(angle), 0);
+        const ContactField outside = pressed(tube, 0.05 * out, -out, 0.004);
+        ASSERT_EQ(outside.near.discs().size(), 1u) << angle;
+        const ContactField inside = pressed(tube, 0.04 * out, out, 0.004);
+        ASSERT_EQ(inside.near.discs().size(), 1u) << angle;
+        EXPECT_TRUE(inside.near.discs()[0].hollow);
+        EXPECT_NEAR(inside.places.back().position.norm(), 0.05, 0.001) << "opposite";
+    }
+}
+
+TEST(ContactField, KeepsTheForceOfAPushThatGrazesARoundWall) {
+    const TriangleMesh tube = shapes::tube(0.05, 0.04, 0.3, 96);
+    const Vec3 push = Vec3(-0.05, 1, 0).normalized();
+    const ContactField field = pressed(tube, Vec3(0.05, 0, 0.15), push, 0.004);
+    ASSERT_EQ(field.near.discs().size(), 1u);
+    EXPECT_NEAR(totalOf(field.near.discs()[0]).norm(), 1, 0.1);
+}
+
+TEST(ContactField, IsLeftToTheGridAtCornersAndBesideWalls) {
+    EXPECT_TRUE(pressed(block, Vec3(0.1, 0.1, 0.05), Vec3(-1, -1, -1).normalized(), 0.02).near.empty());
+    const TriangleMesh channel = shapes::uShape(0.02, 0.1, 0.1, 0.3);
+    double floor = 0;  // of the channel, half way between the legs
+    for (const Vec3& v : channel.vertices)
+        if (v.z() > 0 && v.z() < 0.1 - 1e-6) floor = std::max(floor, v.z());
+    const Vec3 low = boundingBox(channel.vertices).min();
+    const auto onFloor = [&](double from_leg) {
+        return pressed(channel, Vec3(low.x() + 0.02 + from_leg, 0, floor), -Vec3::UnitZ(), 0.004);
+    };
+    EXPECT_TRUE(onFloor(0.005).near.empty());
+    EXPECT_FALSE(onFloor(0.05).near.empty());
 }
 
 }  // namespace

@@ -43,6 +43,29 @@ TEST(NearField, IsNowhereMoreThanItsBound) {
     EXPECT_GT(closest, 0.8);
 }
 
+TEST(NearField, IsNowhereMoreThanItsBoundBeforeAHollow) {
+    for (const double nu : {0.0, 0.3, 0.499})
+        for (const double tilt : {0.0, 0.5, 1.0}) {
+            const NearField field({{Vec3::Zero(), Vec3::UnitZ(), 1, direction(tilt, 0.3), true}}, nu);
+            for (const double far : {0.3, 0.6, 0.8, 0.9, 0.95, 1.0, 1.5, 3.0, 10.0})
+                for (const double height : {-0.1, -0.3, -0.43, -0.6, -0.7, -0.9})
+                    for (int i = 0; i < 12; ++i) {
+                        const Vec3 x = far * direction(height, 0.3 + pi * i / 6);
+                        EXPECT_LT(largestPart(field.stressAt(x)), field.largestAbout(x, 0));
+                    }
+        }
+}
+
+TEST(NearField, GoesOnBeforeAHollowAsItChangesBehindIt) {
+    const ContactDisc disc{Vec3::Zero(), Vec3::UnitZ(), 1, Vec3(0.3, 0, 1), true};
+    const NearField field({disc}, 0.2);
+    const Vec3 on(1.3, 0.2, 0), step(0, 0, 0.05);
+    const Mat3 middle = field.stressAt(on);
+    EXPECT_LT((field.stressAt(on + step) + field.stressAt(on - step) - 2 * middle).norm(),
+              1e-9 * middle.norm());
+    EXPECT_EQ(field.stressAt(Vec3(0, 0, -30)), Mat3::Zero()) << "another part of the body";
+}
+
 TEST(NearField, ActsOnItsOwnPlaneOnly) {
     const NearField field({{Vec3::Zero(), Vec3::UnitZ(), 1, Vec3(1, 2, 3)}}, 0.3);
     EXPECT_EQ(field.tractionAt(Vec3::Zero(), -Vec3::UnitZ()), Vec3(1, 2, 3));

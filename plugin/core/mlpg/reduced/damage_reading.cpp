@@ -33,6 +33,7 @@ DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, Readi
                              StressBounds bounds)
     : problem_(std::move(problem)),
       points_(std::move(points)),
+      faces_(points_),
       powers_(splinePowers(problem_->space->degree).cast<float>()),
       bounds_(std::move(bounds)) {}
 

@@ -35,6 +35,7 @@ class DamageReading {
     std::vector<double> strengths(const MaterialStrength& strength) const;
 
     const ReadingPoints& points() const { return points_; }
+    const SurfaceFaces& faces() const { return faces_; }
     const StressBounds& bounds() const { return bounds_; }
 
   private:
@@ -45,6 +46,7 @@ class DamageReading {
 
     std::shared_ptr<const SplineProblem> problem_;
     ReadingPoints points_;
+    SurfaceFaces faces_;
     Eigen::MatrixXf powers_;  ///< of the pieces of the splines
     StressBounds bounds_;
 };

@@ -27,7 +27,8 @@ class SplineSolver : public StressSolver::Impl {
           resampling_(std::move(resampling)),
           material_(material),
           samples_(locateSamples(*problem_.solid)),
-          reading_points_(*problem_.solid, samples_) {}
+          reading_points_(*problem_.solid, samples_),
+          faces_(reading_points_) {}
 
     Result<StressField> solve(const std::vector<PointForce>& loads, const std::vector<Vec3>& points,
                               const Vec3& spin_rad_s) const override;
@@ -56,6 +57,7 @@ class SplineSolver : public StressSolver::Impl {
     Material material_;
     std::vector<GridPoint> samples_;
     ReadingPoints reading_points_;
+    SurfaceFaces faces_;
 };
 
 Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces,
@@ -141,7 +143,7 @@ std::vector<Vec3> positionsOf(const std::vector<SurfacePlace>& places) {
 
 Result<StressField> SplineSolver::solveContact(const ContactField& contact) const {
     const Stopwatch watch;
-    Result<Eigen::VectorXd> loaded = contactRemainder(problem_, reading_points_, contact);
+    Result<Eigen::VectorXd> loaded = contactRemainder(problem_, reading_points_, faces_, contact);
     if (!loaded) return Error{loaded.error()};
     const Result<PinnedSystem::Solution> solved = solveBalanced(loaded.value());
     if (!solved) return Error{solved.error()};
@@ -263,7 +265,8 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     report.reciprocal_condition = factor.reciprocalCondition();
     report.warnings = trustWarnings(factor);
     // Zooms know whole material only.
-    const ResamplingReach reach{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin};
+    const ResamplingReach reach{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin,
+                                settings.resampling_cells};
     const auto shared = std::make_shared<const SplineProblem>(std::move(problem).value());
     constexpr int of_factor = 2;  // what finer grids at high stress may store, times the factor
     const Stopwatch resampling_watch;

@@ -11,8 +11,9 @@ namespace sherd {
 ///     a(rest, v) = int_Gamma (t - sigma n) v
 /// on the whole surface, and the loads that no disc stands for. Where the surface is flat under a contact
 /// t = sigma n, so that what is left acts on the other faces and changes as slowly as the distance to the
-/// contact is large. An error if a load is not finite or outside the body.
+/// contact is large. `faces`: those of the points, which stand for them far from the contacts. An error if a
+/// load is not finite or outside the body.
 Result<Eigen::VectorXd> contactRemainder(const SplineProblem& problem, const ReadingPoints& points,
-                                         const ContactField& contact);
+                                         const SurfaceFaces& faces, const ContactField& contact);
 
 }  // namespace sherd

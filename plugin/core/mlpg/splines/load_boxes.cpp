@@ -7,8 +7,6 @@
 namespace sherd {
 namespace {
 
-constexpr int cells_across_patch = 4;  // that a grid needs to see how a load is spread
-
 /// In cells of the grid.
 struct PatchBounds {
     Vec3 lower, upper;
@@ -57,13 +55,13 @@ bool overlap(const CellBox& a, const CellBox& b) {
 }  // namespace
 
 std::vector<CellBox> boxesAroundLoads(const CellParts& grid, const std::vector<PointForce>& loads,
-                                      double largest_patch, double margin, int multiple) {
+                                      double largest_patch, const ResamplingReach& reach, int multiple) {
     std::vector<CellBox> boxes;
     for (const PatchBounds& patch : loadPatches(grid, loads)) {
         const Vec3 extent = patch.upper - patch.lower;
-        if (extent.maxCoeff() >= cells_across_patch || extent.cwiseProduct(grid.edges).norm() > largest_patch)
+        if (extent.maxCoeff() >= reach.cells || extent.cwiseProduct(grid.edges).norm() > largest_patch)
             continue;
-        const Vec3 border = Vec3::Constant(margin);
+        const Vec3 border = Vec3::Constant(reach.margin);
         boxes.push_back({((patch.lower - border) / multiple).array().floor().cast<int>() * multiple,
                          ((patch.upper + border) / multiple).array().ceil().cast<int>() * multiple});
     }

@@ -58,4 +58,34 @@ int ReadingPoints::nearestTo(const GridPoint& place) const {
     return point;
 }
 
+SurfaceFaces::SurfaceFaces(const ReadingPoints& points) {
+    constexpr float alike = 0.8f;  // cosine between normals of one face
+    starts.push_back(0);
+    for (std::size_t part = 0; part + 1 < points.starts.size(); ++part) {
+        const auto first = static_cast<std::ptrdiff_t>(faces.size());
+        std::vector<Eigen::Vector3f> normals;
+        std::vector<float> sizes;
+        for (int at = points.starts[part]; at < points.starts[part + 1]; ++at) {
+            const ReadingPoint& point = points.points[at];
+            const float size = point.area.norm();
+            if (!(size > 0)) continue;
+            const Eigen::Vector3f normal = point.area / size;
+            const auto same = std::find_if(normals.begin(), normals.end(), [&](const Eigen::Vector3f& other) {
+                return other.dot(normal) > alike;
+            });
+            const auto face = same - normals.begin();
+            if (same == normals.end()) {
+                normals.push_back(normal);
+                sizes.push_back(0);
+                faces.emplace_back();
+            }
+            faces[first + face].xi += size * point.xi;
+            faces[first + face].area += point.area;
+            sizes[face] += size;
+        }
+        for (std::size_t face = 0; face < sizes.size(); ++face) faces[first + face].xi /= sizes[face];
+        starts.push_back(static_cast<int>(faces.size()));
+    }
+}
+
 }  // namespace sherd

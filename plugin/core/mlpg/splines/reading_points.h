@@ -34,4 +34,20 @@ struct ReadingPoints {
     int nearestTo(const GridPoint& place) const;
 };
 
+/// The surface in a part, as far as it faces one way: its points together.
+struct SurfaceFace {
+    Eigen::Vector3f xi = Eigen::Vector3f::Zero();    ///< its middle, as a reading point's
+    Eigen::Vector3f area = Eigen::Vector3f::Zero();  ///< m^2, outward
+};
+
+/// Those of a solid. What changes slowly over a cell is integrated over a few of them instead of over all
+/// points.
+struct SurfaceFaces {
+    std::vector<int> starts;  ///< per part and one more, into `faces`
+    std::vector<SurfaceFace> faces;
+
+    SurfaceFaces() = default;
+    explicit SurfaceFaces(const ReadingPoints& points);
+};
+
 }  // namespace sherd

@@ -22,7 +22,7 @@ int cellsOfCube(const SplineProblem& problem) {
 }
 
 Result<std::vector<Zoom>> zoomsAroundLoads(const SplineProblem& problem, const SplineField& coarse,
-                                           const BodyLoads& loads, double margin) {
+                                           const BodyLoads& loads, const ResamplingReach& reach) {
     // A load over a larger fraction of the body is not a contact, and the grid resolves it.
     constexpr double largest_patch_of_body = 0.2;
     const CellParts& whole = problem.parts();
@@ -30,7 +30,7 @@ Result<std::vector<Zoom>> zoomsAroundLoads(const SplineProblem& problem, const S
         largest_patch_of_body * whole.count.cast<double>().cwiseProduct(whole.edges).norm();
     std::vector<Zoom> zooms;
     for (const CellBox& box :
-         boxesAroundLoads(*coarse.parts, loads.forces, largest_patch, margin, cellsOfMacroCell(problem))) {
+         boxesAroundLoads(*coarse.parts, loads.forces, largest_patch, reach, cellsOfMacroCell(problem))) {
         const Result<ZoomGrid> grid = zoomGrid(*problem.solid->surface, *coarse.parts, *coarse.space, box,
                                                problem.elasticity, problem.supports);
         if (!grid) return Error{grid.error()};
@@ -43,10 +43,10 @@ Result<std::vector<Zoom>> zoomsAroundLoads(const SplineProblem& problem, const S
 
 /// The next finer grids around the loads inside of zooms.
 Result<std::vector<Zoom>> zoomsInto(const SplineProblem& problem, const std::vector<Zoom>& coarser,
-                                    double margin) {
+                                    const ResamplingReach& reach) {
     std::vector<Zoom> finer;
     for (const Zoom& zoom : coarser) {
-        Result<std::vector<Zoom>> inside = zoomsAroundLoads(problem, zoom.field, zoom.loads, margin);
+        Result<std::vector<Zoom>> inside = zoomsAroundLoads(problem, zoom.field, zoom.loads, reach);
         if (!inside) return inside;
         std::move(inside.value().begin(), inside.value().end(), std::back_inserter(finer));
     }
@@ -158,7 +158,7 @@ Result<std::vector<Zoom>> Resampling::resample(const SplineProblem& problem, con
         peak_pa = std::max(peak_pa, stress.tension_pa);
 
     long long entries = 0;
-    Result<std::vector<Zoom>> around_loads = zoomsAroundLoads(problem, whole, loads, reach_.margin);
+    Result<std::vector<Zoom>> around_loads = zoomsAroundLoads(problem, whole, loads, reach_);
     if (!around_loads) return around_loads;
     for (int round = 1;; ++round) {
         Result<std::vector<Place>> finer =
@@ -168,7 +168,7 @@ Result<std::vector<Zoom>> Resampling::resample(const SplineProblem& problem, con
         for (const Place& place : places) zooms.push_back(place.zoom);
         zooms.insert(zooms.end(), around_loads.value().begin(), around_loads.value().end());
         if (round == reach_.rounds) return zooms;
-        around_loads = zoomsInto(problem, around_loads.value(), reach_.margin);
+        around_loads = zoomsInto(problem, around_loads.value(), reach_);
         if (!around_loads) return around_loads;
     }
 }

@@ -2,15 +2,10 @@
 
 #include "core/mlpg/splines/high_stress.h"
 #include "core/mlpg/splines/kept_zooms.h"
+#include "core/mlpg/splines/load_boxes.h"
 #include "core/mlpg/splines/spline_problem.h"
 
 namespace sherd {
-
-/// How often, and how far around the loads, the grid is made finer.
-struct ResamplingReach {
-    int rounds = 0;
-    double margin = 0;  ///< beyond the loads, in cells of the coarser grid, at least
-};
 
 /// Finer and finer grids where a solved displacement needs them (paper, section 5): around loads, and on the
 /// surface where the stress is high and not known well.

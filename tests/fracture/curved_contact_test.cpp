@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "core/numerics/pi.h"
+#include "core/stress/principal_stresses.h"
+#include "fracture/blow_stress.h"
+#include "support/shapes.h"
+
+namespace sherd {
+namespace {
+
+using Profile = std::vector<std::pair<double, double>>;
+
+void addArc(Profile& profile, double r, double z, double radius, double from_degrees, double to_degrees) {
+    constexpr int parts = 14;
+    for (int i = 0; i <= parts; ++i) {
+        const double angle = pi / 180 * (from_degrees + (to_degrees - from_degrees) * i / parts);
+        profile.emplace_back(r + radius * std::cos(angle), z + radius * std::sin(angle));
+    }
+}
+
+void addLine(Profile& profile, double r, double z, int parts) {
+    const auto [r_0, z_0] = profile.back();
+    for (int i = 1; i < parts; ++i)
+        profile.emplace_back(r_0 + (r - r_0) * i / parts, z_0 + (z - z_0) * i / parts);
+}
+
+/// A mug without a handle: radius 40 mm, height 90 mm, wall 5 mm, all edges round.
+TriangleMesh mug() {
+    Profile profile{{0, 0}};
+    addLine(profile, 0.033, 0, 14);
+    addArc(profile, 0.033, 0.007, 0.007, -90, 0);
+    addLine(profile, 0.04, 0.0876, 40);
+    addArc(profile, 0.0376, 0.0876, 0.0024, 0, 90);
+    addArc(profile, 0.0374, 0.0876, 0.0024, 90, 180);
+    addLine(profile, 0.035, 0.011, 40);
+    addArc(profile, 0.029, 0.011, 0.006, 0, -90);
+    addLine(profile, 0, 0.005, 14);
+    profile.emplace_back(0, 0.005);
+    return shapes::revolvedSolid(profile, 180);
+}
+
+/// Of finite elements: quadratic tetrahedra as long as 0.12 radii of the contact at its rim (some 27000
+/// nodes, smooth surface), the same traction at 1 N of pressure, balanced by rigid acceleration.
+struct Contact {
+    const char* name;
+    Vec3 at, outward, slide;  ///< m, -, N
+    double true_pa;           ///< largest tension about the contact
+    double off;               ///< of it, at most
+};
+
+const Contact contacts[] = {
+    {"outside", Vec3(0.04, 0, 0.045), Vec3::UnitX(), Vec3(0, 0, 0.4), 1.877e5, 0.05},
+    {"inside", Vec3(0.035, 0, 0.045), -Vec3::UnitX(), Vec3(0, 0, 0.4), 1.914e5, 0.07},
+    {"fillet of the floor", Vec3(0.03324, 0, 0.00676), Vec3(-1, 0, 1).normalized(), Vec3::Zero(), 1.264e5,
+     0.15},
+};
+
+class CurvedContact : public ::testing::Test {
+  protected:
+    static const BreakableSolid& solid() {
+        static const auto made = valueOrThrow(
+            BreakableSolid::make(mug(), Material::ceramic(), Settings::forQuality(Quality::game)));
+        return *made;
+    }
+    template <class T>
+    static T valueOrThrow(Result<T> result) {
+        if (!result) throw std::runtime_error(result.error());
+        return std::move(result).value();
+    }
+    static ContactPatch patchOf(const Contact& contact) {
+        constexpr double radius = 0.00125;  // a quarter of the wall
+        const ContactBody body = struckBody(solid());
+        const Vec3 push = -contact.outward;
+        ContactPatch patch{
+            nearestSurfacePoint(body.surface, contact.at, push), push, push + contact.slide, radius, {}};
+        patch.parts = partsOfPatch(body.surface, patch.spot, push, radius);
+        return patch;
+    }
+    static double largestOf(const StressField& field) {
+        double largest = 0;
+        for (const SymmetricTensor& stress : field.points)
+            largest = std::max(largest, largestPrincipal(stress));
+        return largest;
+    }
+};
+
+TEST_F(CurvedContact, HasANearFieldThatIsAsFiniteElementsHaveIt) {
+    const StressSolver& solver = *valueOrThrow(solid().stressSolver());
+    for (const Contact& contact : contacts) {
+        const ContactPatch patch = patchOf(contact);
+        const ContactField field = contactField(struckBody(solid()), {patch});
+        ASSERT_EQ(field.near.discs().size(), 1u) << contact.name;
+        EXPECT_TRUE(field.others.empty()) << contact.name;
+        const double with = largestOf(valueOrThrow(solver.solveContact(field)));
+        EXPECT_NEAR(with, contact.true_pa, contact.off * contact.true_pa) << contact.name;
+        std::vector<Vec3> places;
+        for (const SurfacePlace& place : field.places) places.push_back(place.position);
+        const double without = largestOf(valueOrThrow(solver.solve(unitLoads({patch}), places)));
+        EXPECT_LT(without, 0.5 * contact.true_pa) << contact.name << ": the grid alone is too coarse";
+    }
+}
+
+}  // namespace
+}  // namespace sherd
