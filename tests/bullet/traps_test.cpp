@@ -369,7 +369,7 @@ TEST(Traps, WhatWasNailedDownDoesNotBreak) {
             body->setMassProps(0, btVector3(0, 0, 0));
         scene.addBall(5, 0.1, btVector3(0, 0, 0.3f), btVector3(0, 0, -20));
         scene.step(60);
-        EXPECT_TRUE(fracture.takeEvents().empty());
+        for (const BlowEvent& event : fracture.takeEvents()) EXPECT_EQ(event.outcome, Outcome::failed);
         EXPECT_TRUE(inWorld(scene, body));
     }
 }

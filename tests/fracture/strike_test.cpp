@@ -115,14 +115,17 @@ BlowOutcome squeezeCube(const Material& material, double speed, const Settings& 
 
 // In the middle of a squeezed cube is tension across the load and some three times as much compression along
 // it (the Brazilian test): neither reaches its strength where both together do.
-TEST(Strike, TensionAcrossCompressionBreaksByMohrCoulombOnly) {
+TEST(Strike, TensionAcrossCompressionDamagesByMohrCoulombOnly) {
     Settings settings;
     settings.sampling.spacing_m = 0.0125;
     settings.strength.field = [](const Vec3& x) { return std::abs(x.z()) < 0.026 ? 1.0 : 100.0; };
     const Material rankine = crushable("largest_principal_stress"), coulomb = crushable("mohr_coulomb");
-    EXPECT_EQ(squeezeCube(rankine, 4.9, settings).outcome, Outcome::held);
+    // The strong ends hold the cube together, whichever way the cracks run between them.
+    const BlowOutcome held = squeezeCube(rankine, 4.9, settings);
+    EXPECT_EQ(held.outcome, Outcome::held);
     const BlowOutcome broken = squeezeCube(coulomb, 4.9, settings);
-    EXPECT_EQ(broken.outcome, Outcome::broke) << broken.message;
+    EXPECT_GE(broken.damaged_particles, 5 * held.damaged_particles) << broken.message;
+    EXPECT_GT(broken.damaged_particles, 0);
     // The largest tension of all is at the rims of the contacts, where the strength is a hundredfold.
     EXPECT_LT(broken.largest_stress_pa, coulomb.tensile_strength_pa * 2);
 }
