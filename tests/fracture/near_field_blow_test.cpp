@@ -27,9 +27,10 @@ const Blow over_an_edge = strikeAt(Vec3(0.02, 0.06, 0.05), -Vec3::UnitZ());
 
 class NearFieldBlow : public ::testing::Test {
   protected:
-    static std::shared_ptr<const BreakableSolid> block(Quality quality) {
-        const auto solid = BreakableSolid::make(shapes::slab(Vec3(0.2, 0.15, 0.1), 3, 3, 3),
-                                                Material::ceramic(), Settings::forQuality(quality));
+    static std::shared_ptr<const BreakableSolid> block(Quality quality,
+                                                       const Vec3& size = Vec3(0.2, 0.15, 0.1)) {
+        const auto solid = BreakableSolid::make(shapes::slab(size, 3, 3, 3), Material::ceramic(),
+                                                Settings::forQuality(quality));
         return solid ? solid.value() : nullptr;
     }
 
@@ -99,6 +100,42 @@ TEST_F(NearFieldBlow, WhatIsLeftForTheGridHasTheForceOfTheContact) {
         for (const PointForce& load : stress.value().strike) strike += load.force;
         EXPECT_LT((left - strike).norm(), 0.05 * strike.norm());
     }
+}
+
+/// Every point a face of its own.
+SurfaceFaces allPoints(const ReadingPoints& points) {
+    SurfaceFaces all;
+    all.starts = points.starts;
+    for (const ReadingPoint& point : points.points) all.faces.push_back({point.xi, point.area});
+    return all;
+}
+
+TEST_F(NearFieldBlow, FarFromTheContactsFacesStandForTheirPoints) {
+    const auto solid = block(Quality::preview, Vec3(0.4, 0.4, 0.02));
+    ASSERT_TRUE(solid && solid->prepare({}) && solid->reducedStress() && solid->stressSolver());
+    const ReducedStress& reduced = *solid->reducedStress();
+    const ReadingPoints& points = reduced.reading.points();
+    EXPECT_LT(3 * reduced.reading.faces().faces.size(), points.points.size());
+    StageTimes ms;
+    const auto stress =
+        blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1},
+                   *solid->stressSolver().value(), strikeAt(Vec3(0.02, 0.01, 0.01), -Vec3::UnitZ()), ms);
+    ASSERT_TRUE(stress);
+    const auto remainder = [&](const SurfaceFaces& faces) {
+        auto forces = contactRemainder(reduced.model.problem(), points, faces, stress.value().contact);
+        EXPECT_TRUE(forces) << forces.error();
+        return forces ? std::move(forces).value() : Eigen::VectorXd();
+    };
+    const Eigen::VectorXd by_points = remainder(allPoints(points));
+    const Eigen::VectorXd by_faces = remainder(reduced.reading.faces());
+    EXPECT_GT((by_faces - by_points).norm(), 0) << "no part is far";
+    EXPECT_LT((by_faces - by_points).norm(), 0.01 * by_points.norm());
+    ReducedModel::LocalSystem near;
+    ASSERT_TRUE(reduced.model.respond(stress.value().loads, near));
+    const auto exact = reduced.model.respond(by_points, near), cheap = reduced.model.respond(by_faces, near);
+    ASSERT_TRUE(exact && cheap);
+    EXPECT_NEAR(cheap.value().strain_energy_j, exact.value().strain_energy_j,
+                0.005 * exact.value().strain_energy_j);
 }
 
 }  // namespace
