@@ -36,46 +36,21 @@ Vec3 nearestPoint(const TriangleCorners& t, const Vec3& p) {
     return t[0] + (ab * vb + ac * vc) / (va + vb + vc);
 }
 
-/// Calls visit(centroid, area) for parts of a triangle no longer than `size`.
-template <class Visit>
-void subdivide(const TriangleCorners& t, double size, int depth, const Visit& visit) {
-    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-    if (longest <= size || depth == 0) {
-        visit(Vec3((t[0] + t[1] + t[2]) / 3), areaVector(t).norm());
-        return;
-    }
-    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
-                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
-        subdivide(part, size, depth - 1, visit);
-}
+constexpr int deepest = 12;  // of subdivisions
 
-/// The same for the parts within `radius` of a point only; whole branches farther away are skipped.
-template <class Visit>
-void subdivideNear(const TriangleCorners& t, const Vec3& centre, double radius, double size, int depth,
-                   const Visit& visit) {
-    if ((nearestPoint(t, centre) - centre).squaredNorm() > radius * radius) return;
-    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-    if (longest <= size || depth == 0) return subdivide(t, size, 0, visit);
-    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
-                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
-        subdivideNear(part, centre, radius, size, depth - 1, visit);
-}
-
-void addPieces(const TriangleCorners& t, const Vec3& point, double reach, double close, double size,
-               int depth, std::vector<PieceNearby>& pieces) {
+/// Calls visit(centroid, area vector) for the parts of a triangle within `radius` of a point that are no
+/// longer than longest(distance).
+template <class Longest, class Visit>
+void subdivideNear(const TriangleCorners& t, const Vec3& point, double radius, const Longest& longest,
+                   int depth, const Visit& visit) {
     const double distance = (nearestPoint(t, point) - point).norm();
-    if (distance > reach) return;
-    const double longest = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
-    if (longest <= size * std::max(1.0, distance / close) || depth == 0) {
-        pieces.push_back({(t[0] + t[1] + t[2]) / 3, areaVector(t)});
-        return;
-    }
+    if (distance > radius) return;
+    const double edge = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
+    if (edge <= longest(distance) || depth == 0) return visit(Vec3((t[0] + t[1] + t[2]) / 3), areaVector(t));
     const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
     for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
                                         TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
-        addPieces(part, point, reach, close, size, depth - 1, pieces);
+        subdivideNear(part, point, radius, longest, depth - 1, visit);
 }
 
 /// Whether a ray meets a box.
@@ -148,8 +123,10 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
         const TriangleCorners triangle = cornersOf(surface, t);
         const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
         if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
-        subdivideNear(triangle, spot, reach, std::max(depth, reach / 16), 8, [&](const Vec3& x, double a) {
-            if (x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach) area += a;
+        const auto longest = [&](double) { return std::max(depth, reach / 16); };
+        subdivideNear(triangle, spot, reach, longest, 8, [&](const Vec3& x, const Vec3& part) {
+            if (x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach)
+                area += part.norm();
         });
     }
     return area / (2 * pi * depth);
@@ -162,9 +139,10 @@ std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& 
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         if (!facesPush(triangle, push)) continue;
         const Vec3 normal = areaVector(triangle).normalized();
-        subdivideNear(triangle, spot.point, radius, length * radius, 12, [&](const Vec3& x, double area) {
+        const auto longest = [&](double) { return length * radius; };
+        subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {
             const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));
-            if (share > 0) parts.push_back({x, normal, share * area});
+            if (share > 0) parts.push_back({x, normal, share * area.norm()});
         });
     }
     return parts;
@@ -172,10 +150,13 @@ std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& 
 
 std::vector<PieceNearby> surfaceAround(const SurfaceTree& tree, const Vec3& point, double reach, double close,
                                        double size) {
-    constexpr int deepest = 12;
+    const auto longest = [&](double distance) { return size * std::max(1.0, distance / close); };
     std::vector<PieceNearby> pieces;
     for (const int t : tree.trianglesNear(point, reach))
-        addPieces(cornersOf(tree.surface(), t), point, reach, close, size, deepest, pieces);
+        subdivideNear(cornersOf(tree.surface(), t), point, reach, longest, deepest,
+                      [&](const Vec3& x, const Vec3& area) {
+                          pieces.push_back({x, area});
+                      });
     return pieces;
 }
 
