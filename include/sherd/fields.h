@@ -162,6 +162,8 @@ IfFieldsOf<Self, SamplingSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"largest_factor_if_thin_millions", "the same where walls are thinner than a particle spacing",
                 Range::positive("millions")},
           s.largest_factor_if_thin_millions);
+    visit(Field{"fragment_coarsening", "spacing of fragments over that of the whole", Range::between(1, 4)},
+          s.fragment_coarsening);
     visit(Field{"cells_per_spacing", "integration cells per particle spacing and direction",
                 Range::between(1, 4)},
           s.cells_per_spacing);

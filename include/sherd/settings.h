@@ -19,8 +19,8 @@ namespace sherd {
 struct SamplingSettings {
     /// Distance between particles. At 0 it is chosen from the wall thickness, within the limits below.
     double spacing_m = 0;
-    // These five limits hold where the spacing is chosen. Where they cannot all hold, the factor's come
-    // first, then the largest count, the smallest count and the layers.
+    // These five limits, and the coarsening of fragments, hold where the spacing is chosen. Where they cannot
+    // all hold, the factor's come first, then the largest count, the smallest count and the layers.
     double layers_across_wall = 4;  ///< particles across a wall, about; the wall is StressModelReport's
     int smallest_count = 600;       ///< particles; thick bodies get more than the layers ask for
     int largest_count = 20000;      ///< particles, about
@@ -29,6 +29,9 @@ struct SamplingSettings {
     double largest_factor_millions = 9;
     /// The same limit where walls would otherwise get less than one particle across; not below it.
     double largest_factor_if_thin_millions = 14;
+    /// Spacing of fragments over that of the whole, 1 to 4. They cannot be prepared: a first blow on one that
+    /// is 1.3 times as coarse takes half the time. Small fragments are finer than the whole all the same.
+    double fragment_coarsening = 1.3;
     /// Integration cells per particle spacing and direction, 1 to 4.
     int cells_per_spacing = 2;
     /// Order of the moments that cut cells are integrated with: 0, 2, 4 or 6. The library sets it to twice

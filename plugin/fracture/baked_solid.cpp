@@ -37,6 +37,7 @@ BreakableSolid::BreakableSolid(BakedSolid baked)
       bounding_radius_(baked.bounding_radius),
       wall_thickness_(baked.wall_thickness),
       spacing_(baked.spacing),
+      spacing_of_whole_(baked.spacing),
       is_baked_(true) {
     scatterOver(baked.scatter_length);
     shared_->sampled.get([&] { return Sampled{std::move(baked.sampling), 0}; });

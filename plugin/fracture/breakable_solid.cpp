@@ -49,7 +49,7 @@ Result<std::shared_ptr<const BreakableSolid>> BreakableSolid::make(TriangleMesh 
     solid->wall_thickness_ = sherd::wallThickness(solid->surface());
     const Result<double> spacing = spacingOfSolid(solid->surface(), settings, volume, solid->wall_thickness_);
     if (!spacing) return Error{spacing.error()};
-    solid->spacing_ = spacing.value();
+    solid->spacing_ = solid->spacing_of_whole_ = spacing.value();
     solid->scatterOver(scatterLength(volume, solid->wall_thickness_));
     return std::shared_ptr<const BreakableSolid>(solid);
 }
@@ -58,7 +58,8 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     std::shared_ptr<BreakableSolid> piece(new BreakableSolid(std::move(surface), material_, settings_));
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
-    piece->spacing_ = fragmentSpacing(spacing_, volume);
+    piece->spacing_of_whole_ = spacing_of_whole_;
+    piece->spacing_ = fragmentSpacing(piece->spacing_of_whole_, settings_.sampling, volume);
     piece->scatterOver(strength().scatterLength());
     piece->is_fragment_ = true;
     piece->supports_ = supportsThatHold(piece->surface(), supports_, piece->spacing_, piece->wall_thickness_);
@@ -69,6 +70,7 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::anchored(std::vector<Surfa
     std::shared_ptr<BreakableSolid> solid(new BreakableSolid(surface(), material_, settings_));
     solid->wall_thickness_ = wall_thickness_;
     solid->spacing_ = spacing_;
+    solid->spacing_of_whole_ = spacing_of_whole_;
     solid->scatterOver(strength().scatterLength());
     solid->is_fragment_ = is_fragment_;
     solid->supports_ = std::move(supports);

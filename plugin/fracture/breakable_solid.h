@@ -132,7 +132,8 @@ class BreakableSolid {
     Settings settings_;
     std::vector<SurfaceRegion> supports_;
     Moments moments_;
-    double bounding_radius_ = 0, wall_thickness_ = 0, spacing_ = 0;
+    double bounding_radius_ = 0, wall_thickness_ = 0;
+    double spacing_ = 0, spacing_of_whole_ = 0;  ///< the latter of what it is a fragment of
     std::shared_ptr<const BodyStrength> strength_;
     bool is_fragment_ = false, is_baked_ = false;
 

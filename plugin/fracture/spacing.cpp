@@ -33,8 +33,9 @@ Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& setti
         sampling.cells_per_spacing);
 }
 
-double fragmentSpacing(double spacing_of_whole_m, double volume_m3) {
-    return std::min(spacing_of_whole_m, spacingFor(fewest_in_fragment, volume_m3));
+double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3) {
+    const double coarsening = sampling.spacing_m > 0 ? 1 : sampling.fragment_coarsening;
+    return std::min(coarsening * spacing_of_whole_m, spacingFor(fewest_in_fragment, volume_m3));
 }
 
 }  // namespace sherd

@@ -11,7 +11,7 @@ namespace sherd {
 Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& settings, double volume_m3,
                               double wall_thickness_m);
 
-/// Of a fragment: as fine as the whole, or finer where that would leave it too few particles.
-double fragmentSpacing(double spacing_of_whole_m, double volume_m3);
+/// Of a fragment: as coarse as the sampling has it, or finer where that would leave it too few particles.
+double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3);
 
 }  // namespace sherd

@@ -71,6 +71,7 @@ Settings Settings::forQuality(Quality quality) {
             sampling.smallest_count = 2000;
             sampling.largest_factor_millions = 90;
             sampling.largest_factor_if_thin_millions = 140;
+            sampling.fragment_coarsening = 1;
             sampling.moment_order = 6;
             stress.basis = Basis::cubic;
             stress.resampling_rounds = 3;
