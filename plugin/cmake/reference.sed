@@ -7,3 +7,4 @@ s#\]\((\.\./)+(assets/)?(charts|pictures)/#](#g
 s#\]\((\.\./)+include/sherd/([a-z_]+\.h)\)#](@ref \2)#g
 s#\[MIT\]\(LICENSE\)#MIT#
 s#\[([a-z_]+\.h)\]\(\1\)#\1#
+s/\[([^]]+)\]\(#[a-z-]+\)/\1/g
