@@ -1,6 +1,7 @@
 // The bodies of a FractureWorld: how they come, and how they go.
 
 #include <algorithm>
+#include <utility>
 
 #include "bullet/body_checks.h"
 #include "bullet/body_removal.h"
@@ -76,20 +77,24 @@ Status FractureWorld::Impl::checkHook() const {
 void FractureWorld::Impl::tellWhatCannotBreak() {
     const bool is_hooked = decorator_.inPlace();
     if (is_hooked && !awake_) return;
+    if (!is_hooked) {  // then nothing has told which bodies are gone
+        breakables_.dropReplaced(world_.getCollisionObjectArray());
+        breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    }
     for (const auto& breakable : breakables_.all()) {
-        if ((is_hooked && breakable->canBeStruck()) || breakable->told_unbreakable || !breakable->in_world ||
-            breakable->body->isKinematicObject())
-            continue;
-        breakable->told_unbreakable = true;
+        if (!breakable->in_world || breakable->body->isKinematicObject()) continue;
+        const bool can_break = is_hooked && breakable->canBeStruck();
+        if (std::exchange(breakable->told_unbreakable, !can_break) || can_break) continue;
         BlowEvent event(breakable->asset);
         event.outcome = Outcome::failed;
         event.name = breakable->name;
         event.body = breakable->body;
         event.asset_transform = breakable->placed(breakable->body->getWorldTransform());
         event.position = fromBullet(breakable->body->getWorldTransform().getOrigin());
-        event.message = is_hooked ? "nothing breaks this body any more: its mass was set to 0 after it was "
-                                    "added; a static body breaks where it has BodyOptions::supports"
-                                  : checkHook().error();
+        event.message =
+            is_hooked ? "nothing breaks this body while its mass is 0, which it was set to after it was "
+                        "added; a static body breaks where it has BodyOptions::supports"
+                      : checkHook().error();
         current_.push_back({std::move(event), {}});
     }
 }

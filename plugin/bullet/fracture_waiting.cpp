@@ -74,9 +74,10 @@ bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
 bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
     constexpr btScalar much_heavier = 50;  // whole or broken, the body takes a few percent of its speed
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        if (struck.partners[p]->isStaticObject() || breakables_.find(struck.partners[p])) continue;
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
-        if (!partner || partner->isStaticObject() || breakables_.find(partner)) continue;
-        const bool is_slowed = much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();
+        const bool is_slowed =
+            !partner || much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();
         if (is_slowed && struck.blow.isStruckBy(static_cast<int>(p))) return false;
     }
     return true;

@@ -61,12 +61,14 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     const BlowForces& acting = found.forces;
     const ContactReading pressed = reduced.reading.contactReading(acting.contact);
     const ContactReading free = reduced.reading.contactReading({});
+    constexpr double faint = 1e-6;  // of the peak: the contact is over
     const DamageAt damage_at = [&](const VibrationState& state) {
         if (state.modes.size() == 0)
             return reduced.reading.damage(response.unknowns, pressed, state.force_n, at_points);
         const Eigen::VectorXf swing =
             reduced.model.vibration(state.modes - state.force_n * acting.modes.work);
-        if (!(state.force_n > 0)) return reduced.reading.damage(swing, free, 1, at_points);
+        if (!(state.force_n > faint * acting.pulse.peak_force_n))
+            return reduced.reading.damage(swing, free, 1, at_points);
         const Eigen::VectorXf unknowns = response.unknowns + swing / static_cast<float>(state.force_n);
         return reduced.reading.damage(unknowns, pressed, state.force_n, at_points);
     };

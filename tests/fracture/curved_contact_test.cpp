@@ -105,5 +105,27 @@ TEST_F(CurvedContact, HasANearFieldThatIsAsFiniteElementsHaveIt) {
     }
 }
 
+// Around a load that presses on a disc the surface of a half-space is pulled by (1 - 2 nu) F / (2 pi r^2),
+// whatever the profile of the load (K. L. Johnson, Contact Mechanics, 3.4). On a ball five times as large the
+// disc's rim lies a tenth of its radius below its middle, and that tension is in a thinner skin.
+TEST_F(CurvedContact, ABallIsPulledAtTheRimAsAPlaneIs) {
+    constexpr double ball_radius = 0.05, radius = 0.01;
+    Material material = Material::ceramic();
+    const auto ball = valueOrThrow(BreakableSolid::make(shapes::icosphere(ball_radius, 5), material,
+                                                        Settings::forQuality(Quality::preview)));
+    const ContactBody body = struckBody(*ball);
+    ContactPatch patch{nearestSurfacePoint(body.surface, Vec3(0, 0, ball_radius), -Vec3::UnitZ()),
+                       -Vec3::UnitZ(),
+                       -Vec3::UnitZ(),
+                       radius,
+                       {}};
+    patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, radius);
+    const ContactField field = contactField(body, {patch});
+    ASSERT_EQ(field.near.discs().size(), 1u);
+    const double rim_pa = (1 - 2 * material.poisson_ratio) / (2 * pi * radius * radius);
+    const StressField stress = valueOrThrow(valueOrThrow(ball->stressSolver())->solveContact(field));
+    EXPECT_NEAR(largestOf(stress), rim_pa, 0.25 * rim_pa);
+}
+
 }  // namespace
 }  // namespace sherd

@@ -1,9 +1,11 @@
 #include "core/loads/contact_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
+#include <numeric>
+#include <set>
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
@@ -21,14 +23,18 @@ struct Facet {
     double weight_m2 = 0;                                                        ///< of its parts
 };
 
-/// The different normals of a patch's parts. Those of one triangle follow each other.
+/// The normals of a patch's parts, one for each of those that are nearly alike: of however many triangles
+/// the patch is made, these are few.
 std::vector<Vec3> normalsOf(const std::vector<PatchPart>& parts) {
-    constexpr double same = 1 - 1e-9;
+    constexpr double step = 0.05;
+    std::set<std::array<long, 3>> found;
     std::vector<Vec3> normals;
-    for (const PatchPart& part : parts)
-        if (std::none_of(normals.begin(), normals.end(),
-                         [&](const Vec3& normal) { return normal.dot(part.normal) > same; }))
-            normals.push_back(part.normal);
+    for (const PatchPart& part : parts) {
+        const Vec3& n = part.normal;
+        if (found.insert({std::lround(n.x() / step), std::lround(n.y() / step), std::lround(n.z() / step)})
+                .second)
+            normals.push_back(n);
+    }
     return normals;
 }
 
@@ -148,18 +154,24 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
             const SurfaceSpot spot = nearestSurfacePoint(tree, x, disc.inward);
             if (spot.triangle < 0 || (spot.point - x).norm() > largest_sag * disc.radius) continue;
             const Vec3 normal = areaVector(cornersOf(tree.surface(), spot.triangle)).normalized();
-            if (normal.dot(disc.inward) < -least_facing) places.push_back({spot.point, normal});
+            if (normal.dot(disc.inward) >= -least_facing) continue;
+            places.push_back({spot.point, normal});
+            if (!disc.hollow) places.back().near_at = x;
         }
 }
 
-/// Of the hardest patches, N over the force of the blow: each disc's field is added to that of all others.
-double leastForceKnown(const std::vector<ContactPatch>& patches) {
-    constexpr std::size_t most_known = 8;
-    if (patches.size() <= most_known) return 0;
-    std::vector<double> forces;
-    for (const ContactPatch& patch : patches) forces.push_back(patch.force.norm());
-    std::nth_element(forces.begin(), forces.begin() + (most_known - 1), forces.end(), std::greater<>());
-    return forces[most_known - 1];
+/// Which patches are to have a near field, the hardest ones: each disc's field is added to that of all
+/// others.
+std::vector<char> hardestOf(const std::vector<ContactPatch>& patches) {
+    constexpr std::size_t most = 8;
+    std::vector<std::size_t> order(patches.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+        return patches[a].force.squaredNorm() > patches[b].force.squaredNorm();
+    });
+    std::vector<char> hardest(patches.size(), 0);
+    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) hardest[order[i]] = 1;
+    return hardest;
 }
 
 }  // namespace
@@ -190,12 +202,12 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
 }
 
 ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches) {
-    const double least = leastForceKnown(patches);
+    const std::vector<char> hardest = hardestOf(patches);
     ContactField field;
     std::vector<ContactDisc> discs;
-    for (const ContactPatch& patch : patches) {
-        const std::vector<ContactDisc> own =
-            patch.force.norm() < least ? std::vector<ContactDisc>() : contactDiscs(body.surface, patch);
+    for (std::size_t i = 0; i < patches.size(); ++i) {
+        const ContactPatch& patch = patches[i];
+        const auto own = hardest[i] ? contactDiscs(body.surface, patch) : std::vector<ContactDisc>();
         discs.insert(discs.end(), own.begin(), own.end());
         if (!own.empty()) {
             for (const PatchPart& part : patch.parts) field.places.push_back({part.centre, part.normal});

@@ -36,7 +36,7 @@ Vec3 nearestPoint(const TriangleCorners& t, const Vec3& p) {
     return t[0] + (ab * vb + ac * vc) / (va + vb + vc);
 }
 
-constexpr int deepest = 12;  // of subdivisions
+constexpr int deepest = 24;  // of subdivisions, each of which halves a triangle
 
 /// Calls visit(centroid, area vector) for the parts of a triangle within `radius` of a point that are no
 /// longer than longest(distance).
@@ -47,10 +47,12 @@ void subdivideNear(const TriangleCorners& t, const Vec3& point, double radius, c
     if (distance > radius) return;
     const double edge = std::max({(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()});
     if (edge <= longest(distance) || depth == 0) return visit(Vec3((t[0] + t[1] + t[2]) / 3), areaVector(t));
-    const Vec3 ab = 0.5 * (t[0] + t[1]), bc = 0.5 * (t[1] + t[2]), ca = 0.5 * (t[2] + t[0]);
-    for (const TriangleCorners& part : {TriangleCorners{t[0], ab, ca}, TriangleCorners{ab, t[1], bc},
-                                        TriangleCorners{ca, bc, t[2]}, TriangleCorners{ab, bc, ca}})
-        subdivideNear(part, point, radius, longest, depth - 1, visit);
+    int first = 0;  // of the longest edge: slivers are not cut across their short side
+    for (int k = 1; k < 3; ++k)
+        if ((t[(k + 1) % 3] - t[k]).squaredNorm() > (t[(first + 1) % 3] - t[first]).squaredNorm()) first = k;
+    const Vec3 &a = t[first], &b = t[(first + 1) % 3], &c = t[(first + 2) % 3], half = 0.5 * (a + b);
+    subdivideNear(TriangleCorners{a, half, c}, point, radius, longest, depth - 1, visit);
+    subdivideNear(TriangleCorners{half, b, c}, point, radius, longest, depth - 1, visit);
 }
 
 /// Whether a ray meets a box.
@@ -124,7 +126,7 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
         const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
         if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
         const auto longest = [&](double) { return std::max(depth, reach / 16); };
-        subdivideNear(triangle, spot, reach, longest, 8, [&](const Vec3& x, const Vec3& part) {
+        subdivideNear(triangle, spot, reach, longest, 16, [&](const Vec3& x, const Vec3& part) {
             if (x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach)
                 area += part.norm();
         });

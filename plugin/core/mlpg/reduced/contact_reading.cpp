@@ -13,7 +13,8 @@ ContactReading::ContactReading(const SplineProblem& problem, const ReadingPoints
     for (const SurfacePlace& place : contact.places) {
         const GridPoint where = locate(solid, place.position);
         const int nearest = where.part < 0 ? -1 : points.nearestTo(where);
-        if (nearest >= 0) places_.push_back({place.position, place.normal.cast<float>(), where, nearest});
+        if (nearest >= 0)
+            places_.push_back({place.position, place.near_at, place.normal.cast<float>(), where, nearest});
     }
     if (near_.empty()) return;
     near_bounds_.reserve(solid.parts.size());

@@ -18,6 +18,7 @@ class ContactReading {
     /// A place of the contact field that lies in the solid.
     struct Place {
         Vec3 position = Vec3::Zero();                      ///< m
+        Vec3 near_at = Vec3::Zero();                       ///< where the near field is read for it, m
         Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< outward, unit
         GridPoint where;
         int nearest = 0;  ///< reading point, whose strength counts there
@@ -30,7 +31,7 @@ class ContactReading {
 
     /// No principal stress of the near field in a part is larger, Pa.
     double nearBound(int part) const { return near_bounds_[part]; }
-    /// The near field at a reading point or, for numbers beyond those, at a place; x is where that is, Pa.
+    /// The near field at x, Pa. `number`: of the reading point or, beyond those, of the place that it is for.
     Mat3 nearStress(int number, const Vec3& x) const;
     int numberOfPlace(std::size_t place) const { return point_count_ + static_cast<int>(place); }
     /// What the near field's discs do to the surface at x, Pa.

@@ -115,7 +115,7 @@ class DamageReading::Reader {
             const double failing = wanted * strength_.at_points[at];
             if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), failing)) continue;
             const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
-            include(x, gradient, point.normal, at, at, failing);
+            include(x, x, gradient, point.normal, at, at, failing);
         }
     }
 
@@ -125,8 +125,8 @@ class DamageReading::Reader {
         const Coefficients<degree> coefficients = coefficientsOf<degree>(place.where.part);
         const Eigen::Matrix3f gradient =
             projectedGradient<degree>(coefficients, place.where.part, place.where.xi.cast<float>());
-        include(place.position, gradient, place.normal, place.nearest, contact_.numberOfPlace(number),
-                near_to_failure * strength_.at_points[place.nearest]);
+        include(place.position, place.near_at, gradient, place.normal, place.nearest,
+                contact_.numberOfPlace(number), near_to_failure * strength_.at_points[place.nearest]);
     }
 
     template <int degree>
@@ -140,11 +140,11 @@ class DamageReading::Reader {
 
     /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and
     /// particle count there; `number`: in the contact's reading.
-    void include(const Vec3& x, const Eigen::Matrix3f& gradient, const Eigen::Vector3f& normal, int at,
-                 int number, double failing_pa) {
+    void include(const Vec3& x, const Vec3& near_at, const Eigen::Matrix3f& gradient,
+                 const Eigen::Vector3f& normal, int at, int number, double failing_pa) {
         const Elasticity& elasticity = of_.problem_->elasticity;
         Mat3 whole = elasticity.stress(gradient.cast<double>());
-        if (contact_.hasNearField()) whole += contact_.nearStress(number, x);
+        if (contact_.hasNearField()) whole += contact_.nearStress(number, near_at);
         SymmetricTensor stress = toSymmetricTensor(whole);
         if (!normal.isZero(0)) {
             const Vec3 outward = normal.cast<double>().normalized();
