@@ -26,9 +26,9 @@ double crackEnergy(const StrikeContext& struck) {
     return smallestCrackEnergy(struck.solid, struck.fracture);
 }
 
-/// False if the reduced model cannot answer.
-bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
-                     const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
+/// An error if the reduced model cannot answer.
+Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, const Blow& blow,
+                       const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
@@ -41,18 +41,18 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
     };
     Result<BlowForces> forces =
         blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
-    if (!forces) return false;
+    if (!forces) return Error{forces.error()};
     found.level = Level::reduced;
     found.forces = std::move(forces).value();
     found.warnings = reduced.warnings;
-    if (found.forces.strike.empty()) return true;
+    if (found.forces.strike.empty()) return success();
     if (!found.forces.contact.near.empty()) {
         const AddedTime time(ms.solve);
         const auto remainder = contactRemainder(reduced.model.problem(), reduced.reading.points(),
                                                 reduced.reading.faces(), found.forces.contact);
-        if (!remainder) return false;
+        if (!remainder) return Error{remainder.error()};
         Result<ReducedResponse> rest = reduced.model.respond(remainder.value(), kept);
-        if (!rest) return false;
+        if (!rest) return Error{rest.error()};
         response = std::move(rest).value();
     }
     const AddedTime time(ms.damage);
@@ -73,7 +73,7 @@ bool askReducedModel(const StrikeContext& struck, const ReducedStress& reduced, 
         return reduced.reading.damage(unknowns, pressed, state.force_n, at_points);
     };
     found.damage = damageOverTime(found.forces, crackEnergy(struck), damage_at);
-    return true;
+    return success();
 }
 
 void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength, StageTimes& ms,
@@ -105,8 +105,13 @@ BlowDamage blowDamage(const StrikeContext& struck, const Blow& blow, const BodyS
                       StageTimes& ms) {
     BlowDamage found;
     const ReducedStress* reduced = struck.fracture.use_reduced_model ? struck.solid.reducedStress() : nullptr;
-    if (!reduced || !askReducedModel(struck, *reduced, blow, strength, ms, found))
-        solveFully(struck, blow, strength, ms, found);
+    const Status answered =
+        reduced ? askReducedModel(struck, *reduced, blow, strength, ms, found) : success();
+    if (reduced && answered) return found;
+    solveFully(struck, blow, strength, ms, found);
+    if (!answered)
+        found.warnings.push_back("The prepared model could not answer this blow, so it was solved in full: " +
+                                 answered.error());
     return found;
 }
 
