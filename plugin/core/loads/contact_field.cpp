@@ -144,6 +144,7 @@ void addOpposite(const SurfaceTree& tree, const ContactDisc& disc, std::vector<S
 /// Places where friction is small and the surface is pulled most round a disc, as far as they are on it.
 void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places) {
     constexpr int angles = 20;
+    constexpr double shallow = 0.12, deep = 0.25;  // below the plane, in radii: as on a plane, and no more so
     const Vec3 slide = disc.traction_pa - disc.inward * disc.inward.dot(disc.traction_pa);
     const Vec3 a = slide.norm() > 0 ? Vec3(-slide.normalized()) : Vec3(disc.inward.unitOrthogonal());
     const Vec3 b = disc.inward.cross(a);
@@ -156,7 +157,10 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
             const Vec3 normal = areaVector(cornersOf(tree.surface(), spot.triangle)).normalized();
             if (normal.dot(disc.inward) >= -least_facing) continue;
             places.push_back({spot.point, normal});
-            if (!disc.hollow) places.back().near_at = x;
+            if (disc.hollow) continue;
+            const double depth = (spot.point - x).norm() / disc.radius;
+            const double share = std::clamp((deep - depth) / (deep - shallow), 0.0, 1.0);
+            places.back().near_at += share * (x - spot.point);
         }
 }
 

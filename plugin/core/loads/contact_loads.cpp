@@ -165,7 +165,7 @@ double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
 
 std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
                                          const ContactSettings& settings) {
-    constexpr double few = 4, fine = 0.25, coarse = 0.7;  // patches; lengths of parts in radii
+    constexpr double few = 4, fine = 0.18, coarse = 0.5;  // patches; lengths of parts in radii
     double count = 0;
     for (const Strike& strike : strikes) count += static_cast<double>(strike.points.size());
     const double length = std::clamp(fine * std::sqrt(count / few), fine, coarse);

@@ -38,7 +38,7 @@ struct PatchPart {
 /// The surface within `radius` of `spot` that faces the push, under a traction with the profile of a contact.
 /// `length`: of the parts at most, in radii.
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius, double length = 0.25);
+                                    double radius, double length = 0.18);
 
 /// A piece of the surface.
 struct PieceNearby {
