@@ -13,9 +13,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <limits>
-#include <sstream>
 #include <string>
 #include <thread>
 
@@ -29,6 +27,7 @@
 #include "core/mlpg/stress_solver.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
+#include "support/case_reference.h"
 
 namespace {
 
@@ -37,34 +36,11 @@ using namespace sherd::benchmarks;
 
 constexpr int repeats = 3, solves = 20;
 
-/// Points of a reference solution far from the load, and the largest principal stress there, Pa.
-struct Reference {
-    std::vector<Vec3> points;
-    std::vector<double> largest_principal;
-};
-
-Reference readReference(const std::string& path) {
-    std::ifstream in(path);
-    std::string line;
-    std::getline(in, line);
-    Reference reference;
-    while (std::getline(in, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double value[11] = {};
-        for (double& v : value) row >> v;
-        if (value[10] == 0) continue;
-        reference.points.emplace_back(value[0], value[1], value[2]);
-        reference.largest_principal.push_back(value[9]);
-    }
-    return reference;
-}
-
 struct Wall {
     TriangleMesh surface;
     Material material;
     std::vector<PointForce> blow;
-    Reference reference;
+    CaseReference reference;
 };
 
 Wall readWall() {

@@ -4,40 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "support/case_reference.h"
 
 namespace {
 
 using namespace sherd;
 
 const std::string folder = std::string(SHERD_TEST_DATA) + "/cases/bracket_fillet";
-
-/// Points of the surface that are far from the loads, with the largest principal stress there.
-struct Reference {
-    std::vector<Vec3> points;
-    std::vector<double> tensions;
-};
-
-Reference readReference() {
-    std::ifstream in(folder + "/reference_surface.csv");
-    std::string line;
-    std::getline(in, line);
-    Reference reference;
-    while (std::getline(in, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double v[11];
-        for (double& value : v) row >> value;
-        if (v[10] == 0) continue;
-        reference.points.emplace_back(v[0], v[1], v[2]);
-        reference.tensions.push_back(v[9]);
-    }
-    return reference;
-}
 
 /// Two legs whose ends are pulled apart, with a fillet of 4 mm between them.
 class Bracket : public ::testing::Test {
@@ -65,13 +42,13 @@ class Bracket : public ::testing::Test {
         return std::move(field).value().points;
     }
     static double errorOf(int resampling_rounds) {
-        const Reference reference = readReference();
+        const CaseReference reference = readReference(folder + "/reference_surface.csv");
         EXPECT_GT(reference.points.size(), 250u);
         const auto stresses = solve(model(resampling_rounds), reference.points);
         double difference = 0, norm = 0;
         for (std::size_t i = 0; i < stresses.size(); ++i) {
-            difference += std::pow(largestPrincipal(stresses[i]) - reference.tensions[i], 2);
-            norm += std::pow(reference.tensions[i], 2);
+            difference += std::pow(largestPrincipal(stresses[i]) - reference.largest_principal[i], 2);
+            norm += std::pow(reference.largest_principal[i], 2);
         }
         return std::sqrt(difference / norm);
     }
@@ -85,7 +62,7 @@ TEST_F(Bracket, TheFilletIsResampled) {
 }
 
 TEST_F(Bracket, AFurtherSolveOnKeptGridsGivesTheSameBits) {
-    const std::vector<Vec3> points = readReference().points;
+    const std::vector<Vec3> points = readReference(folder + "/reference_surface.csv").points;
     const StressModel bracket = model(2);
     const auto first = solve(bracket, points), again = solve(bracket, points);
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i], again[i]);

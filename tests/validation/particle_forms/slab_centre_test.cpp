@@ -1,37 +1,14 @@
-#include <fstream>
-#include <sstream>
 #include <string>
 
+#include "support/case_reference.h"
 #include "validation/support.h"
 
 namespace sherd::validation {
 namespace {
 
-/// Points of a reference solution far from the load, and the largest principal stress there, Pa.
-struct Reference {
-    std::vector<Vec3> points;
-    std::vector<double> largest_principal;
-};
-
-Reference readReference(const std::string& file) {
-    std::ifstream in(std::string(SHERD_TEST_DATA) + "/cases/slab_centre/" + file);
-    std::string line;
-    std::getline(in, line);
-    Reference reference;
-    while (std::getline(in, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream row(line);
-        double value[11];
-        for (double& v : value) row >> v;
-        if (value[10] == 0) continue;
-        reference.points.emplace_back(value[0], value[1], value[2]);
-        reference.largest_principal.push_back(value[9]);
-    }
-    return reference;
-}
-
 double error(const StressSolver& solver, const std::vector<PointForce>& loads, const std::string& file) {
-    const Reference reference = readReference(file);
+    const CaseReference reference =
+        readReference(std::string(SHERD_TEST_DATA) + "/cases/slab_centre/" + file);
     EXPECT_GT(reference.points.size(), 300u);
     const StressField field = valueOf(solver.solve(loads, reference.points));
     double difference = 0, norm = 0;
