@@ -50,7 +50,9 @@ void addDeviation(Mat3 deviation, const Mat3& spread, double tolerance, std::siz
         if (length <= tolerance) break;
         Vec3 direction = deviation.col(column) / length;
         if (direction.dot(outward) > 0) direction = -direction;  // rather into the solid than out of it
-        const double distance = std::sqrt(2 * direction.dot(spread * direction));
+        const double squared = 2 * direction.dot(spread * direction);
+        if (!(squared > rounding * spread.trace())) break;  // no facet is off the centroid that way
+        const double distance = std::sqrt(squared);
         const Vec3 weight = deviation.transpose() * direction;
         deviation -= direction * weight.transpose();
         points.push_back({points[centre].cell, points[centre].position + distance * direction,

@@ -1,4 +1,7 @@
+#include <random>
+
 #include "core/sampling/sampling_support.h"
+#include "core/sampling/surface_points.h"
 
 namespace sherd {
 namespace {
@@ -102,6 +105,32 @@ TEST(SamplingMoments, SurfacePointsOfACurvedWallStayOnEachSideOfIt) {
     }
     EXPECT_GT(inner, 500);
     EXPECT_GT(outer, 500);
+}
+
+// Facets so small that where they lie from each other is rounding: their spread in some direction may come
+// out below zero.
+TEST(SamplingMoments, SurfacePointsOfSliversAreFinite) {
+    SamplingGrid grid;
+    grid.origin = Vec3(0.31, -0.27, 0.4);
+    grid.cell_size = Vec3::Constant(0.003);
+    grid.count = Eigen::Vector3i::Constant(4);
+    SolidVoxels solid;
+    solid.of_cut_voxel = {0};
+    CutCells cells;
+    cells.of_voxel = {0};
+    cells.moments.resize(1);
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-1, 1);
+    const auto vector = [&] { return Vec3(any(random), any(random), any(random)); };
+    for (int i = 0; i < 2000; ++i) {
+        CutSurface surface;
+        surface.voxels = {0};
+        const Vec3 place = 0.4 * vector(), along = vector(), area = 1e-10 * vector();
+        for (int k = 0; k < 5; ++k)
+            surface.pieces.push_back({0, area + 2e-11 * vector(), place + 1e-4 * any(random) * along});
+        for (const SurfacePoint& q : surfacePoints(grid, surface, solid, cells))
+            ASSERT_TRUE(q.position.allFinite() && q.area.allFinite()) << i;
+    }
 }
 
 TEST(SamplingMoments, SurfacePointsLieInsideRatherThanOutside) {
