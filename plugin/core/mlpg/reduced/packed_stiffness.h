@@ -23,9 +23,11 @@ struct PackedStiffness {
 
     int blockCount() const { return static_cast<int>(starts.size()) - 1; }
 
-    /// The lower triangle of the rows and columns of `blocks` (ascending), 3 #blocks squared. `place_of`, per
-    /// block of the whole matrix: its number among them, or -1.
-    Eigen::MatrixXf lowerPart(const std::vector<int>& blocks, const std::vector<int>& place_of) const;
+    /// The lower triangle of the rows and columns of `blocks` (ascending), 3 #blocks squared.
+    Eigen::MatrixXf lowerPart(const std::vector<int>& blocks) const;
+    /// Those of `blocks` (ascending) that entries join, directly or by others of them: lists, each ascending,
+    /// the one with the smallest number first.
+    std::vector<std::vector<int>> joined(const std::vector<int>& blocks) const;
 };
 
 }  // namespace sherd

@@ -134,30 +134,53 @@ bool ReducedModel::coversAComponent(const std::vector<int>& functions) const {
     return false;
 }
 
+/// The equations of functions that are joined; nullptr if they are not definite.
+std::shared_ptr<const ReducedModel::LocalSystem::Block> ReducedModel::blockOf(
+    std::vector<int> functions, const LocalSystem& system) const {
+    auto block = std::make_shared<LocalSystem::Block>();
+    block->functions = std::move(functions);
+    block->factor = stiffness_.lowerPart(block->functions);
+    block->factor.diagonal() *= 1 + system.stiffening;
+    const int size = block->size();
+    if (!choleskyInPlace(block->factor.data(), size, size)) return nullptr;
+    block->coupling.resize(modes_.count, size);
+    for (int i = 0; i < size; i += 3)
+        modes_.forcesOn(*problem_, block->functions[i / 3], &block->coupling(0, i));
+    divideByTransposed(block->factor.data(), size, size, block->coupling.data(), modes_.count, modes_.count);
+    return block;
+}
+
+/// With the blocks that the system before has already. False if the equations are not definite.
+bool ReducedModel::factor(LocalSystem& system, const LocalSystem& before) const {
+    const int count = modes_.count;
+    system.blocks.clear();
+    system.modes_factor.setIdentity(count, count);
+    Eigen::MatrixXf taken(count, count);
+    for (std::vector<int>& functions : stiffness_.joined(system.functions)) {
+        std::shared_ptr<const LocalSystem::Block> block;
+        for (const auto& known : before.blocks)
+            if (before.stiffening == system.stiffening && known->functions == functions) block = known;
+        if (!block) block = blockOf(std::move(functions), system);
+        if (!block) return false;
+        setToSquare(block->coupling.data(), count, block->size(), count, taken.data(), count);
+        system.modes_factor.triangularView<Eigen::Lower>() += taken;
+        system.blocks.push_back(std::move(block));
+    }
+    return choleskyInPlace(system.modes_factor.data(), count, count);
+}
+
 /// Assembles and factors the equations of the functions about loads, unless `kept` has just these.
 Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept) const {
     if (!functions.empty() && kept.functions == functions) return success();
-    const int function_count = problem_->space->function_count;
     if (coversAComponent(functions))
         return Error{"The loads act on so large a part of the body that nothing is left to reduce."};
     LocalSystem system;
     system.functions = std::move(functions);
-    system.place_of.assign(static_cast<std::size_t>(function_count), -1);
-    for (std::size_t i = 0; i < system.functions.size(); ++i)
-        system.place_of[system.functions[i]] = static_cast<int>(i);
-
-    const int size = system.size();
-    system.coupling.resize(modes_.count, size);
-    for (int i = 0; i < size; i += 3)
-        modes_.forcesOn(*problem_, system.functions[i / 3], &system.coupling(0, i));
-    // Where the modes do nearly all that the functions can, what is left of these is rounding: a little more
+    // Where the functions do nearly all that a mode can, what is left of that is rounding: a little more
     // stiffness takes that away, and leaves such motions to the modes.
     for (const float more : {0.0f, 1e-5f, 1e-4f}) {
-        system.factor = stiffness_.lowerPart(system.functions, system.place_of);
-        const Eigen::VectorXf stiffer = more * system.factor.diagonal();
-        subtractSquare(system.coupling.data(), size, modes_.count, system.factor.data(), size);
-        system.factor.diagonal() += stiffer;
-        if (!choleskyInPlace(system.factor.data(), size, size)) continue;
+        system.stiffening = more;
+        if (!factor(system, kept)) continue;
         kept = std::move(system);
         return success();
     }
@@ -191,34 +214,45 @@ Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
 }
 
 Result<ReducedResponse> ReducedModel::solve(const LoadedFunctions& loaded, const LocalSystem& system) const {
-    const int size = system.size();
+    Eigen::VectorXf on_modes = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
+    Eigen::VectorXf forces = Eigen::VectorXf::Zero(3L * problem_->space->function_count);
+    for (const LoadedFunctions::Force& on : loaded.forces)
+        forces.segment<3>(3L * on.function) += on.force.cast<float>();
+    for (Eigen::Index unknown = 0; unknown < forces.size(); ++unknown)
+        if (forces[unknown] != 0) modes_.addWork(static_cast<int>(unknown), forces[unknown], on_modes);
 
-    Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
-    Eigen::VectorXf forces = Eigen::VectorXf::Zero(size);        // E^T f
-    for (const LoadedFunctions::Force& on : loaded.forces) {
-        const int place = system.place_of[on.function];
-        if (place >= 0) forces.segment<3>(3L * place) += on.force.cast<float>();
-        for (int k = 0; place < 0 && k < 3; ++k)
-            modes_.addWork(3 * on.function + k, static_cast<float>(on.force[k]), work);
+    Eigen::VectorXf coefficients = on_modes;
+    std::vector<Eigen::VectorXf> on_blocks, solved;  // E^T f, L^-1 E^T f
+    for (const auto& block : system.blocks) {
+        Eigen::VectorXf own(block->size());
+        for (int i = 0; i < block->size(); ++i) {
+            const int function = block->functions[i / 3], unknown = 3 * function + i % 3;
+            const auto acceleration = loaded.acceleration.col(problem_->space->component[function]);
+            own[i] =
+                forces[unknown] + static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
+        }
+        on_blocks.push_back(own);
+        solveLower(block->factor.data(), block->size(), block->size(), false, own.data());
+        coefficients -= block->coupling * own;
+        solved.push_back(std::move(own));
     }
-    for (int i = 0; i < size; ++i) {
-        const int unknown = 3 * system.functions[i / 3] + i % 3;
-        if (forces[i] != 0) modes_.addWork(unknown, forces[i], work);
-        const auto acceleration =
-            loaded.acceleration.col(problem_->space->component[system.functions[i / 3]]);
-        forces[i] += static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
-    }
-
-    Eigen::VectorXf local = forces - system.coupling.transpose() * work;
-    solveLower(system.factor.data(), size, size, false, local.data());
-    solveLower(system.factor.data(), size, size, true, local.data());
-    const Eigen::VectorXf coefficients = work - system.coupling * local;
-    if (!coefficients.allFinite() || !local.allFinite())
+    solveLower(system.modes_factor.data(), modes_.count, modes_.count, false, coefficients.data());
+    solveLower(system.modes_factor.data(), modes_.count, modes_.count, true, coefficients.data());
+    if (!coefficients.allFinite())
         return Error{"The reduced equations have no finite solution where the loads act."};
-    ReducedResponse response{modes_.displacement(coefficients),
-                             0.5 * double(work.dot(coefficients) + forces.dot(local))};
-    for (int i = 0; i < size; i += 3)
-        response.unknowns.segment<3>(3L * system.functions[i / 3]) += local.segment<3>(i);
+
+    ReducedResponse response{modes_.displacement(coefficients), 0.5 * double(on_modes.dot(coefficients))};
+    for (std::size_t b = 0; b < solved.size(); ++b) {
+        const LocalSystem::Block& block = *system.blocks[b];
+        Eigen::VectorXf& local = solved[b];
+        local -= block.coupling.transpose() * coefficients;
+        solveLower(block.factor.data(), block.size(), block.size(), true, local.data());
+        if (!local.allFinite())
+            return Error{"The reduced equations have no finite solution where the loads act."};
+        response.strain_energy_j += 0.5 * double(on_blocks[b].dot(local));
+        for (int i = 0; i < block.size(); i += 3)
+            response.unknowns.segment<3>(3L * block.functions[i / 3]) += local.segment<3>(i);
+    }
     return response;
 }
 

@@ -30,7 +30,7 @@ struct LoadedFunctions;
 /// displacement of the functions about the loads, where modes are too coarse. One Galerkin solve finds both,
 ///     [ I      V^T K E ] [c]   [V^T f]
 ///     [ E^T K V   E^T K E ] [d] = [E^T f],      u = V c + E d,
-/// E being the unit vectors of the functions about the loads: a dense system of some hundreds of unknowns.
+/// E being the unit vectors of the functions about the loads: some hundreds of unknowns, solved first.
 /// Compare Barbic, Zhao, Subspace self-collision culling (2010), and the static correction of component mode
 /// synthesis (Craig, Bampton 1968). A small solid needs no modes: its whole compliance matrix is kept.
 class ReducedModel {
@@ -52,14 +52,23 @@ class ReducedModel {
     ReducedModel(std::shared_ptr<const SplineProblem> problem, ComplianceMatrix compliance, ProperModes modes,
                  VibrationModes vibrations);
 
-    /// The equations of the functions about loads. Loads at the same places need no other.
+    /// The equations of the functions about loads, in blocks that the stiffness does not join: only the modes
+    /// do. What is left to them, I - sum of V^T K E (E^T K E)^-1 E^T K V, is small. Loads at the same places
+    /// need no other.
     struct LocalSystem {
-        std::vector<int> functions;  ///< ascending
-        std::vector<int> place_of;   ///< per function of the solid: its number among them, or -1
-        Eigen::MatrixXf coupling;    ///< V^T K E
-        Eigen::MatrixXf factor;      ///< lower, of E^T K E - E^T K V V^T K E
+        /// Of functions that are joined.
+        struct Block {
+            std::vector<int> functions;  ///< ascending
+            Eigen::MatrixXf factor;      ///< L, lower, of E^T K E
+            Eigen::MatrixXf coupling;    ///< V^T K E L^-T
 
-        int size() const { return 3 * static_cast<int>(functions.size()); }
+            int size() const { return 3 * static_cast<int>(functions.size()); }
+        };
+
+        std::vector<int> functions;  ///< ascending
+        std::vector<std::shared_ptr<const Block>> blocks;
+        float stiffening = 0;          ///< of the diagonals of the blocks
+        Eigen::MatrixXf modes_factor;  ///< lower, of what is left to the modes
     };
 
     /// The displacement under point forces and the rigid acceleration that balances them. An error says that
@@ -89,6 +98,9 @@ class ReducedModel {
   private:
     bool coversAComponent(const std::vector<int>& functions) const;
     double roundingOfModes(const SparseMatrix& stiffness) const;
+    std::shared_ptr<const LocalSystem::Block> blockOf(std::vector<int> functions,
+                                                      const LocalSystem& system) const;
+    bool factor(LocalSystem& system, const LocalSystem& before) const;
     Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
     Result<ReducedResponse> solve(const LoadedFunctions& loaded, const LocalSystem& system) const;
 
