@@ -1,17 +1,119 @@
 #include "core/numerics/parallel_chunks.h"
 
 #include <algorithm>
+#include <condition_variable>
 #include <exception>
+#include <list>
 #include <mutex>
 #include <system_error>
 #include <thread>
-#include <vector>
+
+#include "core/numerics/thread_priority.h"
 
 namespace sherd {
 
 namespace {
 
 thread_local const OnThisThreadAlone* alone = nullptr;  // the innermost there is
+
+/// Chunks that are shared out; it lives on the stack of the thread that asked for them.
+class SharedWork {
+  public:
+    SharedWork(int count, const std::function<void(int)>& work) : count_(count), work_(work) {}
+
+    /// Does chunks until none is left.
+    void help() {
+        try {
+            for (int chunk; (chunk = next_++) < count_;) work_(chunk);
+        } catch (...) {
+            const std::lock_guard<std::mutex> lock(trouble_mutex_);
+            if (!trouble_) trouble_ = std::current_exception();
+            next_ = count_;
+        }
+    }
+    void throwTrouble() const {
+        if (trouble_) std::rethrow_exception(trouble_);
+    }
+
+    int wanted = 0, helping = 0;  ///< of the helpers; theirs
+
+  private:
+    int count_;
+    const std::function<void(int)>& work_;
+    std::atomic<int> next_{0};
+    std::exception_ptr trouble_;
+    std::mutex trouble_mutex_;
+};
+
+/// Threads that wait for chunks, one less than the machine has cores: starting a thread for each piece of
+/// work takes longer than many of them. They end with the program.
+class Helpers {
+  public:
+    /// Those for what the calling thread asks for: threads that yield have helpers that do.
+    static Helpers& ofThisThread() {
+        // Never destroyed: their threads run until the program ends.
+        static Helpers& helpers = *new Helpers(false);
+        if (!yieldsToOtherThreads()) return helpers;
+        static Helpers& yielding = *new Helpers(true);
+        return yielding;
+    }
+
+    int count() const { return static_cast<int>(started_); }
+
+    /// Does all chunks, together with the helpers that are free.
+    void run(SharedWork& work, int wanted) {
+        std::list<SharedWork*>::iterator place;
+        {
+            const std::lock_guard<std::mutex> lock(mutex_);
+            work.wanted = wanted;
+            place = open_.insert(open_.end(), &work);
+        }
+        wanted == 1 ? wake_.notify_one() : wake_.notify_all();
+        work.help();
+        std::unique_lock<std::mutex> lock(mutex_);
+        open_.erase(place);
+        ended_.wait(lock, [&] { return work.helping == 0; });
+    }
+
+  private:
+    explicit Helpers(bool yielding) {
+        const unsigned cores = std::max(1u, std::thread::hardware_concurrency());
+        try {
+            for (; started_ + 1 < cores; ++started_)
+                std::thread([this, yielding] {
+                    if (yielding) yieldToOtherThreads();
+                    serve();
+                }).detach();
+        } catch (const std::system_error&) {
+            // No more threads to be had: those that run, and those that ask, do all chunks.
+        }
+    }
+
+    SharedWork* nextWanted() const {
+        for (SharedWork* work : open_)
+            if (work->wanted > 0) return work;
+        return nullptr;
+    }
+
+    void serve() {
+        std::unique_lock<std::mutex> lock(mutex_);
+        while (true) {
+            SharedWork* work = nullptr;
+            wake_.wait(lock, [&] { return (work = nextWanted()) != nullptr; });
+            --work->wanted;
+            ++work->helping;
+            lock.unlock();
+            work->help();
+            lock.lock();
+            if (--work->helping == 0) ended_.notify_all();
+        }
+    }
+
+    std::mutex mutex_;
+    std::condition_variable wake_, ended_;
+    std::list<SharedWork*> open_;
+    unsigned started_ = 0;
+};
 
 }  // namespace
 
@@ -24,33 +126,15 @@ OnThisThreadAlone::~OnThisThreadAlone() {
 }
 
 void forEachChunk(int count, const std::function<void(int)>& work) {
-    if (alone && !alone->isOver()) {
+    const bool here = count < 2 || (alone && !alone->isOver());
+    Helpers* const helpers = here ? nullptr : &Helpers::ofThisThread();
+    if (!helpers || helpers->count() == 0) {
         for (int chunk = 0; chunk < count; ++chunk) work(chunk);
         return;
     }
-    std::atomic<int> next{0};
-    std::exception_ptr trouble;
-    std::mutex trouble_mutex;
-    const auto run = [&] {
-        try {
-            for (int chunk; (chunk = next++) < count;) work(chunk);
-        } catch (...) {
-            const std::lock_guard<std::mutex> lock(trouble_mutex);
-            if (!trouble) trouble = std::current_exception();
-            next = count;
-        }
-    };
-
-    const int cores = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
-    std::vector<std::thread> helpers;
-    try {
-        for (int i = 1; i < std::min(cores, count); ++i) helpers.emplace_back(run);
-    } catch (const std::system_error&) {
-        // No more threads to be had: those that run, and this one, do all chunks.
-    }
-    run();
-    for (std::thread& helper : helpers) helper.join();
-    if (trouble) std::rethrow_exception(trouble);
+    SharedWork shared(count, work);
+    helpers->run(shared, std::min(helpers->count(), count - 1));
+    shared.throwTrouble();
 }
 
 }  // namespace sherd
