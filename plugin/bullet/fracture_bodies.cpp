@@ -125,6 +125,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
         fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
     const auto shape = shapes_.shapeOf(asset.solid(), ShapeChoice(*breakable->fracture));
     if (!shape) return Error{shape.error()};
+    if (asset.solid()->prepared()) asset.solid()->prepareSurface();  // a baked one has none
     breakable->owned = makeRigidBody(*asset.solid(), shape.value(), is_static ? 0 : 1);
     breakable->body = breakable->owned.body.get();
     breakable->body_from_asset = principalFrame(asset.solid()->moments()).body_from_asset;

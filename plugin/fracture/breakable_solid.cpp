@@ -137,9 +137,14 @@ Status BreakableSolid::prepare(const Progress& progress) const {
     const bool reduced = fracture.use_reduced_model && makeReduced(progress);
     if (!reduced || fracture.check_with_full_solve)
         if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
-    if (const auto sampling = discretisation(); sampling) cuttable(*sampling.value());
+    prepareSurface();
     tell(1);
     return success();
+}
+
+void BreakableSolid::prepareSurface() const {
+    surfaceTree();
+    if (const auto sampling = discretisation(); sampling) cuttable(*sampling.value());
 }
 
 Status BreakableSolid::makeReduced(const Progress& progress) const {

@@ -67,6 +67,8 @@ class BreakableSolid {
     Result<const StressSolver*> stressSolver() const;
     /// Makes what answers blows without a factor, or the factor where that cannot be.
     Status prepare(const Progress& progress) const;
+    /// Makes what finds and cuts surfaces, milliseconds for which the first blow would wait; samples it.
+    void prepareSurface() const;
     /// Makes what answers blows without a factor; the error says why that cannot be.
     Status makeReduced(const Progress& progress) const;
     /// What these made to answer blows without a factor; nullptr if it did not. Never waits.

@@ -1,7 +1,5 @@
 #include "core/loads/surface_tree.h"
 
-#include <numeric>
-
 namespace sherd {
 
 namespace {
@@ -13,40 +11,49 @@ constexpr double slack = 1e-12;  // of the surface's size
 
 }  // namespace
 
+/// A triangle to be put into the tree. Numbers that are looked at together lie together.
+struct SurfaceTree::Item {
+    Vec3 centre;
+    int triangle;
+};
+
 SurfaceTree::SurfaceTree(const TriangleMesh& surface) : surface_(surface) {
-    std::vector<Vec3> centres;
-    centres.reserve(surface.triangles.size());
+    std::vector<Item> items;
+    items.reserve(surface.triangles.size());
     for (const auto& [a, b, c] : surface.triangles)
-        centres.push_back((surface.vertices[a] + surface.vertices[b] + surface.vertices[c]) / 3);
-    triangles_.resize(centres.size());
-    std::iota(triangles_.begin(), triangles_.end(), 0);
-    nodes_.reserve(centres.size() / 2 + 1);
-    if (centres.empty()) return;
-    build(0, static_cast<int>(triangles_.size()), centres);
+        items.push_back({(surface.vertices[a] + surface.vertices[b] + surface.vertices[c]) / 3,
+                         static_cast<int>(items.size())});
+    nodes_.reserve(items.size() / 2 + 1);
+    if (items.empty()) return;
+    build(0, static_cast<int>(items.size()), items);
+    triangles_.reserve(items.size());
+    for (const Item& item : items) triangles_.push_back(item.triangle);
     const Vec3 grown = Vec3::Constant(slack * nodes_[0].box.diagonal().norm());
     for (Node& node : nodes_) node.box = {node.box.min() - grown, node.box.max() + grown};
 }
 
-int SurfaceTree::build(int begin, int end, const std::vector<Vec3>& centres) {
+int SurfaceTree::build(int begin, int end, std::vector<Item>& items) {
     const int index = static_cast<int>(nodes_.size());
     nodes_.push_back({{}, begin, end, 0});
-    Eigen::AlignedBox3d box, middles;
-    for (int i = begin; i < end; ++i) {
-        for (const int corner : surface_.triangles[triangles_[i]]) box.extend(surface_.vertices[corner]);
-        middles.extend(centres[triangles_[i]]);
+    if (end - begin <= largest_leaf) {
+        for (int i = begin; i < end; ++i)
+            for (const int corner : surface_.triangles[items[i].triangle])
+                nodes_[index].box.extend(surface_.vertices[corner]);
+        return index;
     }
-    nodes_[index].box = box;
-    if (end - begin <= largest_leaf) return index;
+    Eigen::AlignedBox3d middles;
+    for (int i = begin; i < end; ++i) middles.extend(items[i].centre);
     int axis = 0;
     middles.sizes().maxCoeff(&axis);
     const int half = (begin + end) / 2;
-    std::nth_element(
-        triangles_.begin() + begin, triangles_.begin() + half, triangles_.begin() + end, [&](int a, int b) {
-            return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-        });
-    build(begin, half, centres);
-    const int right = build(half, end, centres);
+    std::nth_element(items.begin() + begin, items.begin() + half, items.begin() + end,
+                     [&](const Item& a, const Item& b) {
+                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
+                                                                 : a.triangle < b.triangle;
+                     });
+    const int left = build(begin, half, items), right = build(half, end, items);
     nodes_[index].right = right;
+    nodes_[index].box = nodes_[left].box.merged(nodes_[right].box);
     return index;
 }
 

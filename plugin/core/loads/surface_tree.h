@@ -57,7 +57,9 @@ class SurfaceTree {
         int triangle = -1;
     };
 
-    int build(int begin, int end, const std::vector<Vec3>& centres);
+    struct Item;
+
+    int build(int begin, int end, std::vector<Item>& items);
 
     template <class Reaches>
     void collect(int index, const Reaches& reaches, std::vector<int>& found) const {
