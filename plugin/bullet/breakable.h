@@ -37,6 +37,9 @@ struct Breakable {
         : asset(its_asset), fracture(std::move(its_fracture)) {}
     /// Keeps what joints of the app's need of the body.
     ~Breakable();
+    // They lie apart from the bodies, which Bullet goes through many times in a step.
+    static void* operator new(std::size_t size);
+    static void operator delete(void* place, std::size_t size);
     Breakable(const Breakable&) = delete;
     Breakable& operator=(const Breakable&) = delete;
 

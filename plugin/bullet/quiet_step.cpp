@@ -34,7 +34,7 @@ bool moves(const btCollisionObject& object) {
 bool anythingAwake(const btDiscreteDynamicsWorld& world) {
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
-        if (!objects[i]->isStaticObject() && objects[i]->isActive()) return true;
+        if (objects[i]->isActive() && !objects[i]->isStaticObject()) return true;
     return false;
 }
 

@@ -80,7 +80,8 @@ void SolverDecorator::allSolved(const btContactSolverInfo& info, btIDebugDraw* d
     // One that was put around this one since the solve began is not told of it.
     for (const SolverDecorator* outer = outer_decorator_; outer; outer = outer->outer_decorator_)
         if (outer->solving_) return;
-    for (StepListener* listener : listenersFromInside()) listener->endSolve(info);  // may delete this
+    if (!inner_decorator_) return listener_.endSolve(info);  // as nearly always; may delete this
+    for (StepListener* listener : listenersFromInside()) listener->endSolve(info);
 }
 
 void SolverDecorator::reset() {
