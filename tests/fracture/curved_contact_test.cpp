@@ -78,7 +78,7 @@ class CurvedContact : public ::testing::Test {
         const Vec3 push = -contact.outward;
         ContactPatch patch{
             nearestSurfacePoint(body.surface, contact.at, push), push, push + contact.slide, radius, {}};
-        patch.parts = partsOfPatch(body.surface, patch.spot, push, radius);
+        patch.parts = partsOfPatch(body.surface, patch.spot, push, radius, 0.18);
         return patch;
     }
     static double largestOf(const StressField& field) {
@@ -119,7 +119,7 @@ TEST_F(CurvedContact, ABallIsPulledAtTheRimAsAPlaneIs) {
                        -Vec3::UnitZ(),
                        radius,
                        {}};
-    patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, radius);
+    patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, radius, 0.18);
     const ContactField field = contactField(body, {patch});
     ASSERT_EQ(field.near.discs().size(), 1u);
     const double rim_pa = (1 - 2 * material.poisson_ratio) / (2 * pi * radius * radius);

@@ -20,7 +20,6 @@ constexpr double smooth = 0.8;  // cosine between the normals of neighbours on o
 struct Facet {
     Vec3 outward = Vec3::Zero();
     double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< along it
-    double weight_m2 = 0;                                                        ///< of its parts
 };
 
 /// The normals of a patch's parts, one for each of those that are nearly alike: of however many triangles
@@ -67,7 +66,6 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
         for (const PatchPart& part : parts) {
             if (!isOn(part)) continue;
             facet.outward += part.weight_m2 * part.normal;
-            facet.weight_m2 += part.weight_m2;
         }
         facet.outward.normalize();
         for (const PatchPart& part : parts) {
@@ -79,20 +77,6 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
         facets.push_back(facet);
     }
     return facets;
-}
-
-/// The share of a facet that is pressed. A push that only grazes a round surface misses part of it; the disc
-/// spreads over all of it what presses on the rest.
-double pressedShare(const SurfaceTree& surface, const ContactPatch& patch, const Facet& facet) {
-    double all_m2 = 0;
-    for (const PieceNearby& piece :
-         surfaceAround(surface, patch.spot.point, patch.radius_m, patch.radius_m, 0.25 * patch.radius_m)) {
-        const double area = piece.area.norm();
-        const double squared = (piece.centre - patch.spot.point).squaredNorm();
-        if (piece.area.dot(facet.outward) >= least_facing * area)
-            all_m2 += area * contactProfile(squared / (patch.radius_m * patch.radius_m));
-    }
-    return all_m2 > 0 ? std::min(1.0, facet.weight_m2 / all_m2) : 1;
 }
 
 /// How the body lies about a disc.
@@ -199,7 +183,6 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
         const Lie lie = lieOf(surface, disc);
         if (lie == Lie::before || discs.size() == most_facets) return {};
         disc.hollow = lie == Lie::hollow;
-        disc.traction_pa *= pressedShare(surface, patch, facet);
         discs.push_back(disc);
     }
     return discs;

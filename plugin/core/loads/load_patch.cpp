@@ -136,11 +136,14 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
 
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length) {
+    constexpr double same_face = 0.8;  // cosine between normals
+    const auto normalOf = [&](int t) { return areaVector(cornersOf(tree.surface(), t)).normalized(); };
+    const Vec3 at_spot = spot.triangle < 0 ? Vec3(-push) : Vec3(normalOf(spot.triangle));
     std::vector<PatchPart> parts;
     for (const int t : tree.trianglesNear(spot.point, radius)) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
-        if (!facesPush(triangle, push)) continue;
-        const Vec3 normal = areaVector(triangle).normalized();
+        const Vec3 normal = normalOf(t);
+        if (!facesPush(triangle, push) && normal.dot(at_spot) < same_face) continue;
         const auto longest = [&](double) { return length * radius; };
         subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {
             const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));

@@ -35,10 +35,11 @@ struct PatchPart {
     double weight_m2 = 0;        ///< area times the traction relative to that in the middle of the contact
 };
 
-/// The surface within `radius` of `spot` that faces the push, under a traction with the profile of a contact.
-/// `length`: of the parts at most, in radii.
+/// The surface within `radius` of `spot` under a traction with the profile of a contact: what faces the push,
+/// and what lies as the surface at the spot does, since a push that grazes a round surface presses on both
+/// sides of the spot. `length`: of the parts at most, in radii.
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
-                                    double radius, double length = 0.18);
+                                    double radius, double length);
 
 /// A piece of the surface.
 struct PieceNearby {

@@ -22,7 +22,8 @@ TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
     const Vec3 push = -Vec3::UnitZ();
     const SurfaceSpot spot = nearestSurfacePoint(SurfaceTree(mesh), Vec3(0.1, -0.2, 0.05), push);
     EXPECT_TRUE(spot.point.isApprox(Vec3(0.1, -0.2, 0.02), 1e-12));
-    const auto points = spreadForce(partsOfPatch(SurfaceTree(mesh), spot, push, 0.08), spot, Vec3(1, 2, -30));
+    const auto points =
+        spreadForce(partsOfPatch(SurfaceTree(mesh), spot, push, 0.08, 0.18), spot, Vec3(1, 2, -30));
     Vec3 sum = Vec3::Zero(), centre = Vec3::Zero();
     for (const PointForce& p : points) {
         sum += p.force;
@@ -52,7 +53,7 @@ TEST(LoadPatch, APatchWithoutSurfaceIsOnePoint) {
     const TriangleMesh mesh = box(Vec3(1, 1, 1), 1);
     const SurfaceSpot spot{Vec3(0, 0, 9), 0};
     const auto points =
-        spreadForce(partsOfPatch(SurfaceTree(mesh), spot, -Vec3::UnitZ(), 0.1), spot, Vec3(0, 0, -1));
+        spreadForce(partsOfPatch(SurfaceTree(mesh), spot, -Vec3::UnitZ(), 0.1, 0.18), spot, Vec3(0, 0, -1));
     ASSERT_EQ(points.size(), 1u);
     EXPECT_TRUE(points[0].force.isApprox(Vec3(0, 0, -1)));
 }
