@@ -32,8 +32,13 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField&) -> Result<UnitResponse> {
+                                    const ContactField& contact) -> Result<UnitResponse> {
         const AddedTime time(ms.solve);
+        if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
+            const Result<double> energy = reduced.model.strainEnergy(loads, kept);
+            if (!energy) return Error{energy.error()};
+            return UnitResponse{energy.value(), reduced.model.struckModes(loads)};
+        }
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();

@@ -150,9 +150,12 @@ class DamageReading::Reader {
             const Vec3 outward = normal.cast<double>().normalized();
             if (!contact_.isLoaded(x))
                 stress = withTraction(stress, outward, contact_.tractionAt(x, outward), elasticity);
-            // The bound of what was freed is much closer; finding its eigenvalues costs more than all before.
-            if (doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing_pa)) return;
         }
+        // The bound of what was freed, or joined with the near field, is much closer; finding its eigenvalues
+        // costs more than all before.
+        if ((contact_.hasNearField() || !normal.isZero(0)) &&
+            doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing_pa))
+            return;
         const PrincipalStresses principal = principalStresses(stress);
         const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
         const int particle = of_.points_.points[at].particle;

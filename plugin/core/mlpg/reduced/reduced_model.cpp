@@ -19,47 +19,6 @@ constexpr double largest_rounding = 1e-3;  // of the energy of a mode
 
 }  // namespace
 
-/// What point forces are at the functions, and the rigid acceleration that balances them.
-struct LoadedFunctions {
-    struct Force {
-        int function;
-        Vec3 force;
-    };
-    std::vector<Force> forces;
-    Eigen::Matrix<double, 6, Eigen::Dynamic> acceleration;
-};
-
-namespace {
-
-Result<LoadedFunctions> loadedFunctions(const SplineProblem& problem, const std::vector<PointForce>& loads) {
-    const SplineSpace& space = *problem.space;
-    LoadedFunctions loaded;
-    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants;
-    resultants.setZero(6, problem.motions.componentCount());
-    std::vector<double> values;
-    for (const PointForce& load : loads) {
-        const GridPoint place = locate(problem.parts(), load.position);
-        if (place.part < 0 || !load.force.allFinite())
-            return Error{
-                "A load is not finite, or more than a particle spacing outside the body; give it in the "
-                "asset's frame."};
-        splineValues(space.degree, place.xi, values);
-        const std::vector<int>& raw = space.raw_of[place.part];
-        for (std::size_t a = 0; a < raw.size(); ++a)
-            for (const SplineTies::Term& term : space.termsOf(raw[a])) {
-                const Vec3 force = values[a] * term.factor * load.force;
-                loaded.forces.push_back({term.function, force});
-                resultants.col(space.component[term.function]) +=
-                    problem.motions.coefficients.middleRows<3>(3L * term.function).transpose() * force;
-            }
-    }
-    clearHeld(problem, resultants);
-    loaded.acceleration = problem.inertia.accelerationOf(resultants);
-    return loaded;
-}
-
-}  // namespace
-
 ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedStiffness stiffness,
                            ProperModes modes, VibrationModes vibrations, const ReducedModelLimits& limits)
     : problem_(std::move(problem)),
@@ -187,71 +146,93 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
     return Error{"The reduced equations are not definite where the loads act."};
 }
 
+Result<ReducedModel::Solution> ReducedModel::solve(const std::vector<PointForce>& loads,
+                                                   LocalSystem& kept) const {
+    const auto forces = forcesAt(*problem_, loads);
+    if (!forces) return Error{forces.error()};
+    if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
+        return Error{ready.error()};
+    return solve(forces.value(), kept);
+}
+
 Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loads, LocalSystem& kept) const {
     if (isDirect()) {
         const auto forces = forcesAt(*problem_, loads);
         if (!forces) return Error{forces.error()};
         return compliance_.respond(forces.value().cast<float>());
     }
-    const auto loaded = loadedFunctions(*problem_, loads);
-    if (!loaded) return Error{loaded.error()};
-    if (const Status ready = prepareAbout(local_.around(loads, most_local_), kept); !ready)
-        return Error{ready.error()};
-    return solve(loaded.value(), kept);
+    const auto solution = solve(loads, kept);
+    if (!solution) return Error{solution.error()};
+    return responseOf(solution.value(), kept);
+}
+
+Result<double> ReducedModel::strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const {
+    if (isDirect()) {
+        const auto response = respond(loads, kept);
+        if (!response) return Error{response.error()};
+        return response.value().strain_energy_j;
+    }
+    const auto solution = solve(loads, kept);
+    if (!solution) return Error{solution.error()};
+    return solution.value().strain_energy_j;
 }
 
 Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
                                               const LocalSystem& system) const {
     if (isDirect()) return compliance_.respond(forces.cast<float>());
-    LoadedFunctions loaded;
-    for (int f = 0; f < problem_->space->function_count; ++f)
-        if (const Vec3 force = forces.segment<3>(3L * f); !force.isZero(0))
-            loaded.forces.push_back({f, force});
-    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(forces);
-    clearHeld(*problem_, resultants);
-    loaded.acceleration = problem_->inertia.accelerationOf(resultants);
-    return solve(loaded, system);
+    const auto solution = solve(forces, system);
+    if (!solution) return Error{solution.error()};
+    return responseOf(solution.value(), system);
 }
 
-Result<ReducedResponse> ReducedModel::solve(const LoadedFunctions& loaded, const LocalSystem& system) const {
+Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces,
+                                                   const LocalSystem& system) const {
+    Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(forces);
+    clearHeld(*problem_, resultants);
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations =
+        problem_->inertia.accelerationOf(resultants);
     Eigen::VectorXf on_modes = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
-    Eigen::VectorXf forces = Eigen::VectorXf::Zero(3L * problem_->space->function_count);
-    for (const LoadedFunctions::Force& on : loaded.forces)
-        forces.segment<3>(3L * on.function) += on.force.cast<float>();
     for (Eigen::Index unknown = 0; unknown < forces.size(); ++unknown)
-        if (forces[unknown] != 0) modes_.addWork(static_cast<int>(unknown), forces[unknown], on_modes);
+        if (const auto force = static_cast<float>(forces[unknown]); force != 0)
+            modes_.addWork(static_cast<int>(unknown), force, on_modes);
 
-    Eigen::VectorXf coefficients = on_modes;
-    std::vector<Eigen::VectorXf> on_blocks, solved;  // E^T f, L^-1 E^T f
+    Solution solution{on_modes, {}, 0};
+    std::vector<Eigen::VectorXf> on_blocks;  // E^T f
     for (const auto& block : system.blocks) {
         Eigen::VectorXf own(block->size());
         for (int i = 0; i < block->size(); ++i) {
             const int function = block->functions[i / 3], unknown = 3 * function + i % 3;
-            const auto acceleration = loaded.acceleration.col(problem_->space->component[function]);
+            const auto acceleration = accelerations.col(problem_->space->component[function]);
             own[i] =
-                forces[unknown] + static_cast<float>(problem_->inertia.forceOn(unknown).dot(acceleration));
+                static_cast<float>(forces[unknown] + problem_->inertia.forceOn(unknown).dot(acceleration));
         }
         on_blocks.push_back(own);
         solveLower(block->factor.data(), block->size(), block->size(), false, own.data());
-        coefficients -= block->coupling * own;
-        solved.push_back(std::move(own));
+        solution.modes -= block->coupling * own;
+        solution.local.push_back(std::move(own));
     }
-    solveLower(system.modes_factor.data(), modes_.count, modes_.count, false, coefficients.data());
-    solveLower(system.modes_factor.data(), modes_.count, modes_.count, true, coefficients.data());
-    if (!coefficients.allFinite())
-        return Error{"The reduced equations have no finite solution where the loads act."};
-
-    ReducedResponse response{modes_.displacement(coefficients), 0.5 * double(on_modes.dot(coefficients))};
-    for (std::size_t b = 0; b < solved.size(); ++b) {
+    solveLower(system.modes_factor.data(), modes_.count, modes_.count, false, solution.modes.data());
+    solveLower(system.modes_factor.data(), modes_.count, modes_.count, true, solution.modes.data());
+    solution.strain_energy_j = 0.5 * double(on_modes.dot(solution.modes));
+    bool is_finite = solution.modes.allFinite();
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
         const LocalSystem::Block& block = *system.blocks[b];
-        Eigen::VectorXf& local = solved[b];
-        local -= block.coupling.transpose() * coefficients;
+        Eigen::VectorXf& local = solution.local[b];
+        local -= block.coupling.transpose() * solution.modes;
         solveLower(block.factor.data(), block.size(), block.size(), true, local.data());
-        if (!local.allFinite())
-            return Error{"The reduced equations have no finite solution where the loads act."};
-        response.strain_energy_j += 0.5 * double(on_blocks[b].dot(local));
+        solution.strain_energy_j += 0.5 * double(on_blocks[b].dot(local));
+        is_finite = is_finite && local.allFinite();
+    }
+    if (!is_finite) return Error{"The reduced equations have no finite solution where the loads act."};
+    return solution;
+}
+
+ReducedResponse ReducedModel::responseOf(const Solution& solution, const LocalSystem& system) const {
+    ReducedResponse response{modes_.displacement(solution.modes), solution.strain_energy_j};
+    for (std::size_t b = 0; b < system.blocks.size(); ++b) {
+        const LocalSystem::Block& block = *system.blocks[b];
         for (int i = 0; i < block.size(); i += 3)
-            response.unknowns.segment<3>(3L * block.functions[i / 3]) += local.segment<3>(i);
+            response.unknowns.segment<3>(3L * block.functions[i / 3]) += solution.local[b].segment<3>(i);
     }
     return response;
 }

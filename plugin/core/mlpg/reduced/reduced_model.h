@@ -24,8 +24,6 @@ struct ReducedModelLimits {
     int direct_unknowns = 1400;
 };
 
-struct LoadedFunctions;
-
 /// What answers a blow without a factor. The displacement is a combination of proper modes plus any
 /// displacement of the functions about the loads, where modes are too coarse. One Galerkin solve finds both,
 ///     [ I      V^T K E ] [c]   [V^T f]
@@ -76,6 +74,8 @@ class ReducedModel {
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads) const;
     /// The same, with what is kept of the loads before.
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    /// Its strain energy alone, J.
+    Result<double> strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     /// The displacement under forces at the unknowns (N), with the functions of a system that was made for
     /// some loads.
     Result<ReducedResponse> respond(const Eigen::VectorXd& forces, const LocalSystem& system) const;
@@ -102,7 +102,15 @@ class ReducedModel {
                                                       const LocalSystem& system) const;
     bool factor(LocalSystem& system, const LocalSystem& before) const;
     Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
-    Result<ReducedResponse> solve(const LoadedFunctions& loaded, const LocalSystem& system) const;
+    /// What solves the equations.
+    struct Solution {
+        Eigen::VectorXf modes;               ///< c
+        std::vector<Eigen::VectorXf> local;  ///< d, per block
+        double strain_energy_j = 0;
+    };
+    Result<Solution> solve(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    Result<Solution> solve(const Eigen::VectorXd& forces, const LocalSystem& system) const;
+    ReducedResponse responseOf(const Solution& solution, const LocalSystem& system) const;
 
     std::shared_ptr<const SplineProblem> problem_;
     PackedStiffness stiffness_;

@@ -3,19 +3,16 @@
 #include <algorithm>
 
 #include "core/mlpg/splines/b_spline.h"
+#include "core/numerics/parallel_chunks.h"
 
 namespace sherd {
 
 namespace {
 
-/// Sums up what the near field leaves on the surface in one part after the other.
-class RemainderSum {
+/// What the near field leaves on the surface of one part after the other.
+class RemainderOfParts {
   public:
-    RemainderSum(const SplineProblem& problem, const NearField& near)
-        : problem_(problem),
-          near_(near),
-          raw_(Eigen::Matrix3Xd::Zero(3, problem.space->raw_count)),
-          of_part_(3, problem.space->perPart()) {}
+    RemainderOfParts(const SplineProblem& problem, const NearField& near) : problem_(problem), near_(near) {}
 
     /// Whether the near field changes little over the part, and no disc is in it.
     bool isFar(int part) const {
@@ -28,17 +25,14 @@ class RemainderSum {
         });
     }
 
+    /// Adds what is at the points of a part to `forces`, one for each function of the part.
     template <class Points>
-    void add(int part, const std::vector<int>& starts, const Points& points) {
-        if (starts[part] == starts[part + 1]) return;
-        of_part_.setZero();
+    void add(int part, const std::vector<int>& starts, const Points& points,
+             Eigen::Ref<Eigen::Matrix3Xd> forces) const {
         for (int at = starts[part]; at < starts[part + 1]; ++at)
-            addPoint(part, points[at].xi.template cast<double>(), points[at].area.template cast<double>());
-        const std::vector<int>& functions = problem_.space->raw_of[part];
-        for (std::size_t a = 0; a < functions.size(); ++a) raw_.col(functions[a]) += of_part_.col(a);
+            addPoint(part, points[at].xi.template cast<double>(), points[at].area.template cast<double>(),
+                     forces);
     }
-
-    Eigen::VectorXd forces() const { return problem_.space->gather(raw_); }
 
   private:
     Vec3 positionIn(int part, const Vec3& xi) const {
@@ -47,7 +41,7 @@ class RemainderSum {
         return parts.origin + cells.cwiseProduct(parts.edges);
     }
 
-    void addPoint(int part, const Vec3& xi, Vec3 area) {
+    void addPoint(int part, const Vec3& xi, Vec3 area, Eigen::Ref<Eigen::Matrix3Xd> forces) const {
         if (area.isZero(0)) return;
         const Vec3 x = positionIn(part, xi);
         const double share = 1 - near_.closeShare(x);
@@ -55,32 +49,42 @@ class RemainderSum {
         area *= share;
         const double size = area.norm();
         const Vec3 force = size * near_.tractionAt(x, area / size) - near_.stressAt(x) * area;
-        splineValues(problem_.space->degree, xi, values_);
-        for (std::size_t a = 0; a < values_.size(); ++a) of_part_.col(a) += values_[a] * force;
+        thread_local std::vector<double> values;  // of one point after the other
+        splineValues(problem_.space->degree, xi, values);
+        for (std::size_t a = 0; a < values.size(); ++a) forces.col(a) += values[a] * force;
     }
 
     const SplineProblem& problem_;
     const NearField& near_;
-    Eigen::Matrix3Xd raw_, of_part_;
-    std::vector<double> values_;
 };
 
 }  // namespace
 
 Result<Eigen::VectorXd> contactRemainder(const SplineProblem& problem, const ReadingPoints& points,
                                          const SurfaceFaces& faces, const ContactField& contact) {
-    RemainderSum sum(problem, contact.near);
-    for (int part = 0; part + 1 < static_cast<int>(points.starts.size()); ++part) {
-        if (sum.isFar(part))
-            sum.add(part, faces.starts, faces.faces);
-        else
-            sum.add(part, points.starts, points.points);
-    }
+    constexpr int chunks = 32;
+    const RemainderOfParts remainder(problem, contact.near);
+    const int part_count = static_cast<int>(points.starts.size()) - 1, per_part = problem.space->perPart();
+    Eigen::Matrix3Xd of_parts = Eigen::Matrix3Xd::Zero(3, Eigen::Index(per_part) * part_count);
+    forEachChunk(chunks, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunks, part_count);
+        for (int part = chunkBegin(chunk, chunks, part_count); part < end; ++part) {
+            auto own = of_parts.middleCols(Eigen::Index(per_part) * part, per_part);
+            if (remainder.isFar(part))
+                remainder.add(part, faces.starts, faces.faces, own);
+            else
+                remainder.add(part, points.starts, points.points, own);
+        }
+    });
+    Eigen::Matrix3Xd raw = Eigen::Matrix3Xd::Zero(3, problem.space->raw_count);
+    for (int part = 0; part < part_count; ++part)
+        for (int a = 0; a < per_part; ++a)
+            raw.col(problem.space->raw_of[part][a]) += of_parts.col(Eigen::Index(per_part) * part + a);
     std::vector<PointForce> forces = contact.close;
     forces.insert(forces.end(), contact.others.begin(), contact.others.end());
     const auto others = forcesAt(problem, forces);
     if (!others) return others;
-    return Eigen::VectorXd(sum.forces() + others.value());
+    return Eigen::VectorXd(problem.space->gather(raw) + others.value());
 }
 
 }  // namespace sherd
