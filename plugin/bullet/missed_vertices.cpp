@@ -176,19 +176,19 @@ class VerticesOf {
 bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices) {
     constexpr btScalar flat = btScalar(0.01);  // slope of the face against what it lands on
     const btVector3& normal = point.m_normalWorldOnB;
-    btVector3 first, second;
-    btPlaneSpace1(normal, first, second);
-    std::vector<btScalar> angles;
+    std::vector<btVector3> ways;
+    ways.reserve(vertices.size());
     for (const btManifoldPoint& vertex : vertices) {
         const btVector3 way = vertex.m_positionWorldOnA - point.m_positionWorldOnA;
-        if (vertex.getDistance() > point.getDistance() + flat * way.length()) continue;
-        angles.push_back(std::atan2(way.dot(second), way.dot(first)));
+        if (vertex.getDistance() <= point.getDistance() + flat * way.length()) ways.push_back(way);
     }
-    if (angles.size() < 3) return false;
-    std::sort(angles.begin(), angles.end());
-    btScalar widest = angles.front() + SIMD_2_PI - angles.back();
-    for (std::size_t i = 1; i < angles.size(); ++i) widest = std::max(widest, angles[i] - angles[i - 1]);
-    return widest < SIMD_PI;
+    if (ways.size() < 3) return false;
+    // From each of them another one is less than half a turn further round the point.
+    return std::all_of(ways.begin(), ways.end(), [&](const btVector3& way) {
+        const btVector3 across = normal.cross(way);
+        return std::any_of(ways.begin(), ways.end(),
+                           [&](const btVector3& other) { return across.dot(other) > 0; });
+    });
 }
 
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
