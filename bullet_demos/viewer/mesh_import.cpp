@@ -7,6 +7,7 @@
 #include <assimp/Importer.hpp>
 #include <cctype>
 #include <filesystem>
+#include <fstream>
 
 namespace demo {
 namespace {
@@ -16,6 +17,14 @@ std::string lowerEnding(const std::string& path) {
     std::transform(ending.begin(), ending.end(), ending.begin(),
                    [](unsigned char c) { return char(std::tolower(c)); });
     return ending;
+}
+
+/// Whether a PLY file keeps its triangles in strips: of these the importer reads the first triangle alone.
+bool hasTriangleStrips(const std::string& path) {
+    std::ifstream file(path, std::ios::binary);
+    for (std::string line; std::getline(file, line) && line.rfind("end_header", 0) != 0;)
+        if (line.rfind("element tristrips", 0) == 0) return true;
+    return false;
 }
 
 void append(sherd::TriangleMesh& whole, const aiMesh& part) {
@@ -36,6 +45,10 @@ sherd::Result<sherd::TriangleMesh> importMesh(const std::string& path) {
     if (!std::filesystem::is_regular_file(path))
         return sherd::Error{"There is no file " + path + "; check its path."};
     if (lowerEnding(path) == ".obj") return sherd::readObj(path);
+    if (lowerEnding(path) == ".ply" && hasTriangleStrips(path))
+        return sherd::Error{path +
+                            " keeps its triangles in strips (tristrips), which are not read; save it with "
+                            "faces, or as OBJ."};
     Assimp::Importer importer;
     // What differs at the corners of triangles would keep apart vertices that are one.
     importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS,

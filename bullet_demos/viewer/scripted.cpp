@@ -45,10 +45,15 @@ class ScriptedRun {
 
     /// What came of it, as a sentence.
     std::string summary() {
-        return std::to_string(show_.simulation()->steps()) + " steps, " +
-               std::to_string(show_.simulation()->breaks()) + " breaks, " +
-               std::to_string(show_.simulation()->placed().fracture().bodies().size()) + " bodies, " +
-               std::to_string(errors_.messages().size()) + " OpenGL errors; " + render::contextDescription();
+        Simulation& simulation = *show_.simulation();
+        const std::string failed = simulation.failures() == 0 ? ""
+                                                              : std::to_string(simulation.failures()) +
+                                                                    " blows that could not be decided (" +
+                                                                    simulation.firstFailure() + "), ";
+        return std::to_string(simulation.steps()) + " steps, " + std::to_string(simulation.breaks()) +
+               " breaks, " + failed + std::to_string(simulation.placed().fracture().bodies().size()) +
+               " bodies, " + std::to_string(errors_.messages().size()) + " OpenGL errors; " +
+               render::contextDescription();
     }
     const std::vector<std::string>& glErrors() const { return errors_.messages(); }
 

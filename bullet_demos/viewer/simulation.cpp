@@ -53,6 +53,7 @@ void Simulation::takeEvents() {
         for (const btTypedConstraint* joint : event.removed_constraints) drag_.forget(joint);
         const bool broke = event.outcome == sherd::Outcome::broke;
         breaks_ += broke;
+        if (event.outcome == sherd::Outcome::failed && failures_++ == 0) first_failure_ = event.message;
         if (broke) last_break_step_ = steps_;
         // One that held says less than the break before it.
         if (!broke && last_blow_ && last_blow_->event.outcome == sherd::Outcome::broke) continue;

@@ -54,6 +54,9 @@ class Simulation {
     const std::deque<StepTime>& stepTimes() const { return step_times_; }
     int steps() const { return steps_; }
     int breaks() const { return breaks_; }
+    /// Blows that could not be decided, and what the first of them says.
+    int failures() const { return failures_; }
+    const std::string& firstFailure() const { return first_failure_; }
     double secondsSinceBreak() const { return (steps_ - last_break_step_) * scene_.time_step_s; }
 
   private:
@@ -67,7 +70,8 @@ class Simulation {
     std::optional<SeenBlow> last_blow_;
     std::deque<StepTime> step_times_;
     double step_began_ms_ = 0, sherd_began_ms_ = 0;
-    int steps_ = 0, breaks_ = 0, blows_ = 0;
+    int steps_ = 0, breaks_ = 0, blows_ = 0, failures_ = 0;
+    std::string first_failure_;
     int last_break_step_ = -1000000;
 };
 

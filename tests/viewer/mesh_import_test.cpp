@@ -55,6 +55,14 @@ TEST(MeshImport, AFileThatIsMissingOrNoMeshIsRefusedWithItsName) {
     EXPECT_NE(importMesh(path).error().find("text.ply cannot be read: "), std::string::npos);
 }
 
+TEST(MeshImport, TriangleStripsAreRefusedBeforeTheyAreLost) {
+    const std::string path = temporaryPath("strips.ply");
+    std::ofstream(path) << "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\n"
+                           "property float z\nelement tristrips 1\nproperty list int int vertex_indices\n"
+                           "end_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n6 0 1 2 3 0 1\n";
+    EXPECT_NE(importMesh(path).error().find("strips.ply keeps its triangles in strips"), std::string::npos);
+}
+
 TEST(OwnMesh, IsScaledToTheSizeThatIsAskedFor) {
     demo::Choices choices;
     choices.file = writeOff(box(), "box.off");
