@@ -11,8 +11,6 @@ namespace sherd {
 
 namespace {
 
-constexpr double of_hollow = 1.9;  // NearField::largestAbout
-
 /// The loads of strikes, as unitLoads has them.
 PerNewton underStrikes(const ContactBody& body, const PeakTable& table, const std::vector<Strike>& strikes,
                        const ContactSettings& settings) {
@@ -42,7 +40,7 @@ PerNewton underStrikes(const ContactBody& body, const PeakTable& table, const st
     for (const ContactPatch& patch : contactPatches(body, strikes, settings))
         for (const ContactDisc& disc : contactDiscs(body.surface, patch))
             all.near_pa =
-                std::max(all.near_pa, (disc.hollow ? of_hollow : 1) *
+                std::max(all.near_pa, (disc.hollow ? most_if_hollow : 1) *
                                           nearFieldPeak(body.material, disc.inward, disc.traction_pa));
     all.root_mobility = std::sqrt(wrench.dot(body.mobility.response(wrench)));
     return all;

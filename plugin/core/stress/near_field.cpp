@@ -5,16 +5,8 @@
 
 namespace sherd {
 
-NearField::NearField(const std::vector<ContactDisc>& discs, double poisson_ratio)
-    : discs_(discs), poisson_ratio_(poisson_ratio) {
+NearField::NearField(const std::vector<ContactDisc>& discs, double poisson_ratio) : discs_(discs) {
     for (const ContactDisc& disc : discs) fields_.emplace_back(disc, poisson_ratio);
-}
-
-NearField NearField::times(double factor) const {
-    if (factor == 0) return {};
-    std::vector<ContactDisc> discs = discs_;
-    for (ContactDisc& disc : discs) disc.traction_pa *= factor;
-    return NearField(discs, poisson_ratio_);
 }
 
 Mat3 NearField::stressAt(const Vec3& x) const {
@@ -65,9 +57,9 @@ double NearField::largestAbout(const Vec3& x, double radius) const {
     double sum = 0;
     for (const ContactDisc& disc : discs_) {
         // Of all directions of the traction, at every Poisson's ratio (tests/core/stress/near_field_test).
-        constexpr double most = 1.65, beyond = 0.85, if_hollow = 1.9;
+        constexpr double most = 1.65, beyond = 0.85;
         const double distance = std::max(0.0, (x - disc.centre).norm() - radius) / disc.radius;
-        sum += (disc.hollow ? if_hollow : 1) * disc.traction_pa.norm() *
+        sum += (disc.hollow ? most_if_hollow : 1) * disc.traction_pa.norm() *
                std::min(most, beyond / (distance * distance));
     }
     return sum;

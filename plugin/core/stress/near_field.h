@@ -14,8 +14,6 @@ class NearField {
     NearField(const std::vector<ContactDisc>& discs, double poisson_ratio);
 
     bool empty() const { return discs_.empty(); }
-    /// The same under tractions that many times as large.
-    NearField times(double factor) const;
     const std::vector<ContactDisc>& discs() const { return discs_; }
     /// The share of a place of the surface that belongs to small pieces about that disc, see ContactField.
     double closeShare(const Vec3& x, std::size_t disc) const;
@@ -31,13 +29,15 @@ class NearField {
 
   private:
     std::vector<ContactDisc> discs_;
-    double poisson_ratio_ = 0;
     std::vector<DiscField> fields_;
 };
 
 /// How far the surface under a contact may be from a plane that stands for it, in radii of the contact, and
 /// the least cosine between its normal and the plane's.
 constexpr double largest_sag = 0.35, least_facing = 0.8;
+
+/// Under a hollow surface no stress of a disc is more times larger than under a plane.
+constexpr double most_if_hollow = 1.9;
 
 /// How far around a disc the surface is looked at in small pieces, in radii.
 constexpr double close_reach = 4;
