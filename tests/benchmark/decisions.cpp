@@ -26,6 +26,7 @@
 #include "core/loads/contact_field.h"
 #include "core/mlpg/splines/contact_remainder.h"
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/pi.h"
 #include "core/stress/elasticity.h"
 #include "core/stress/loaded_places.h"
@@ -62,6 +63,7 @@ class Answering {
 
     /// As a world asks, without vibrations.
     double ask(const Blow& blow, double& ms) const {
+        const OnThisThreadAlone all_of_it;
         const double start = processorMilliseconds();
         ReducedModel::LocalSystem kept;
         const BlowForces forces = forcesOf(blow, kept);
@@ -72,6 +74,7 @@ class Answering {
 
     /// The same with all that strikes as loads on the grid.
     double askWithoutNearField(const Blow& blow, double& ms) const {
+        const OnThisThreadAlone all_of_it;
         const double start = processorMilliseconds();
         ReducedModel::LocalSystem kept;
         const BlowForces forces = forcesOf(blow, kept);
