@@ -14,7 +14,7 @@ namespace sherd {
 namespace {
 
 constexpr btScalar slow_surface =
-    btScalar(0.25);  // of the linear threshold, at the surface of a piece at rest
+    btScalar(0.5);  // of the linear threshold, at the surface of a piece at rest
 
 /// The factors hold along the axes of a body, and a piece has axes of its own: those of the whole, seen along
 /// them. Exact where the axes are parallel.
