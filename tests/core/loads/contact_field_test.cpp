@@ -83,7 +83,7 @@ TEST(ContactField, KeepsTheForceOfAPushThatGrazesARoundWall) {
     const Vec3 push = Vec3(-0.05, 1, 0).normalized();
     const ContactField field = pressed(tube, Vec3(0.05, 0, 0.15), push, 0.004);
     ASSERT_EQ(field.near.discs().size(), 1u);
-    EXPECT_NEAR(totalOf(field.near.discs()[0]).norm(), 1, 0.1);
+    EXPECT_NEAR(totalOf(field.near.discs()[0]).norm(), 1, 0.01);
 }
 
 TEST(ContactField, IsLeftToTheGridAtCornersAndBesideWalls) {
