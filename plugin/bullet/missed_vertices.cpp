@@ -174,20 +174,23 @@ class VerticesOf {
 }  // namespace
 
 bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices) {
-    constexpr btScalar flat = btScalar(0.01);  // slope of the face against what it lands on
+    constexpr btScalar flat = btScalar(0.01);      // slope of the face against what it lands on
+    constexpr btScalar parallel = btScalar(1e-5);  // sine of an angle that is none but for rounding
     const btVector3& normal = point.m_normalWorldOnB;
     std::vector<btVector3> ways;
     ways.reserve(vertices.size());
     for (const btManifoldPoint& vertex : vertices) {
         const btVector3 way = vertex.m_positionWorldOnA - point.m_positionWorldOnA;
+        if (way.fuzzyZero()) continue;
         if (vertex.getDistance() <= point.getDistance() + flat * way.length()) ways.push_back(way);
     }
     if (ways.size() < 3) return false;
     // From each of them another one is less than half a turn further round the point.
     return std::all_of(ways.begin(), ways.end(), [&](const btVector3& way) {
         const btVector3 across = normal.cross(way);
-        return std::any_of(ways.begin(), ways.end(),
-                           [&](const btVector3& other) { return across.dot(other) > 0; });
+        return std::any_of(ways.begin(), ways.end(), [&](const btVector3& other) {
+            return across.dot(other) > parallel * btSqrt(across.length2() * other.length2());
+        });
     });
 }
 

@@ -75,6 +75,27 @@ TEST(MissedVertices, TellWhetherAPointIsBetweenThem) {
     EXPECT_FALSE(isBetween(middle, {}));
 }
 
+TEST(MissedVertices, AllOnOneSideOfAPointDoNotHaveItBetweenThemHoweverTheyAreTurned) {
+    const btVector3 normal = btVector3(0.3f, 0.2f, 0.93f).normalized();
+    btVector3 a, b;
+    btPlaneSpace1(normal, a, b);
+    const auto at = [&](btScalar degrees) {
+        const btVector3 place =
+            a * btCos(degrees * SIMD_RADS_PER_DEG) + b * btSin(degrees * SIMD_RADS_PER_DEG);
+        btManifoldPoint point(place, place, normal, 0);
+        point.m_positionWorldOnA = place;
+        return point;
+    };
+    btManifoldPoint middle(btVector3(0, 0, 0), btVector3(0, 0, 0), normal, 0);
+    middle.m_positionWorldOnA.setZero();
+    for (int turn = 0; turn < 360; ++turn) {
+        const auto t = btScalar(turn);
+        EXPECT_FALSE(isBetween(middle, {at(t), at(t + 30), at(t + 60), at(t + 90)})) << turn;
+        EXPECT_FALSE(isBetween(middle, {at(t), at(t + 180), at(t + 180), at(t)})) << turn;
+        EXPECT_TRUE(isBetween(middle, {at(t), at(t + 100), at(t + 200), at(t + 300)})) << turn;
+    }
+}
+
 TEST(MissedVertices, OfABoxOnAPlaneAreItsCorners) {
     TestWorld scene;
     scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
