@@ -1,11 +1,11 @@
 #include "core/numerics/parallel_chunks.h"
 
 #include <algorithm>
+#include <cfenv>
 #include <condition_variable>
 #include <exception>
 #include <list>
 #include <mutex>
-#include <system_error>
 #include <thread>
 
 #include "core/numerics/thread_priority.h"
@@ -19,7 +19,18 @@ thread_local const OnThisThreadAlone* alone = nullptr;  // the innermost there i
 /// Chunks that are shared out; it lives on the stack of the thread that asked for them.
 class SharedWork {
   public:
-    SharedWork(int count, const std::function<void(int)>& work) : count_(count), work_(work) {}
+    SharedWork(int count, const std::function<void(int)>& work) : count_(count), work_(work) {
+        std::fegetenv(&rounding_);
+    }
+
+    /// `help` on another thread, which takes the mode of floating-point numbers of the one that asks.
+    void helpFromOutside() {
+        std::fenv_t own;
+        std::fegetenv(&own);
+        std::fesetenv(&rounding_);
+        help();
+        std::fesetenv(&own);
+    }
 
     /// Does chunks until none is left.
     void help() {
@@ -40,6 +51,7 @@ class SharedWork {
   private:
     int count_;
     const std::function<void(int)>& work_;
+    std::fenv_t rounding_;
     std::atomic<int> next_{0};
     std::exception_ptr trouble_;
     std::mutex trouble_mutex_;
@@ -52,10 +64,12 @@ class Helpers {
     /// Those for what the calling thread asks for: threads that yield have helpers that do.
     static Helpers& ofThisThread() {
         // Never destroyed: their threads run until the program ends.
+        if (yieldsToOtherThreads()) {
+            static Helpers& yielding = *new Helpers(true);
+            return yielding;
+        }
         static Helpers& helpers = *new Helpers(false);
-        if (!yieldsToOtherThreads()) return helpers;
-        static Helpers& yielding = *new Helpers(true);
-        return yielding;
+        return helpers;
     }
 
     int count() const { return static_cast<int>(started_); }
@@ -81,10 +95,10 @@ class Helpers {
         try {
             for (; started_ + 1 < cores; ++started_)
                 std::thread([this, yielding] {
-                    if (yielding) yieldToOtherThreads();
+                    standAlone(yielding);
                     serve();
                 }).detach();
-        } catch (const std::system_error&) {
+        } catch (...) {
             // No more threads to be had: those that run, and those that ask, do all chunks.
         }
     }
@@ -103,7 +117,7 @@ class Helpers {
             --work->wanted;
             ++work->helping;
             lock.unlock();
-            work->help();
+            work->helpFromOutside();
             lock.lock();
             if (--work->helping == 0) ended_.notify_all();
         }

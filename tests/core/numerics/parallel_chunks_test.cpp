@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cfenv>
 #include <chrono>
 #include <stdexcept>
 #include <thread>
@@ -22,6 +23,25 @@ TEST(ParallelChunks, EveryChunkOnceAndExceptionsCome) {
                  std::runtime_error);
     EXPECT_EQ(chunkBegin(0, 7, 100), 0);
     EXPECT_EQ(chunkBegin(7, 7, 100), 100);
+}
+
+// Helpers are there for all threads of a program, which may round in different ways.
+TEST(ParallelChunks, HelpersRoundAsTheThreadThatAsks) {
+    constexpr int count = 64;
+    std::vector<int> modes(count);
+    const auto ask = [&] {
+        forEachChunk(count, [&](int chunk) {
+            modes[chunk] = std::fegetround();
+            std::this_thread::sleep_for(std::chrono::microseconds(200));
+        });
+    };
+    ask();
+    std::fesetround(FE_UPWARD);
+    ask();
+    std::fesetround(FE_TONEAREST);
+    EXPECT_EQ(modes, std::vector<int>(count, FE_UPWARD));
+    ask();
+    EXPECT_EQ(modes, std::vector<int>(count, FE_TONEAREST));
 }
 
 TEST(ParallelChunks, OnThisThreadAlone) {
