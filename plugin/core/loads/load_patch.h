@@ -36,8 +36,8 @@ struct PatchPart {
 };
 
 /// The surface within `radius` of `spot` under a traction with the profile of a contact: what faces the push,
-/// and what lies as the surface at the spot does, since a push that grazes a round surface presses on both
-/// sides of the spot. `length`: of the parts at most, in radii.
+/// and what goes on from there smoothly, since a push that grazes a round surface presses on both sides of
+/// the spot. `length`: of the parts at most, in radii.
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length);
 

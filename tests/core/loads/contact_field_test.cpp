@@ -86,6 +86,26 @@ TEST(ContactField, KeepsTheForceOfAPushThatGrazesARoundWall) {
     EXPECT_NEAR(totalOf(field.near.discs()[0]).norm(), 1, 0.01);
 }
 
+// At an edge it is a tie which triangle is the spot's.
+TEST(ContactField, APatchDoesNotDependOnTheOrderOfTriangles) {
+    TriangleMesh tube = shapes::tube(0.05, 0.04, 0.3, 64);
+    const auto weight = [&](const Vec3& push) {
+        const SurfaceTree tree(tube);
+        const Vec3 rim(0.05, 0, 0.15);
+        double sum = 0;
+        for (const PatchPart& part :
+             partsOfPatch(tree, nearestSurfacePoint(tree, rim, push), push, 0.003, 0.18))
+            sum += part.weight_m2;
+        return sum;
+    };
+    for (const double tilt : {0.02, 0.1, 0.5, 1.0}) {
+        const Vec3 push = Vec3(-tilt, 1, -0.1 * tilt).normalized();
+        const double as_is = weight(push);
+        std::reverse(tube.triangles.begin(), tube.triangles.end());
+        EXPECT_NEAR(weight(push) / as_is, 1, 1e-6) << tilt;
+    }
+}
+
 TEST(ContactField, IsLeftToTheGridAtCornersAndBesideWalls) {
     EXPECT_TRUE(pressed(block, Vec3(0.1, 0.1, 0.05), Vec3(-1, -1, -1).normalized(), 0.02).near.empty());
     const TriangleMesh channel = shapes::uShape(0.02, 0.1, 0.1, 0.3);
