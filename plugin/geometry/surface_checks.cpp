@@ -108,7 +108,9 @@ Crossings crossingsOf(const TriangleMesh& mesh) {
 void describeCrossings(const TriangleMesh& mesh, const Crossings& crossings, Faults& faults) {
     if (crossings.empty()) return;
     const auto [a, b] = *std::min_element(crossings.begin(), crossings.end());
-    faults.push_back("The surface intersects itself: " + describeTriangles(mesh, {a, b}) + " cross near " +
+    const bool is_one_face = !mesh.file_faces.empty() && mesh.file_faces[a] == mesh.file_faces[b];
+    faults.push_back("The surface intersects itself: " + describeTriangles(mesh, {a, b}) +
+                     (is_one_face ? " folds over itself near " : " cross near ") +
                      describePlace(overlapCentre(mesh, a, b)) + " (" +
                      counted(crossings.size(), "such pair", "such pairs") +
                      "); unite overlapping parts into one surface, or pull them apart.");

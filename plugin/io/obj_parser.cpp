@@ -4,6 +4,7 @@
 
 #include "geometry/mesh_attributes.h"
 #include "geometry/sentences.h"
+#include "geometry/triangulate_polygon.h"
 #include "io/obj_file.h"
 #include "io/obj_words.h"
 
@@ -123,7 +124,9 @@ class ObjParser {
         }
         if (face_.size() < 3)
             return fail("a face has " + std::to_string(face_.size()) + " corners; it needs 3 or more.");
-        for (std::size_t i = 2; i < face_.size(); ++i) addTriangle({face_[0], face_[i - 1], face_[i]});
+        std::vector<Vec3> corners;
+        for (const Corner& corner : face_) corners.push_back(mesh_.vertices[corner.vertex]);
+        for (const auto& [a, b, c] : triangulatePolygon(corners)) addTriangle({face_[a], face_[b], face_[c]});
     }
 
     void addTriangle(const std::array<Corner, 3>& corners) {

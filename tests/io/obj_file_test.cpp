@@ -5,7 +5,9 @@
 #include <cstdio>
 #include <fstream>
 
+#include "geometry/mass_properties.h"
 #include "geometry/merge_vertices.h"
+#include "geometry/surface_checks.h"
 #include "support/shapes.h"
 #include "support/temporary_path.h"
 
@@ -38,6 +40,43 @@ TEST(ObjFile, ReadsEveryFormOfAFace) {
           std::string("f -4 -2 -3\r\nf -4 -3 -1\r\n# f 9 9 9\nf -3 -2 -1 # edge\n  f\t-2  -4 -1"),
           std::string("o cup\ng side\nusemtl white\ns 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4")})
         EXPECT_EQ(parsed(vertices + faces).triangles, plain.triangles) << faces;
+}
+
+/// An L of two legs, 1 thick, with caps of six corners that begin at another one each time.
+std::string bracket(int first) {
+    std::string text;
+    for (const char* z : {"0", "1"})
+        for (const char* xy : {"0 0", "3 0", "3 1", "1 1", "1 3", "0 3"})
+            text += std::string("v ") + xy + " " + z + "\n";
+    const auto cap = [&](int offset, int turn) {
+        text += "f";
+        for (int i = 0; i < 6; ++i) text += " " + std::to_string(offset + (first + turn * i + 36) % 6);
+        text += "\n";
+    };
+    cap(1, -1);
+    cap(7, 1);
+    for (int i = 0; i < 6; ++i) {
+        const int next = (i + 1) % 6;
+        text += "f " + std::to_string(1 + i) + " " + std::to_string(1 + next) + " " +
+                std::to_string(7 + next) + " " + std::to_string(7 + i) + "\n";
+    }
+    return text;
+}
+
+TEST(ObjFile, FacesThatAreNotConvexAreSplitInside) {
+    for (int first = 0; first < 6; ++first) {
+        const TriangleMesh mesh = parsed(bracket(first));
+        EXPECT_EQ(mesh.triangles.size(), 2u * 4 + 6 * 2);
+        EXPECT_TRUE(checkSurface(mesh)) << checkSurface(mesh).error();
+        EXPECT_NEAR(solidMoments(mesh).volume, 5, 1e-12) << first;
+    }
+}
+
+TEST(ObjFile, FacesThatFoldOverThemselvesAreReadAsTheyAre) {
+    const std::string corners = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 2 2 0\n";
+    EXPECT_EQ(parsed(corners + "f 1 2 3 4\n").triangles.size(), 2u);
+    EXPECT_EQ(parsed(corners + "f 1 4 5 2 3\n").triangles.size(), 3u);
+    EXPECT_EQ(parsed(corners + "f 1 2 1 3\n").triangles.size(), 2u);
 }
 
 TEST(ObjFile, ReadsNumbersInEveryNotation) {
