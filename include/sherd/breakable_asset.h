@@ -35,7 +35,8 @@ class BreakableAsset {
     /// Reads what `save` or `sherd bake` wrote: an asset that is prepared, and whose bodies break as those of
     /// the one that was saved do, bit for bit (with the same BLAS on the same kind of processor). It takes
     /// some milliseconds; nothing is sampled, solved or factored. What a blow cannot be answered without (see
-    /// `prepare`) is made then.
+    /// `prepare`) is made then. What finds and cuts its surface is made when the first body is added, in some
+    /// tens of milliseconds, or before that by `prepareOnThread`.
     ///
     /// A file belongs to the version of its format that the library writes. The version rises when anything
     /// changes that a file holds, and files of another one are refused: keep the mesh, and bake it again. The

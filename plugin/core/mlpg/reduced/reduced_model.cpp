@@ -187,6 +187,8 @@ Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
 
 Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces,
                                                    const LocalSystem& system) const {
+    if (system.modes_factor.size() == 0)
+        return Error{"The reduced equations are not prepared for any loads."};
     Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(forces);
     clearHeld(*problem_, resultants);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations =
