@@ -76,7 +76,10 @@ build_targets() {
   else
     local steps
     steps=$(ninja -C "$build" -n "$@" 2>/dev/null | sed -n 's#^\[[0-9]*/\([0-9]*\)\].*#\1#p' | tail -n 1) || true
-    [ "${steps:-0}" -lt 20 ] || say "building $steps files on $(nproc) cores; this takes minutes"
+    # What has never been built may plan no more than to look for its files once more.
+    if [ ! -s "$build/.ninja_log" ] || [ "${steps:-0}" -ge 20 ]; then
+      say "building on $(nproc) cores; this takes minutes"
+    fi
   fi
   in_turn ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
 }
