@@ -53,7 +53,9 @@ sherd::Result<Loaded> loadOwnMesh(const Choices& choices) {
     if (!asset)
         return sherd::Error{
             choices.file + ": " + asset.error() +
-            (choices.own_mesh.repair ? "" : " In the viewer: --repair, or the box `repair the mesh`.")};
+            (choices.own_mesh.repair ? "" : " In the viewer: --repair, or the box `repair the mesh`.") +
+            (choices.own_mesh.shell_thickness_m > 0 && !choices.own_mesh.repair ? " A shell needs that, too."
+                                                                                : "")};
     if (asset.value().particleCount() == 0)
         return sherd::Error{choices.file + ": " + asset.value().prepare().error()};
     loaded.said = asset.value().repairs().sentences();
