@@ -1,7 +1,6 @@
 #include "core/loads/contact_field.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -14,8 +13,6 @@ namespace sherd {
 
 namespace {
 
-constexpr double smooth = 0.8;  // cosine between the normals of neighbours on one face, of coarse meshes too
-
 /// Parts of a patch that lie on one smooth face.
 struct Facet {
     Vec3 outward = Vec3::Zero();
@@ -25,15 +22,10 @@ struct Facet {
 /// The normals of a patch's parts, one for each of those that are nearly alike: of however many triangles
 /// the patch is made, these are few.
 std::vector<Vec3> normalsOf(const std::vector<PatchPart>& parts) {
-    constexpr double step = 0.05;
-    std::set<std::array<long, 3>> found;
+    std::set<RoundedNormal> found;
     std::vector<Vec3> normals;
-    for (const PatchPart& part : parts) {
-        const Vec3& n = part.normal;
-        if (found.insert({std::lround(n.x() / step), std::lround(n.y() / step), std::lround(n.z() / step)})
-                .second)
-            normals.push_back(n);
-    }
+    for (const PatchPart& part : parts)
+        if (found.insert(rounded(part.normal)).second) normals.push_back(part.normal);
     return normals;
 }
 
@@ -45,7 +37,7 @@ std::vector<std::vector<Vec3>> faces(std::vector<Vec3> normals) {
         normals.erase(normals.begin());
         for (std::size_t i = 0; i < own.size(); ++i) {
             const auto others = std::partition(normals.begin(), normals.end(), [&](const Vec3& normal) {
-                return normal.dot(own[i]) < smooth;
+                return normal.dot(own[i]) < on_one_face;
             });
             own.insert(own.end(), others, normals.end());
             normals.erase(others, normals.end());
@@ -60,7 +52,7 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
     for (const std::vector<Vec3>& normals : faces(normalsOf(parts))) {
         const auto isOn = [&](const PatchPart& part) {
             return std::any_of(normals.begin(), normals.end(),
-                               [&](const Vec3& normal) { return normal.dot(part.normal) >= smooth; });
+                               [&](const Vec3& normal) { return normal.dot(part.normal) >= on_one_face; });
         };
         Facet facet;
         for (const PatchPart& part : parts) {

@@ -1,7 +1,6 @@
 #include "core/loads/load_patch.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -72,17 +71,15 @@ bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& directi
     return first <= last;
 }
 
-/// Normals of those of `triangles` within `radius` of a point that face the push, rounded, each once: of
-/// however many triangles a patch is made, these are few, and their order does not matter.
+/// Normals of those of `triangles` within `radius` of a point that face the push, rounded, each once: so
+/// that the order of triangles does not matter.
 std::vector<Vec3> facingNormals(const TriangleMesh& surface, const std::vector<int>& triangles,
                                 const Vec3& point, const Vec3& push, double radius) {
-    constexpr double step = 0.05;
-    std::set<std::array<long, 3>> found;
+    std::set<RoundedNormal> found;
     for (const int t : triangles) {
         const TriangleCorners triangle = cornersOf(surface, t);
-        if (!facesPush(triangle, push) || (nearestPoint(triangle, point) - point).norm() > radius) continue;
-        const Vec3 n = areaVector(triangle).normalized() / step;
-        found.insert({std::lround(n.x()), std::lround(n.y()), std::lround(n.z())});
+        if (facesPush(triangle, push) && (nearestPoint(triangle, point) - point).norm() <= radius)
+            found.insert(rounded(areaVector(triangle).normalized()));
     }
     std::vector<Vec3> normals;
     for (const auto& [x, y, z] : found) normals.push_back(Vec3(double(x), double(y), double(z)).normalized());
@@ -94,6 +91,11 @@ double lowestAlong(const Vec3& direction, const Eigen::AlignedBox3d& box) {
 }
 
 }  // namespace
+
+RoundedNormal rounded(const Vec3& normal) {
+    constexpr double step = 0.05;
+    return {std::lround(normal.x() / step), std::lround(normal.y() / step), std::lround(normal.z() / step)};
+}
 
 SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, const Vec3& push) {
     const TriangleMesh& surface = tree.surface();
@@ -155,14 +157,13 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
 
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length) {
-    constexpr double same_face = 0.8;  // cosine between normals
     const std::vector<int> near = tree.trianglesNear(spot.point, radius);
     const std::vector<Vec3> facing = facingNormals(tree.surface(), near, spot.point, push, radius);
     std::vector<PatchPart> parts;
     for (const int t : near) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         const Vec3 normal = areaVector(triangle).normalized();
-        const auto isOnThatFace = [&](const Vec3& other) { return normal.dot(other) >= same_face; };
+        const auto isOnThatFace = [&](const Vec3& other) { return normal.dot(other) >= on_one_face; };
         if (!facesPush(triangle, push) && std::none_of(facing.begin(), facing.end(), isOnThatFace)) continue;
         const auto longest = [&](double) { return length * radius; };
         subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {

@@ -2,6 +2,7 @@
 
 #include <sherd/types.h>
 
+#include <array>
 #include <vector>
 
 #include "core/loads/surface_tree.h"
@@ -27,6 +28,13 @@ SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Ve
 /// spot and within `depth` of the outermost point there against the push. Faces give a large radius, edges
 /// and corners a small one.
 double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach, double depth);
+
+/// A direction, rounded: of however many triangles a patch is made, their normals are few of these.
+using RoundedNormal = std::array<long, 3>;
+RoundedNormal rounded(const Vec3& normal);
+
+/// Cosine between the normals of neighbours on one smooth face, of coarse meshes too.
+constexpr double on_one_face = 0.8;
 
 /// A part of the surface that a contact presses on.
 struct PatchPart {
