@@ -93,39 +93,32 @@ bool ReducedModel::coversAComponent(const std::vector<int>& functions) const {
     return false;
 }
 
-/// The equations of functions that are joined; nullptr if they are not definite.
-std::shared_ptr<const ReducedModel::LocalSystem::Block> ReducedModel::blockOf(
-    std::vector<int> functions, const LocalSystem& system) const {
-    auto block = std::make_shared<LocalSystem::Block>();
-    block->functions = std::move(functions);
-    block->factor = stiffness_.lowerPart(block->functions);
-    block->factor.diagonal() *= 1 + system.stiffening;
-    const int size = block->size();
-    if (!choleskyInPlace(block->factor.data(), size, size)) return nullptr;
-    block->coupling.resize(modes_.count, size);
+/// Adds the equations of functions that are joined. False if they are not definite.
+bool ReducedModel::addBlock(std::vector<int> functions, float stiffening, LocalSystem& system) const {
+    LocalSystem::Block block;
+    block.functions = std::move(functions);
+    block.factor = stiffness_.lowerPart(block.functions);
+    block.factor.diagonal() *= 1 + stiffening;
+    const int size = block.size(), count = modes_.count;
+    if (!choleskyInPlace(block.factor.data(), size, size)) return false;
+    block.coupling.resize(count, size);
     for (int i = 0; i < size; i += 3)
-        modes_.forcesOn(*problem_, block->functions[i / 3], &block->coupling(0, i));
-    divideByTransposed(block->factor.data(), size, size, block->coupling.data(), modes_.count, modes_.count);
-    return block;
+        modes_.forcesOn(*problem_, block.functions[i / 3], &block.coupling(0, i));
+    divideByTransposed(block.factor.data(), size, size, block.coupling.data(), count, count);
+    Eigen::MatrixXf taken(count, count);
+    setToSquare(block.coupling.data(), count, size, count, taken.data(), count);
+    system.modes_factor.triangularView<Eigen::Lower>() += taken;
+    system.blocks.push_back(std::move(block));
+    return true;
 }
 
-/// With the blocks that the system before has already. False if the equations are not definite.
-bool ReducedModel::factor(LocalSystem& system, const LocalSystem& before) const {
-    const int count = modes_.count;
+/// False if the equations are not definite.
+bool ReducedModel::factor(float stiffening, LocalSystem& system) const {
     system.blocks.clear();
-    system.modes_factor.setIdentity(count, count);
-    Eigen::MatrixXf taken(count, count);
-    for (std::vector<int>& functions : stiffness_.joined(system.functions)) {
-        std::shared_ptr<const LocalSystem::Block> block;
-        for (const auto& known : before.blocks)
-            if (before.stiffening == system.stiffening && known->functions == functions) block = known;
-        if (!block) block = blockOf(std::move(functions), system);
-        if (!block) return false;
-        setToSquare(block->coupling.data(), count, block->size(), count, taken.data(), count);
-        system.modes_factor.triangularView<Eigen::Lower>() += taken;
-        system.blocks.push_back(std::move(block));
-    }
-    return choleskyInPlace(system.modes_factor.data(), count, count);
+    system.modes_factor.setIdentity(modes_.count, modes_.count);
+    for (std::vector<int>& functions : stiffness_.joined(system.functions))
+        if (!addBlock(std::move(functions), stiffening, system)) return false;
+    return choleskyInPlace(system.modes_factor.data(), modes_.count, modes_.count);
 }
 
 /// Assembles and factors the equations of the functions about loads, unless `kept` has just these.
@@ -138,8 +131,7 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
     // Where the functions do nearly all that a mode can, what is left of that is rounding: a little more
     // stiffness takes that away, and leaves such motions to the modes.
     for (const float more : {0.0f, 1e-5f, 1e-4f}) {
-        system.stiffening = more;
-        if (!factor(system, kept)) continue;
+        if (!factor(more, system)) continue;
         kept = std::move(system);
         return success();
     }
@@ -200,17 +192,17 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
 
     Solution solution{on_modes, {}, 0};
     std::vector<Eigen::VectorXf> on_blocks;  // E^T f
-    for (const auto& block : system.blocks) {
-        Eigen::VectorXf own(block->size());
-        for (int i = 0; i < block->size(); ++i) {
-            const int function = block->functions[i / 3], unknown = 3 * function + i % 3;
+    for (const LocalSystem::Block& block : system.blocks) {
+        Eigen::VectorXf own(block.size());
+        for (int i = 0; i < block.size(); ++i) {
+            const int function = block.functions[i / 3], unknown = 3 * function + i % 3;
             const auto acceleration = accelerations.col(problem_->space->component[function]);
             own[i] =
                 static_cast<float>(forces[unknown] + problem_->inertia.forceOn(unknown).dot(acceleration));
         }
         on_blocks.push_back(own);
-        solveLower(block->factor.data(), block->size(), block->size(), false, own.data());
-        solution.modes -= block->coupling * own;
+        solveLower(block.factor.data(), block.size(), block.size(), false, own.data());
+        solution.modes -= block.coupling * own;
         solution.local.push_back(std::move(own));
     }
     solveLower(system.modes_factor.data(), modes_.count, modes_.count, false, solution.modes.data());
@@ -218,7 +210,7 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
     solution.strain_energy_j = 0.5 * double(on_modes.dot(solution.modes));
     bool is_finite = solution.modes.allFinite();
     for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-        const LocalSystem::Block& block = *system.blocks[b];
+        const LocalSystem::Block& block = system.blocks[b];
         Eigen::VectorXf& local = solution.local[b];
         local -= block.coupling.transpose() * solution.modes;
         solveLower(block.factor.data(), block.size(), block.size(), true, local.data());
@@ -232,7 +224,7 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
 ReducedResponse ReducedModel::responseOf(const Solution& solution, const LocalSystem& system) const {
     ReducedResponse response{modes_.displacement(solution.modes), solution.strain_energy_j};
     for (std::size_t b = 0; b < system.blocks.size(); ++b) {
-        const LocalSystem::Block& block = *system.blocks[b];
+        const LocalSystem::Block& block = system.blocks[b];
         for (int i = 0; i < block.size(); i += 3)
             response.unknowns.segment<3>(3L * block.functions[i / 3]) += solution.local[b].segment<3>(i);
     }

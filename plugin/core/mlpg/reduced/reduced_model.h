@@ -64,8 +64,7 @@ class ReducedModel {
         };
 
         std::vector<int> functions;  ///< ascending
-        std::vector<std::shared_ptr<const Block>> blocks;
-        float stiffening = 0;          ///< of the diagonals of the blocks
+        std::vector<Block> blocks;
         Eigen::MatrixXf modes_factor;  ///< lower, of what is left to the modes
     };
 
@@ -98,9 +97,8 @@ class ReducedModel {
   private:
     bool coversAComponent(const std::vector<int>& functions) const;
     double roundingOfModes(const SparseMatrix& stiffness) const;
-    std::shared_ptr<const LocalSystem::Block> blockOf(std::vector<int> functions,
-                                                      const LocalSystem& system) const;
-    bool factor(LocalSystem& system, const LocalSystem& before) const;
+    bool addBlock(std::vector<int> functions, float stiffening, LocalSystem& system) const;
+    bool factor(float stiffening, LocalSystem& system) const;
     Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
     /// What solves the equations.
     struct Solution {
