@@ -67,17 +67,17 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     const ContactReading pressed = reduced.reading.contactReading(acting.contact);
     const ContactReading free = reduced.reading.contactReading({});
     constexpr double faint = 1e-6;  // of the peak: the contact is over
-    const DamageAt damage_at = [&](const VibrationState& state) {
-        if (state.modes.size() == 0)
-            return reduced.reading.damage(response.unknowns, pressed, state.force_n, at_points);
+    const AddDamageAt add_damage_at = [&](const VibrationState& state, Damage& sum) {
+        const auto add = [&](const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale) {
+            reduced.reading.addDamage(unknowns, contact, scale, at_points, sum);
+        };
+        if (state.modes.size() == 0) return add(response.unknowns, pressed, state.force_n);
         const Eigen::VectorXf swing =
             reduced.model.vibration(state.modes - state.force_n * acting.modes.work);
-        if (!(state.force_n > faint * acting.pulse.peak_force_n))
-            return reduced.reading.damage(swing, free, 1, at_points);
-        const Eigen::VectorXf unknowns = response.unknowns + swing / static_cast<float>(state.force_n);
-        return reduced.reading.damage(unknowns, pressed, state.force_n, at_points);
+        if (!(state.force_n > faint * acting.pulse.peak_force_n)) return add(swing, free, 1);
+        add(response.unknowns + swing / static_cast<float>(state.force_n), pressed, state.force_n);
     };
-    found.damage = damageOverTime(found.forces, crackEnergy(struck), damage_at);
+    found.damage = damageOverTime(found.forces, crackEnergy(struck), add_damage_at);
     return success();
 }
 
@@ -91,15 +91,16 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrengt
         const AddedTime time(ms.damage);
         const Discretisation& sampling = *valueOrFail(struck.solid.completeDiscretisation());
         const Strength at_samples = strengthAtSamples(struck.solid, strength);
-        const DamageAt damage_at = [&](const VibrationState& state) {
+        const AddDamageAt add_damage_at = [&](const VibrationState& state, Damage& sum) {
             if (state.modes.size() == 0)
-                return damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places);
+                return addDamage(
+                    damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places), sum);
             const StressField field =
                 valueOrFail(stressAt(stress, state, *valueOrFail(struck.solid.stressSolver()),
                                      struck.solid.reducedStress()->model));
-            return damagedParticles(field, 1, sampling, at_samples, {}, stress.places);
+            addDamage(damagedParticles(field, 1, sampling, at_samples, {}, stress.places), sum);
         };
-        found.damage = damageOverTime(stress, crackEnergy(struck), damage_at);
+        found.damage = damageOverTime(stress, crackEnergy(struck), add_damage_at);
     }
     found.forces = std::move(stress);
 }

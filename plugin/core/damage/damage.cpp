@@ -63,4 +63,20 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     return damage;
 }
 
+void addDamage(Damage more, Damage& sum) {
+    if (sum.damaged.empty()) {
+        sum = std::move(more);
+        return;
+    }
+    sum.count = 0;
+    for (std::size_t i = 0; i < sum.damaged.size(); ++i) {
+        sum.damaged[i] = sum.damaged[i] || more.damaged[i];
+        sum.count += sum.damaged[i];
+        if (more.overstress[i] <= sum.overstress[i]) continue;
+        sum.overstress[i] = more.overstress[i];
+        sum.stress[i] = more.stress[i];
+    }
+    sum.largest_stress_pa = std::max(sum.largest_stress_pa, more.largest_stress_pa);
+}
+
 }  // namespace sherd

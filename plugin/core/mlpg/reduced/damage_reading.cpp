@@ -3,11 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/damage/equivalent_bound.h"
 #include "core/mlpg/splines/b_spline.h"
 #include "core/mlpg/splines/monomials.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/stress/surface_traction.h"
 
 namespace sherd {
@@ -56,22 +59,35 @@ Eigen::Matrix4Xf DamageReading::expand(const Eigen::VectorXf& unknowns) const {
     return raw;
 }
 
-/// Reads the stress of one displacement, part by part.
+/// As the parts see it.
+struct DamageReading::Displacement {
+    Eigen::Matrix4Xf raw;        ///< coefficients of all functions
+    Eigen::MatrixXf dilatation;  ///< projected, or empty
+};
+
+/// What no point of a part exceeds.
+struct DamageReading::Bounds {
+    std::vector<float> tension;  ///< Pa, for a scale of 1
+    std::vector<double> overstress;
+};
+
+/// Reads the stress of one displacement, part by part, and keeps what is nearer to failure than what was read
+/// before.
 class DamageReading::Reader {
   public:
-    Reader(const DamageReading& of, const Eigen::Matrix4Xf& raw, const Eigen::MatrixXf& dilatation,
-           const ContactReading& contact, double scale, const Strength& strength)
+    Reader(const DamageReading& of, const Displacement& displacement, const ContactReading& contact,
+           double scale, const Strength& strength, const Damage& before)
         : of_(of),
-          raw_(raw),
-          dilatation_(dilatation),
+          displacement_(displacement),
           projected_share_(static_cast<float>(projectedShare(of.problem_->elasticity))),
           contact_(contact),
           scale_(scale),
           strength_(strength),
           bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
-          overstress(of.problem_->solid->particles.size(), 0.0),
-          worst(overstress.size(), SymmetricTensor::Zero()) {}
+          overstress(before.overstress),
+          worst(before.stress),
+          tension(scale > 0 ? before.largest_stress_pa / scale : 0) {}
 
     /// Reads the points of a part that may be as near to failure as the overstress `wanted`, or under the
     /// largest tension.
@@ -112,10 +128,10 @@ class DamageReading::Reader {
             const ReadingPoint& point = of_.points_.points[at];
             const bool is_on_surface = !point.normal.isZero(0);
             const Eigen::Matrix3f gradient = projectedGradient<degree>(coefficients, part, point.xi);
-            const double failing = wanted * strength_.at_points[at];
-            if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), failing)) continue;
+            if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), wanted, at))
+                continue;
             const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
-            include(x, x, gradient, point.normal, at, at, failing);
+            include(x, x, gradient, point.normal, at, at, wanted);
         }
     }
 
@@ -126,7 +142,7 @@ class DamageReading::Reader {
         const Eigen::Matrix3f gradient =
             projectedGradient<degree>(coefficients, place.where.part, place.where.xi.cast<float>());
         include(place.position, place.near_at, gradient, place.normal, place.nearest,
-                contact_.numberOfPlace(number), near_to_failure * strength_.at_points[place.nearest]);
+                contact_.numberOfPlace(number), near_to_failure);
     }
 
     template <int degree>
@@ -134,14 +150,14 @@ class DamageReading::Reader {
         Coefficients<degree> coefficients;
         const std::vector<int>& functions = of_.problem_->space->raw_of[part];
         for (std::size_t f = 0; f < coefficients.size(); ++f)
-            coefficients[f] = raw_.col(functions[f]).array();
+            coefficients[f] = displacement_.raw.col(functions[f]).array();
         return coefficients;
     }
 
     /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and
     /// particle count there; `number`: in the contact's reading.
     void include(const Vec3& x, const Vec3& near_at, const Eigen::Matrix3f& gradient,
-                 const Eigen::Vector3f& normal, int at, int number, double failing_pa) {
+                 const Eigen::Vector3f& normal, int at, int number, double wanted) {
         const Elasticity& elasticity = of_.problem_->elasticity;
         Mat3 whole = elasticity.stress(gradient.cast<double>());
         if (contact_.hasNearField()) whole += contact_.nearStress(number, near_at);
@@ -154,7 +170,7 @@ class DamageReading::Reader {
         // The bound of what was freed, or joined with the near field, is much closer; finding its eigenvalues
         // costs more than all before.
         if ((contact_.hasNearField() || !normal.isZero(0)) &&
-            doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), failing_pa))
+            doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), wanted, at))
             return;
         const PrincipalStresses principal = principalStresses(stress);
         const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
@@ -167,8 +183,10 @@ class DamageReading::Reader {
         tension = std::max(tension, principal.largest);
     }
 
-    bool doesNotMatter(const PrincipalRange& range, double failing_pa) const {
-        return range.largest <= tension && scale_ * bound_(range.smallest, range.largest) < failing_pa;
+    bool doesNotMatter(const PrincipalRange& range, double wanted, int at) const {
+        const double least = std::max(wanted, overstress[of_.points_.points[at].particle]);
+        return range.largest <= tension &&
+               scale_ * bound_(range.smallest, range.largest) < least * strength_.at_points[at];
     }
 
     /// Displacement gradient with the dilatation that the stiffness sees.
@@ -176,8 +194,9 @@ class DamageReading::Reader {
     Eigen::Matrix3f projectedGradient(const Coefficients<degree>& coefficients, int part,
                                       const Eigen::Vector3f& at) const {
         Eigen::Matrix3f gradient = gradientAt<degree>(coefficients.data(), at);
-        if (dilatation_.size() > 0)
-            projectTrace(gradient, polynomialAt(dilatationDegree(degree), dilatation_.col(part), at),
+        const Eigen::MatrixXf& dilatation = displacement_.dilatation;
+        if (dilatation.size() > 0)
+            projectTrace(gradient, polynomialAt(dilatationDegree(degree), dilatation.col(part), at),
                          projected_share_);
         return gradient;
     }
@@ -223,8 +242,7 @@ class DamageReading::Reader {
     }
 
     const DamageReading& of_;
-    const Eigen::Matrix4Xf& raw_;
-    const Eigen::MatrixXf& dilatation_;  ///< projected, or empty
+    const Displacement& displacement_;
     float projected_share_;
     const ContactReading& contact_;
     double scale_;
@@ -235,7 +253,7 @@ class DamageReading::Reader {
   public:
     std::vector<double> overstress;      ///< per particle, the largest that was read
     std::vector<SymmetricTensor> worst;  ///< per particle, the stress that made it, Pa
-    double tension = 0;                  ///< the largest that was read
+    double tension;                      ///< the largest that was read, Pa, for a scale of 1
 };
 
 /// The least strength at the points of a part.
@@ -246,54 +264,85 @@ double DamageReading::weakest(int part, const Strength& strength) const {
     return least;
 }
 
-Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
-                             const Strength& strength) const {
-    return damage(unknowns, contactReading(contact), scale, strength);
+DamageReading::Bounds DamageReading::boundsOf(const Displacement& displacement,
+                                              const ContactReading& contact, double scale,
+                                              const Strength& strength) const {
+    const EquivalentBound equivalent_bound(strength.criterion, strength.material);
+    const auto ranges =
+        bounds_.ranges(displacement.raw, problem_->space->raw_of, displacement.dilatation);
+    Bounds bounds;
+    for (std::size_t i = 0; i < ranges.size(); ++i) {
+        const int part = static_cast<int>(i);
+        const PrincipalRange range =
+            contact.hasNearField() ? widened(ranges[i], contact.nearBound(part)) : ranges[i];
+        const bool has_points = points_.starts[i] < points_.starts[i + 1];
+        bounds.tension.push_back(has_points ? range.largest : 0);
+        bounds.overstress.push_back(
+            has_points ? scale * equivalent_bound(range.smallest, range.largest) / weakest(part, strength)
+                       : 0);
+    }
+    return bounds;
 }
 
-Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
+Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                              const Strength& strength) const {
-    const Eigen::Matrix4Xf raw = expand(unknowns);
-    Eigen::MatrixXf dilatation;
-    if (problem_->projection) dilatation = problem_->projection->dilatation<float>(raw.topRows<3>());
-    Reader reader(*this, raw, dilatation, contact, scale, strength);
-    for (std::size_t place = 0; place < contact.places().size(); ++place) reader.readPlace(place);
-    const EquivalentBound equivalent_bound(strength.criterion, strength.material);
-    std::vector<PrincipalRange> ranges = bounds_.ranges(raw, problem_->space->raw_of, dilatation);
-    if (contact.hasNearField())
-        for (std::size_t part = 0; part < ranges.size(); ++part)
-            ranges[part] = widened(ranges[part], contact.nearBound(static_cast<int>(part)));
-    const int part_count = static_cast<int>(ranges.size());
-
-    std::vector<double> overstress_bound(ranges.size());
-    std::vector<std::pair<float, int>> by_tension;
-    for (int part = 0; part < part_count; ++part) {
-        const PrincipalRange& range = ranges[part];
-        overstress_bound[part] =
-            scale * equivalent_bound(range.smallest, range.largest) / weakest(part, strength);
-        if (points_.starts[part] < points_.starts[part + 1]) by_tension.push_back({range.largest, part});
-    }
-    // From the highest bound down, so that few parts are read before the largest stress is known.
-    std::make_heap(by_tension.begin(), by_tension.end());
-    while (!by_tension.empty() && by_tension.front().first > reader.tension) {
-        std::pop_heap(by_tension.begin(), by_tension.end());
-        reader.read(by_tension.back().second, 1);
-        by_tension.pop_back();
-    }
-    for (const auto& [tension, part] : by_tension)
-        if (overstress_bound[part] >= 1) reader.read(part, 1);
-
     Damage damage;
-    const auto failed = [](double overstress) { return overstress > 1; };
-    if (std::any_of(reader.overstress.begin(), reader.overstress.end(), failed))
-        for (int part = 0; part < part_count; ++part)  // what is near to failure steers the cracks
-            if (overstress_bound[part] >= near_to_failure) reader.read(part, near_to_failure);
-    damage.overstress = std::move(reader.overstress);
-    for (const double overstress : damage.overstress) damage.damaged.push_back(failed(overstress));
-    damage.count = static_cast<int>(std::count(damage.damaged.begin(), damage.damaged.end(), 1));
-    damage.stress = std::move(reader.worst);
-    damage.largest_stress_pa = scale * reader.tension;
+    addDamage(unknowns, contactReading(contact), scale, strength, damage);
     return damage;
+}
+
+void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
+                              const Strength& strength, Damage& sum) const {
+    constexpr int chunk_count = 8;  // however many threads there are, so that all read the same points
+    constexpr int first_parts = 8;
+    sum.overstress.resize(problem_->solid->particles.size(), 0.0);
+    sum.stress.resize(sum.overstress.size(), SymmetricTensor::Zero());
+    Displacement displacement{expand(unknowns), {}};
+    if (problem_->projection)
+        displacement.dilatation = problem_->projection->dilatation<float>(displacement.raw.topRows<3>());
+    const Bounds bounds = boundsOf(displacement, contact, scale, strength);
+    const auto reader = [&] { return Reader(*this, displacement, contact, scale, strength, sum); };
+    const auto take = [&](const Reader& read) {
+        for (std::size_t i = 0; i < sum.overstress.size(); ++i) {
+            if (!(read.overstress[i] > sum.overstress[i])) continue;
+            sum.overstress[i] = read.overstress[i];
+            sum.stress[i] = read.worst[i];
+        }
+        sum.largest_stress_pa = std::max(sum.largest_stress_pa, scale * read.tension);
+    };
+    const auto has_failed = [&] {
+        return std::any_of(sum.overstress.begin(), sum.overstress.end(), [](double o) { return o > 1; });
+    };
+
+    // From the highest bound down, so that few parts are read before the largest stress is known.
+    std::vector<int> order(bounds.tension.size());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return bounds.tension[a] > bounds.tension[b]; });
+    const int part_count = static_cast<int>(order.size());
+    {
+        Reader first = reader();
+        for (std::size_t place = 0; place < contact.places().size(); ++place) first.readPlace(place);
+        for (int i = 0; i < std::min(first_parts, part_count); ++i) first.read(order[i], 1);
+        take(first);
+    }
+    const auto read = [&](double wanted) {
+        std::vector<std::optional<Reader>> readers(chunk_count);
+        forEachChunk(chunk_count, [&](int chunk) {
+            Reader& own = readers[chunk].emplace(reader());
+            for (int i = chunk; i < part_count; i += chunk_count)
+                if (bounds.tension[order[i]] > own.tension || bounds.overstress[order[i]] >= wanted)
+                    own.read(order[i], wanted);
+        });
+        for (const auto& own : readers) take(*own);
+    };
+    const bool fails_at_once = has_failed();
+    if (!fails_at_once) read(1);
+    if (fails_at_once || has_failed()) read(near_to_failure);  // what is near to failure steers the cracks
+
+    sum.damaged.clear();
+    for (const double overstress : sum.overstress) sum.damaged.push_back(overstress > 1);
+    sum.count = static_cast<int>(std::count(sum.damaged.begin(), sum.damaged.end(), 1));
 }
 
 }  // namespace sherd

@@ -24,9 +24,10 @@ class DamageReading {
     /// field of contacts. The overstress of particles below half their strength may be 0.
     Damage damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                   const Strength& strength) const;
-    /// The same for one of many displacements under the same contacts. `scale` multiplies both.
-    Damage damage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
-                  const Strength& strength) const;
+    /// Adds the damage of one of many displacements under the same contacts. `scale` multiplies both. What
+    /// is no nearer to failure than `sum` has it already is not read: the hardest displacement first.
+    void addDamage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
+                   const Strength& strength, Damage& sum) const;
     ContactReading contactReading(const ContactField& contact) const {
         return ContactReading(*problem_, points_, contact);
     }
@@ -39,10 +40,14 @@ class DamageReading {
     const StressBounds& bounds() const { return bounds_; }
 
   private:
+    struct Displacement;
+    struct Bounds;
     class Reader;
 
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
     double weakest(int part, const Strength& strength) const;
+    Bounds boundsOf(const Displacement& displacement, const ContactReading& contact, double scale,
+                    const Strength& strength) const;
 
     std::shared_ptr<const SplineProblem> problem_;
     ReadingPoints points_;
