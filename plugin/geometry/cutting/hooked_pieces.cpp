@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/pi.h"
 #include "core/numerics/union_find.h"
 #include "geometry/cutting/stray_pieces.h"
@@ -35,6 +36,7 @@ bool isFree(const std::vector<Face>& faces, double allowed, const Vec3& directio
 
 /// Tries the ways out that most pieces have first: away from the cracks, and along a wall.
 bool isHooked(const std::vector<Face>& faces) {
+    if (faces.empty()) return false;
     double all = 0;
     Vec3 sum = Vec3::Zero();
     Mat3 facing = Mat3::Zero();
@@ -78,14 +80,12 @@ class Merging {
         std::iota(order.begin(), order.end(), 0);
         std::stable_sort(order.begin(), order.end(),
                          [&](int a, int b) { return shells_[a].volume < shells_[b].volume; });
-        std::vector<char> changed(shells_.size(), 1);
-        while (std::find(changed.begin(), changed.end(), 1) != changed.end())
-            for (const int s : order) {
-                if (!merged_.isRoot(s) || !changed[s]) changed[s] = 0;
-                if (!changed[s]) continue;
-                changed[s] = 0;
-                if (!faces_[s].empty() && isHooked(faces_[s])) changed[mergeIntoNeighbour(s)] = 1;
-            }
+        hooked_.resize(shells_.size());
+        forEachChunk(static_cast<int>(shells_.size()), [&](int s) { hooked_[s] = isHooked(faces_[s]); });
+        const auto is_left = [&](int s) { return hooked_[s] && merged_.isRoot(s); };
+        while (std::any_of(order.begin(), order.end(), is_left))
+            for (const int s : order)
+                if (is_left(s)) mergeIntoNeighbour(s);
         return merged_.roots();
     }
 
@@ -100,8 +100,7 @@ class Merging {
                     faces.end());
     }
 
-    /// Returns the neighbour.
-    int mergeIntoNeighbour(int piece) {
+    void mergeIntoNeighbour(int piece) {
         std::map<int, double> areas;
         for (const Face& face : faces_[piece]) areas[across(face)] += face.area;
         const auto most = std::max_element(areas.begin(), areas.end(),
@@ -109,13 +108,14 @@ class Merging {
         merged_.uniteInto(most->first, piece);
         faces_[most->first].insert(faces_[most->first].end(), faces_[piece].begin(), faces_[piece].end());
         dropInner(most->first);
-        return most->first;
+        hooked_[most->first] = isHooked(faces_[most->first]);
     }
 
     const LabelBoundary& boundary_;
     const std::vector<PieceShell>& shells_;
     std::vector<int> piece_of_;
     std::vector<std::vector<Face>> faces_;  // #shells
+    std::vector<char> hooked_;              // #shells
     UnionFind merged_;
 };
 

@@ -96,8 +96,10 @@ void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundar
                  std::vector<PieceShell>& shells) {
     std::vector<int> piece_of = pieceOfTriangle(shells, boundary);
     for (int& piece : piece_of) piece = target_of[piece];
+    std::vector<char> has_grown(shells.size(), false);
     for (std::size_t s = 0; s < shells.size(); ++s) {
         if (target_of[s] == static_cast<int>(s)) continue;
+        has_grown[target_of[s]] = true;
         PieceShell& target = shells[target_of[s]];
         target.triangles.insert(target.triangles.end(), shells[s].triangles.begin(),
                                 shells[s].triangles.end());
@@ -105,7 +107,9 @@ void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundar
         target.merged_labels.push_back(shells[s].label);
         shells[s].triangles.clear();
     }
-    for (PieceShell& shell : shells) {
+    for (std::size_t s = 0; s < shells.size(); ++s) {
+        PieceShell& shell = shells[s];
+        if (!has_grown[s]) continue;
         const auto vanished = [&](int t) {
             return t >= boundary.body_count && piece_of[t] == piece_of[boundary.opposite(t)];
         };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/exact_orientation.h"
 #include "geometry/cutting/near_pairs.h"
 
@@ -38,13 +39,14 @@ class Crossing {
 
     SurfaceCrossing run(const LabelLattice& lattice) {
         const std::vector<NearPair> pairs = findNearPairs(body_, lattice, crack_);
-        for (auto pair = pairs.begin(); pair != pairs.end();) {
-            const int b = pair->body_triangle;
-            const Corners x = cornersOf(body_.triangles[b], body_.vertices);
-            const OrientedPlane plane(x.a, x.b, x.c);
-            for (; pair != pairs.end() && pair->body_triangle == b; ++pair)
-                crossPair(b, x, plane, pair->crack_triangle);
-        }
+        constexpr int chunk_count = 8;
+        std::vector<std::vector<CrossedPair>> crossed(chunk_count);
+        forEachChunk(chunk_count, [&](int chunk) {
+            const auto first = [&](int k) { return firstOfItsBodyTriangle(pairs, chunk_count, k); };
+            crossed[chunk] = crossedPairs(pairs.data() + first(chunk), pairs.data() + first(chunk + 1));
+        });
+        for (const std::vector<CrossedPair>& some : crossed)
+            for (const CrossedPair& pair : some) addSegment(pair);
         findNearCrossings(result_.on_body_edges);
         findNearCrossings(result_.on_crack_edges);
         auto& bad = result_.degenerate;
@@ -60,23 +62,57 @@ class Crossing {
         return sign[0] != sign[1] || sign[1] != sign[2] || sign[0] == 0;
     }
 
-    void crossPair(int b, const Corners& x, const OrientedPlane& body_plane, int c) {
-        const Corners y = cornersOf(crack_.triangles[c], crack_.points);
+    // Two triangles of which neither has all corners on one side of the other.
+    struct CrossedPair {
+        int body_triangle, crack_triangle;
         int body_sign[3], crack_sign[3];
-        if (!signsAgainst(body_plane, y, crack_sign) ||
-            !signsAgainst(OrientedPlane(y.a, y.b, y.c), x, body_sign))
+        int twist[3][3];  // [i][j]: on which side of body edge i crack edge j passes
+        bool degenerate;
+    };
+
+    // Where the pairs of a chunk begin, if none shares a body triangle with the chunk before.
+    static std::size_t firstOfItsBodyTriangle(const std::vector<NearPair>& pairs, int chunk_count, int chunk) {
+        std::size_t first = chunkBegin(chunk, chunk_count, static_cast<int>(pairs.size()));
+        while (first > 0 && first < pairs.size() &&
+               pairs[first].body_triangle == pairs[first - 1].body_triangle)
+            ++first;
+        return first;
+    }
+
+    std::vector<CrossedPair> crossedPairs(const NearPair* pair, const NearPair* end) const {
+        std::vector<CrossedPair> crossed;
+        while (pair != end) {
+            const int b = pair->body_triangle;
+            const Corners x = cornersOf(body_.triangles[b], body_.vertices);
+            const OrientedPlane plane(x.a, x.b, x.c);
+            for (; pair != end && pair->body_triangle == b; ++pair)
+                crossPair(b, x, plane, pair->crack_triangle, crossed);
+        }
+        return crossed;
+    }
+
+    void crossPair(int b, const Corners& x, const OrientedPlane& body_plane, int c,
+                   std::vector<CrossedPair>& crossed) const {
+        const Corners y = cornersOf(crack_.triangles[c], crack_.points);
+        CrossedPair pair{b, c, {}, {}, {}, false};
+        if (!signsAgainst(body_plane, y, pair.crack_sign) ||
+            !signsAgainst(OrientedPlane(y.a, y.b, y.c), x, pair.body_sign))
             return;
-        // twist[i][j]: on which side of body edge i crack edge j passes.
-        int twist[3][3];
-        bool zero = false;
         for (int i = 0; i < 3; ++i) {
-            zero |= body_sign[i] == 0 || crack_sign[i] == 0;
+            pair.degenerate |= pair.body_sign[i] == 0 || pair.crack_sign[i] == 0;
             for (int j = 0; j < 3; ++j) {
-                twist[i][j] = OrientedPlane(x[i], x[next_corner[i]], y[j]).side(y[next_corner[j]]);
-                zero |= twist[i][j] == 0;
+                pair.twist[i][j] = OrientedPlane(x[i], x[next_corner[i]], y[j]).side(y[next_corner[j]]);
+                pair.degenerate |= pair.twist[i][j] == 0;
             }
         }
-        if (zero) return result_.degenerate.push_back(c);
+        crossed.push_back(pair);
+    }
+
+    void addSegment(const CrossedPair& pair) {
+        const auto& [b, c, body_sign, crack_sign, twist, degenerate] = pair;
+        if (degenerate) return result_.degenerate.push_back(c);
+        const Corners x = cornersOf(body_.triangles[b], body_.vertices);
+        const Corners y = cornersOf(crack_.triangles[c], crack_.points);
         CutSegment segment = {-1, -1, b, c};
         for (int i = 0; i < 3; ++i)
             if (body_sign[i] != body_sign[next_corner[i]] && twist[i][0] == twist[i][1] &&
