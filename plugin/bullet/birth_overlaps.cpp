@@ -44,17 +44,6 @@ btScalar radiusAboutOrigin(const btCollisionObject& object) {
     return centre.length() + radius;
 }
 
-/// Calls visit(pair, manifold) for each manifold of a registered pair.
-template <class Pairs, class Visit>
-void forEachManifold(btDispatcher& dispatcher, Pairs& pairs, const Visit& visit) {
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        const auto found =
-            pairs.find(std::minmax(tokenOf(*manifold.getBody0()), tokenOf(*manifold.getBody1())));
-        if (found != pairs.end()) visit(found->second, manifold);
-    }
-}
-
 }  // namespace
 
 void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies) {
@@ -128,17 +117,23 @@ void BirthOverlaps::applyAllowances(btDiscreteDynamicsWorld& world) {
         pair.now = relativePose(*pair.bodies[0], *pair.bodies[1]);
         pair.measured_m = pair.closed_m = 0;
     }
+    std::vector<std::pair<Pair*, btPersistentManifold*>> touching;
     btDispatcher& dispatcher = *world.getDispatcher();
-    forEachManifold(dispatcher, pairs_,
-                    [](Pair& pair, const btPersistentManifold& manifold) { measure(pair, manifold); });
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0) continue;
+        const auto found =
+            pairs_.find(std::minmax(tokenOf(*manifold.getBody0()), tokenOf(*manifold.getBody1())));
+        if (found != pairs_.end()) touching.emplace_back(&found->second, &manifold);
+    }
+    for (const auto& [pair, manifold] : touching) measure(*pair, *manifold);
     for (auto& entry : pairs_) update(entry.second);
-    forEachManifold(dispatcher, pairs_, [](const Pair& pair, btPersistentManifold& manifold) {
-        for (int i = 0; i < manifold.getNumContacts(); ++i) {
-            btManifoldPoint& point = manifold.getContactPoint(i);
+    for (const auto& [pair, manifold] : touching)
+        for (int i = 0; i < manifold->getNumContacts(); ++i) {
+            btManifoldPoint& point = manifold->getContactPoint(i);
             const btScalar distance = distanceOf(point);
-            point.setDistance(distance < 0 ? std::min(distance + pair.allowance_m, btScalar(0)) : distance);
+            point.setDistance(distance < 0 ? std::min(distance + pair->allowance_m, btScalar(0)) : distance);
         }
-    });
 }
 
 }  // namespace sherd

@@ -53,13 +53,21 @@ Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
     if (former != by_object_.end()) take(former->second->token);  // dead: two bodies never share an address
     breakable->token = giveToken(*breakable->body);
     by_object_[breakable->body] = breakable.get();
+    places_.clear();
     all_.push_back(std::move(breakable));
     return *all_.back();
 }
 
 Breakable* BreakableRegistry::find(const btCollisionObject* object) const {
+    const auto place = static_cast<std::size_t>(object->getWorldArrayIndex());  // huge: in no world
+    const bool is_known = place < places_.size() && places_[place].object == object;
+    Breakable* found = is_known ? places_[place].breakable : lookUp(object);
+    return found && !isAnother(*object, *found) ? found : nullptr;
+}
+
+Breakable* BreakableRegistry::lookUp(const btCollisionObject* object) const {
     const auto found = by_object_.find(object);
-    return found == by_object_.end() || isAnother(*object, *found->second) ? nullptr : found->second;
+    return found == by_object_.end() ? nullptr : found->second;
 }
 
 std::unique_ptr<Breakable> BreakableRegistry::take(BodyToken token) {
@@ -68,14 +76,18 @@ std::unique_ptr<Breakable> BreakableRegistry::take(BodyToken token) {
     if (entry == all_.end()) return nullptr;
     std::unique_ptr<Breakable> taken = std::move(*entry);
     all_.erase(entry);
+    places_.clear();
     by_object_.erase(taken->body);
     return taken;
 }
 
 void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world) {
     for (const auto& breakable : all_) breakable->in_world = false;
-    for (int i = 0; i < in_world.size(); ++i)
+    places_.clear();
+    for (int i = 0; i < in_world.size(); ++i) {
+        places_.push_back({in_world[i], lookUp(in_world[i])});
         if (Breakable* breakable = find(in_world[i])) breakable->in_world = true;
+    }
 }
 
 void BreakableRegistry::dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world) {

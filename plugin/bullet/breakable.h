@@ -114,9 +114,18 @@ class BreakableRegistry {
     const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
 
   private:
+    Breakable* lookUp(const btCollisionObject* object) const;
+
+    /// What stood at a place in the world's array at the last syncWithWorld.
+    struct Place {
+        const btCollisionObject* object = nullptr;
+        Breakable* breakable = nullptr;
+    };
+
     std::vector<std::unique_ptr<Breakable>> all_;
     std::unordered_map<const btCollisionObject*, Breakable*>
-        by_object_;  // for look-up only; never iterated over
+        by_object_;              // for look-up only; never iterated over
+    std::vector<Place> places_;  // most look-ups end here; empty after a change
 };
 
 }  // namespace sherd

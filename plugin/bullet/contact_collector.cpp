@@ -259,6 +259,7 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
     std::vector<btPersistentManifold*> solved;
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+        if (manifold->getNumContacts() == 0) continue;
         const btCollisionObject *a = manifold->getBody0(), *b = manifold->getBody1();
         if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
     }

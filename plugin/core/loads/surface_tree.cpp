@@ -32,6 +32,22 @@ SurfaceTree::SurfaceTree(const TriangleMesh& surface) : surface_(surface) {
     for (Node& node : nodes_) node.box = {node.box.min() - grown, node.box.max() + grown};
 }
 
+/// Parts the items at `middle`, or in two equal halves where that leaves hardly any on one side. Returns the
+/// first of the second part.
+int SurfaceTree::split(int begin, int end, int axis, double middle, std::vector<Item>& items) {
+    const auto first = items.begin() + begin, last = items.begin() + end;
+    const auto parted =
+        std::partition(first, last, [&](const Item& item) { return item.centre[axis] < middle; });
+    constexpr int least_part = 8;  // of a whole
+    if (least_part * std::min(parted - first, last - parted) >= last - first)
+        return begin + static_cast<int>(parted - first);
+    const auto half = first + (last - first) / 2;
+    std::nth_element(first, half, last, [&](const Item& a, const Item& b) {
+        return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
+    });
+    return begin + static_cast<int>(half - first);
+}
+
 int SurfaceTree::build(int begin, int end, std::vector<Item>& items) {
     const int index = static_cast<int>(nodes_.size());
     nodes_.push_back({{}, begin, end, 0});
@@ -45,12 +61,7 @@ int SurfaceTree::build(int begin, int end, std::vector<Item>& items) {
     for (int i = begin; i < end; ++i) middles.extend(items[i].centre);
     int axis = 0;
     middles.sizes().maxCoeff(&axis);
-    const int half = (begin + end) / 2;
-    std::nth_element(items.begin() + begin, items.begin() + half, items.begin() + end,
-                     [&](const Item& a, const Item& b) {
-                         return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis]
-                                                                 : a.triangle < b.triangle;
-                     });
+    const int half = split(begin, end, axis, middles.center()[axis], items);
     const int left = build(begin, half, items), right = build(half, end, items);
     nodes_[index].right = right;
     nodes_[index].box = nodes_[left].box.merged(nodes_[right].box);

@@ -60,6 +60,7 @@ class SurfaceTree {
     struct Item;
 
     int build(int begin, int end, std::vector<Item>& items);
+    static int split(int begin, int end, int axis, double middle, std::vector<Item>& items);
 
     template <class Reaches>
     void collect(int index, const Reaches& reaches, std::vector<int>& found) const {
