@@ -105,14 +105,20 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     Gated gated;
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
-    for (std::size_t i = 0; i < struck.size(); ++i) {
-        const Breakable& body = *struck[i].breakable;
-        if (isToBeRemoved(body)) continue;
-        gated.held[i] = heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body),
-                                   gated.ms[i].gate, body.damaged);
-        if (gated.held[i]) continue;
-        (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
-    }
+    constexpr std::size_t at_once = 8;  // fewer take less time than it takes to wake a thread
+    const auto chunk_count = static_cast<int>(std::min(at_once, (struck.size() + at_once - 1) / at_once));
+    const auto count = static_cast<int>(struck.size());
+    forEachChunk(chunk_count, [&](int chunk) {
+        for (int i = chunk; i < count; i += chunk_count) {
+            const Breakable& body = *struck[i].breakable;
+            if (!isToBeRemoved(body))
+                gated.held[i] = heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body),
+                                           gated.ms[i].gate, body.damaged);
+        }
+    });
+    for (std::size_t i = 0; i < struck.size(); ++i)
+        if (!gated.held[i] && !isToBeRemoved(*struck[i].breakable))
+            (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
     if (time_step_s > 0) thinOut(struck, gated);
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
     return gated;

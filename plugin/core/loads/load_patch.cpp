@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "core/loads/cap_area.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
 #include "core/stress/contact_disc.h"
@@ -144,19 +145,7 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
     double area = 0;
     for (const int t : near) {
         const TriangleCorners triangle = cornersOf(surface, t);
-        const double lowest = std::min({triangle[0].dot(push), triangle[1].dot(push), triangle[2].dot(push)});
-        if (lowest > furthest + depth || !facesPush(triangle, push)) continue;
-        const auto is_in_cap = [&](const Vec3& x) {
-            return x.dot(push) <= furthest + depth && (x - spot).squaredNorm() <= reach * reach;
-        };
-        if (std::all_of(triangle.begin(), triangle.end(), is_in_cap)) {  // so all of it is
-            area += areaVector(triangle).norm();
-            continue;
-        }
-        const auto longest = [&](double) { return std::max(depth, reach / 16); };
-        subdivideNear(triangle, spot, reach, longest, 16, [&](const Vec3& x, const Vec3& part) {
-            if (is_in_cap(x)) area += part.norm();
-        });
+        if (facesPush(triangle, push)) area += capArea(triangle, spot, reach, {push, furthest + depth});
     }
     return area / (2 * pi * depth);
 }
