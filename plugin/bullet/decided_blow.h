@@ -34,11 +34,13 @@ class DecidedBlow {
     /// Has it done elsewhere, if it may be.
     void submit(const Executor& executor);
     bool isSubmitted() const { return submitted_; }
+    /// Decides it here if no thread has begun.
+    void decideIfFree() { job_->doIfFree(); }
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
     void finish(double& waiting_ms);
 
     // After `finish`.
-    bool doneElsewhere() const { return !job_->doneByFinish(); }
+    bool doneElsewhere() const { return !job_->doneHere(); }
     BlowOutcome outcome;
     /// What is to stand for each fragment in collisions.
     std::vector<std::shared_ptr<const OwnedShape>> shapes;

@@ -62,6 +62,7 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     std::vector<std::shared_ptr<DecidedBlow>> decided;
     for (const BlowToDecide& blow : blows) decided.push_back(DecidedBlow::make(blow));
     for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executor());
+    for (const auto& one : decided) one->decideIfFree();
     for (const auto& one : decided) one->finish(times_.steps.waiting);
     return decided;
 }

@@ -26,12 +26,15 @@ void Job::submit(const Executor& executor) {
     }
 }
 
+void Job::doIfFree() {
+    if (!begin()) return;
+    run();
+    done_here_ = true;
+}
+
 void Job::finish() {
-    if (begin()) {
-        run();
-        done_by_finish_ = true;
-        return;
-    }
+    doIfFree();
+    if (done_here_) return;
     awaited_ = true;
     std::unique_lock<std::mutex> lock(mutex_);
     ended_.wait(lock, [this] { return done_; });

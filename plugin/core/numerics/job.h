@@ -20,10 +20,12 @@ class Job : public std::enable_shared_from_this<Job> {
     /// Has it done by the executor, if there is one, some time. What that throws is ignored: the job is then
     /// done where it is needed.
     void submit(const Executor& executor);
+    /// Does the work here if nobody has begun.
+    void doIfFree();
     /// Returns when the work is done; does it here if nobody has begun.
     void finish();
-    /// After `finish`: whether the thread that called it did the work.
-    bool doneByFinish() const { return done_by_finish_; }
+    /// After `finish`: whether the thread that called it, or `doIfFree`, did the work.
+    bool doneHere() const { return done_here_; }
 
   private:
     explicit Job(std::function<void()> work);
@@ -35,7 +37,7 @@ class Job : public std::enable_shared_from_this<Job> {
     std::mutex mutex_;
     std::condition_variable ended_;
     std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
-    bool begun_ = false, done_ = false, done_by_finish_ = false;
+    bool begun_ = false, done_ = false, done_here_ = false;
 };
 
 }  // namespace sherd

@@ -33,7 +33,7 @@ TEST(Job, IsDoneWhereItIsNeededIfNobodyHasBegun) {
         job->submit(executor);
         job->finish();
         EXPECT_EQ(by, std::this_thread::get_id());
-        EXPECT_TRUE(job->doneByFinish());
+        EXPECT_TRUE(job->doneHere());
     }
 }
 
@@ -54,8 +54,27 @@ TEST(Job, IsWaitedForWhereAnotherThreadHasBegun) {
     });
     job->finish();
     EXPECT_TRUE(done);
-    EXPECT_FALSE(job->doneByFinish());
+    EXPECT_FALSE(job->doneHere());
     later.join();
+}
+
+TEST(Job, IsLeftWhereAnotherThreadHasBegun) {
+    std::atomic<bool> begun{false}, may_end{false};
+    const auto job = Job::make([&] {
+        begun = true;
+        while (!may_end) std::this_thread::yield();
+    });
+    const Executor one = workerThreads(1);
+    job->submit(one);
+    while (!begun) std::this_thread::yield();
+    job->doIfFree();  // returns at once: it would never end otherwise
+    may_end = true;
+    job->finish();
+    EXPECT_FALSE(job->doneHere());
+    const auto free = Job::make([] {});
+    free->doIfFree();
+    free->finish();
+    EXPECT_TRUE(free->doneHere());
 }
 
 TEST(Job, RoundsAsWhereItWasMade) {
