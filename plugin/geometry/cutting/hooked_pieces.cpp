@@ -26,11 +26,14 @@ struct Face {
     int triangle;
 };
 
+/// Looks at every sixteenth face first: neighbours face alike, and most ways are soon found to be barred.
 bool isFree(const std::vector<Face>& faces, double allowed, const Vec3& direction) {
-    for (const Face& face : faces) {
-        if (face.normal.dot(direction) > tolerance) allowed -= face.area;
-        if (allowed < 0) return false;
-    }
+    constexpr std::size_t step = 16;
+    for (std::size_t first = 0; first < step; ++first)
+        for (std::size_t f = first; f < faces.size(); f += step) {
+            if (faces[f].normal.dot(direction) > tolerance) allowed -= faces[f].area;
+            if (allowed < 0) return false;
+        }
     return true;
 }
 
