@@ -1,6 +1,7 @@
 // Which blows break their bodies: at once, or when it is their turn.
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "bullet/conversions.h"
@@ -67,16 +68,13 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     return decided;
 }
 
-void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, double waited_s) {
+void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, const char* why, double waited_s) {
     ++counts_.dropped;
     BlowFigures figures;
     figures.outcome = Outcome::dropped;
     figures.impulse_n_s = normalImpulse(struck.blow);
     figures.waited_s = waited_s;
-    figures.message =
-        "the budget left no room for this blow, so the body stays whole: raise "
-        "Budget::milliseconds_per_step, "
-        "longest_wait_s or fragments_alive to have more";
+    figures.message = std::string("the budget left no room for this blow, so the body stays whole: ") + why;
     current_.push_back({eventOf(struck, figures), {}});
 }
 

@@ -14,6 +14,14 @@ namespace sherd {
 
 namespace {
 
+constexpr const char* too_many_fragments =
+    "there are as many fragments as Budget::fragments_alive allows; raise it, or remove some";
+constexpr const char* too_many_in_step =
+    "this step has brought as many fragments as Budget::fragments_per_step allows; raise it";
+constexpr const char* too_long_a_queue =
+    "it would have waited for longer than Budget::longest_wait_s; raise that, or milliseconds_per_step and "
+    "solves_per_step";
+
 /// The blow on a body that has moved on meanwhile.
 StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) {
     StruckBreakable struck;
@@ -106,7 +114,8 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
     const int room = std::min(roomForFragments(), budget_.fragments_per_step);
     for (const StruckBreakable* struck : blows) {
         if (room < fewest_fragments) {
-            tellDropped(*struck, 0);
+            const bool is_full = roomForFragments() < fewest_fragments;
+            tellDropped(*struck, is_full ? too_many_fragments : too_many_in_step, 0);
             continue;
         }
         const Breakable& breakable = *struck->breakable;
@@ -125,7 +134,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
                 ++counts_.merged;
                 break;
             case WaitingBlows::Fate::dropped:
-                tellDropped(*struck, 0);
+                tellDropped(*struck, too_long_a_queue, 0);
                 break;
         }
     }
@@ -155,7 +164,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         }
         const double waited_s = time_s_ - blow.struck_at_s;
         if (count > 0 && count > roomForFragments()) {
-            tellDropped(struckNow(**found, blow), waited_s);
+            tellDropped(struckNow(**found, blow), too_many_fragments, waited_s);
             continue;
         }
         BlowOutcome& outcome = blow.decided->outcome;

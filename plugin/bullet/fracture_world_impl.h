@@ -103,7 +103,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);
-    void tellDropped(const StruckBreakable& struck, double waited_s);
+    void tellDropped(const StruckBreakable& struck, const char* why, double waited_s);
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsInACrowd(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;

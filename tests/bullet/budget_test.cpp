@@ -138,7 +138,7 @@ TEST(Budget, WhatWouldWaitTooLongIsDropped) {
     EXPECT_EQ(fall.fracture->counts().dropped, dropped);
     for (const BlowEvent& event : events)
         if (event.outcome == Outcome::dropped) {
-            EXPECT_NE(event.message.find("budget"), std::string::npos);
+            EXPECT_NE(event.message.find("Budget::longest_wait_s"), std::string::npos) << event.message;
             EXPECT_TRUE(event.fragments.empty());
         }
     EXPECT_NEAR(fall.massInWorld(), fall.mass_kg, 1e-4 * fall.mass_kg);
@@ -163,6 +163,9 @@ TEST(Budget, BreaksMakeFewerPiecesWhereThereIsLittleRoom) {
     const auto events = full.run(60);
     EXPECT_LE(full.fragmentCount(), 6);
     EXPECT_GT(count(events, Outcome::dropped), 0);
+    for (const BlowEvent& event : events)
+        if (event.outcome == Outcome::dropped)
+            EXPECT_NE(event.message.find("Budget::fragments_alive"), std::string::npos) << event.message;
     EXPECT_NEAR(full.massInWorld(), full.mass_kg, 1e-4 * full.mass_kg);
 }
 
