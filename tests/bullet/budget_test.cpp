@@ -164,8 +164,9 @@ TEST(Budget, BreaksMakeFewerPiecesWhereThereIsLittleRoom) {
     EXPECT_LE(full.fragmentCount(), 6);
     EXPECT_GT(count(events, Outcome::dropped), 0);
     for (const BlowEvent& event : events)
-        if (event.outcome == Outcome::dropped)
+        if (event.outcome == Outcome::dropped) {
             EXPECT_NE(event.message.find("Budget::fragments_alive"), std::string::npos) << event.message;
+        }
     EXPECT_NEAR(full.massInWorld(), full.mass_kg, 1e-4 * full.mass_kg);
 }
 
