@@ -15,8 +15,7 @@ using Executor = std::function<void(std::function<void()> job)>;
 
 /// Threads of their own, `count` of them; at 0 one less than the machine has cores. They end with the last
 /// copy of the executor; what has not begun by then is dropped. Fewer, perhaps none, where the system grants
-/// no more. With glibc, a thread that has been idle for a tenth of a second after work gives the program's
-/// free memory back to the system (malloc_trim).
+/// no more.
 Executor workerThreads(int count = 0);
 
 }  // namespace sherd

@@ -1,11 +1,6 @@
 #include <sherd/executor.h>
 
-#ifdef __GLIBC__
-#include <malloc.h>
-#endif
-
 #include <algorithm>
-#include <chrono>
 #include <condition_variable>
 #include <deque>
 #include <memory>
@@ -17,14 +12,6 @@
 namespace sherd {
 
 namespace {
-
-/// What a stress problem is made with is ten times as large as what is kept of it, and a thread's heap would
-/// keep all of it for the next one.
-void returnFreeMemory() {
-#ifdef __GLIBC__
-    malloc_trim(0);
-#endif
-}
 
 class WorkerThreads {
   public:
@@ -57,18 +44,11 @@ class WorkerThreads {
 
   private:
     void run() {
-        constexpr std::chrono::milliseconds idle{100};
-        const auto has_work = [this] { return ending_ || !jobs_.empty(); };
-        for (bool has_worked = false;; has_worked = true) {
+        while (true) {
             std::function<void()> job;
             {
                 std::unique_lock<std::mutex> lock(mutex_);
-                if (has_worked && !wake_.wait_for(lock, idle, has_work)) {
-                    lock.unlock();
-                    returnFreeMemory();
-                    lock.lock();
-                }
-                wake_.wait(lock, has_work);
+                wake_.wait(lock, [this] { return ending_ || !jobs_.empty(); });
                 if (ending_) return;
                 job = std::move(jobs_.front());
                 jobs_.pop_front();
