@@ -138,14 +138,14 @@ Mat3 DiscField::stressAt(const Vec3& place) const {
     constexpr double on_plane = 1e-6, whole = 0.4, none = 0.8;
     const Vec3 local = axes_ * (place - centre_) / radius_;
     const double height = -local.z();
-    if (!hollow_ || !(height > on_plane))
-        return turned(behind(local.x(), local.y(), std::max(local.z(), 0.0)));
-    // A hollow surface rises above the plane. There the field goes on as straight as it came. Much higher up
-    // is another part of the body, that it says nothing of.
+    if (!(height > on_plane)) return turned(behind(local.x(), local.y(), std::max(local.z(), 0.0)));
+    // Much higher up is another part of the body, that the field says nothing of.
     const double steepness = height / std::max(1.0, local.norm());
     if (steepness >= none) return Mat3::Zero();
     const double share = std::clamp((none - steepness) / (none - whole), 0.0, 1.0);
-    return turned(share * (2 * behind(local.x(), local.y(), 0) - behind(local.x(), local.y(), height)));
+    const Mat3 on = behind(local.x(), local.y(), 0);
+    // A hollow surface rises above the plane. There the field goes on as straight as it came.
+    return turned(share * (hollow_ ? Mat3(2 * on - behind(local.x(), local.y(), height)) : on));
 }
 
 Mat3 DiscField::turned(const Mat3& local) const {

@@ -36,7 +36,7 @@ class DiscField {
     DiscField(const ContactDisc& disc, double poisson_ratio);
 
     /// At x, Pa. Before the plane as on it; under a hollow surface, which lies there, as it changes behind
-    /// the plane, and zero far before it.
+    /// the plane; zero far before it.
     Mat3 stressAt(const Vec3& x) const;
 
   private:

@@ -58,8 +58,11 @@ double NearField::largestAbout(const Vec3& x, double radius) const {
     for (const ContactDisc& disc : discs_) {
         // Of all directions of the traction, at every Poisson's ratio (tests/core/stress/near_field_test).
         constexpr double most = 1.65, beyond = 0.85;
-        const double distance = std::max(0.0, (x - disc.centre).norm() - radius) / disc.radius;
-        sum += (disc.hollow ? most_if_hollow : 1) * disc.traction_pa.norm() *
+        const Vec3 offset = x - disc.centre;
+        const double distance = std::max(0.0, offset.norm() - radius) / disc.radius;
+        const bool is_behind = offset.dot(disc.inward) >= radius;
+        const double times = disc.hollow ? most_if_hollow : is_behind ? 1 : most_before_plane;
+        sum += times * disc.traction_pa.norm() *
                std::min(most, beyond / (distance * distance));
     }
     return sum;

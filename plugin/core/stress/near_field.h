@@ -36,8 +36,9 @@ class NearField {
 /// the least cosine between its normal and the plane's.
 constexpr double largest_sag = 0.35, least_facing = 0.8;
 
-/// Under a hollow surface no stress of a disc is more times larger than under a plane.
-constexpr double most_if_hollow = 1.9;
+/// Before its plane, and under a hollow surface, no stress of a disc is more times larger than as far away
+/// behind a plane.
+constexpr double most_before_plane = 1.2, most_if_hollow = 1.9;
 
 /// How far around a disc the surface is looked at in small pieces, in radii.
 constexpr double close_reach = 4;

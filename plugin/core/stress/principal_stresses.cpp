@@ -14,7 +14,7 @@ namespace {
 Vec3 eigenvalues(const SymmetricTensor& stress) {
     // Scaled first: the closed form cubes its entries, which would overflow or vanish for extreme units.
     const double scale = stress.cwiseAbs().maxCoeff();
-    if (!(scale > 0) || !std::isfinite(scale)) return Vec3::Constant(scale);
+    if (!(scale > 0) || !std::isfinite(scale)) return {-scale, scale, scale};
     const Mat3 scaled = toMatrix(stress / scale);
     const Mat3 deviator = scaled - scaled.trace() / 3 * Mat3::Identity();
     const bool turned = deviator.determinant() < 0;  // so that mirrored stress has mirrored values, to the bit

@@ -31,7 +31,7 @@ TEST(NearField, IsNowhereMoreThanItsBound) {
                 const ContactDisc disc{Vec3::Zero(), Vec3::UnitZ(), radius, sign * direction(tilt, 0.3)};
                 const NearField field({disc}, nu);
                 for (const double far : {0.0, 0.3, 0.6, 0.8, 1.0, 1.5, 3.0, 10.0, 30.0})
-                    for (const double height : {0.0, 0.2, 0.5, 0.9, 1.0})
+                    for (const double height : {-1.0, -0.9, -0.7, -0.5, -0.4, -0.3, 0.0, 0.2, 0.5, 0.9, 1.0})
                         for (int i = 0; i < 12; ++i) {
                             const Vec3 x = far * radius * direction(height, 0.3 + pi * i / 6);
                             const double share = largestPart(field.stressAt(x)) / field.largestAbout(x, 0);
@@ -64,6 +64,9 @@ TEST(NearField, GoesOnBeforeAHollowAsItChangesBehindIt) {
     EXPECT_LT((field.stressAt(on + step) + field.stressAt(on - step) - 2 * middle).norm(),
               1e-9 * middle.norm());
     EXPECT_EQ(field.stressAt(Vec3(0, 0, -30)), Mat3::Zero()) << "another part of the body";
+    const NearField flat({{Vec3::Zero(), Vec3::UnitZ(), 1, Vec3(0.3, 0, 1)}}, 0.2);
+    EXPECT_EQ(flat.stressAt(Vec3(0, 0, -30)), Mat3::Zero());
+    EXPECT_EQ(flat.stressAt(Vec3(0.4, 0, -0.1)), flat.stressAt(Vec3(0.4, 0, 0)));
 }
 
 TEST(NearField, ActsOnItsOwnPlaneOnly) {
