@@ -193,7 +193,7 @@ void BreakableSolid::scatterOver(double length_m) {
 }
 
 double BreakableSolid::cellVolume() const {
-    return std::min(std::pow(spacing_, 3), moments_.volume);
+    return std::min(std::pow(std::min(spacing_, wall_thickness_), 3), moments_.volume);
 }
 
 double BreakableSolid::smallestFailureEnergy() const {

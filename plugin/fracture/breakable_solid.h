@@ -142,7 +142,7 @@ class BreakableSolid {
     Sampled sampled() const;
     /// Makes the strength, which scatters over that distance.
     void scatterOver(double length_m);
-    /// Of the largest particle that there may be, m^3.
+    /// Of the material that fails together at least, m^3: of a particle, or of a wall that is thinner than those.
     double cellVolume() const;
 };
 

@@ -10,10 +10,18 @@ namespace {
 
 constexpr double across_wall = 0.75;    // of the wall: distance of the outermost particles on its two sides
 constexpr double compact_reach = 2.01;  // in spacings of the particles
-constexpr int smallest_part = 6;        // particles; connected parts with fewer are specks
+
+/// Connected parts with fewer particles are specks. Where particles are further apart than the wall is thick
+/// each stands for more of it, and the same part of the wall has fewer.
+int smallestPart(double spacing_m, double wall_thickness_m) {
+    constexpr double usual = 6;
+    const double of_wall = wall_thickness_m / spacing_m;
+    return of_wall > 0 && of_wall < 1 ? static_cast<int>(std::lround(usual * of_wall * of_wall))
+                                      : static_cast<int>(usual);
+}
 
 /// Gives specks of either state that of what surrounds them. A part that touches nothing stays as it is.
-std::vector<char> withoutSpecks(const Discretisation& solid, std::vector<char> state) {
+std::vector<char> withoutSpecks(const Discretisation& solid, int smallest_part, std::vector<char> state) {
     for (const char speck_state : {char(0), char(1)}) {
         const Parts parts = connectedParts(solid, state);
         std::vector<char> touches(parts.sizes.size());
@@ -104,9 +112,10 @@ Parts connectedParts(const Discretisation& solid, const std::vector<char>& state
 Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
                      double wall_thickness_m) {
     Damage region = damage;
-    region.damaged = withoutSpecks(solid, damage.damaged);
+    const int smallest_part = smallestPart(solid.spacing, wall_thickness_m);
+    region.damaged = withoutSpecks(solid, smallest_part, damage.damaged);
     region = throughTheWall(solid, axes, region, wall_thickness_m);
-    region.damaged = withoutSpecks(solid, region.damaged);
+    region.damaged = withoutSpecks(solid, smallest_part, region.damaged);
     return region;
 }
 

@@ -97,6 +97,15 @@ TEST(Clusters, SpecksJoinWhatSurroundsThem) {
     EXPECT_EQ(clusterParticles(solid, all_but_one, 4, 0, 1).count, 4);
 }
 
+// A body breaks alike on a fine grid and on one of which two particles are as much of the wall as six of that.
+TEST(Clusters, SpecksAreFewerParticlesWhereTheWallIsThinnerThanTheirSpacing) {
+    const Discretisation solid = sheet(12);
+    const Damage dots =
+        damageWhere(solid, [](const Vec3& x) { return x.x() == 5 && (x.y() == 5 || x.y() == 6); });
+    EXPECT_GT(clusterParticles(solid, dots, 4, 0.55, 1).count, 1);
+    EXPECT_EQ(clusterParticles(solid, dots, 4, 0.7, 1).count, 1);
+}
+
 // Nothing says here which way a wall would go.
 TEST(Clusters, DamageReachesTwoParticlesFurtherOrThreeQuartersOfTheWall) {
     const Discretisation solid = sheet(20);
