@@ -27,13 +27,13 @@ std::vector<std::shared_ptr<const OwnedShape>> shapesOf(const std::vector<Fragme
 
 }  // namespace
 
-bool BlowToDecide::mayRunElsewhere() const {
-    return !solid->settings().strength.field && !fracture->guide.custom;
+bool mayRunElsewhere(const BreakableSolid& solid, const FractureSettings& fracture) {
+    return !solid.settings().strength.field && !fracture.guide.custom;
 }
 
 std::shared_ptr<DecidedBlow> DecidedBlow::make(BlowToDecide blow) {
     const std::shared_ptr<DecidedBlow> decided(new DecidedBlow);
-    decided->may_run_elsewhere_ = blow.mayRunElsewhere();
+    decided->may_run_elsewhere_ = mayRunElsewhere(*blow.solid, *blow.fracture);
     // An executor may keep the job for longer than anybody wants to know what comes of the blow.
     const std::weak_ptr<DecidedBlow> into = decided;
     decided->job_ = Job::make([blow = std::move(blow), into] {

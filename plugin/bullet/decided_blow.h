@@ -21,10 +21,10 @@ struct BlowToDecide {
     std::uint64_t seed = 0;
     std::shared_ptr<const DamagedMaterial> earlier;  ///< what is damaged of the body
     StageTimes before;                               ///< what was done of it already
-
-    /// Whether it calls no function of the app's: those are called on the thread that steps.
-    bool mayRunElsewhere() const;
 };
+
+/// Whether deciding a blow calls no function of the app's: those are called on the thread that steps.
+bool mayRunElsewhere(const BreakableSolid& solid, const FractureSettings& fracture);
 
 /// What comes of a blow, as a job that any thread may do.
 class DecidedBlow {

@@ -104,17 +104,23 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     Gated gated;
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
-    constexpr std::size_t at_once = 8;  // fewer take less time than it takes to wake a thread
-    const auto chunk_count = static_cast<int>(std::min(at_once, (struck.size() + at_once - 1) / at_once));
-    const auto count = static_cast<int>(struck.size());
+    const auto ask = [&](std::size_t i) {
+        const Breakable& body = *struck[i].breakable;
+        if (!isToBeRemoved(body))
+            gated.held[i] = heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body),
+                                       gated.ms[i].gate, body.damaged);
+    };
+    std::vector<std::size_t> here, anywhere;
+    for (std::size_t i = 0; i < struck.size(); ++i)
+        (mayRunElsewhere(*struck[i].breakable->asset.solid(), *struck[i].breakable->fracture) ? anywhere : here)
+            .push_back(i);
+    constexpr int at_once = 8;  // fewer take less time than it takes to wake a thread
+    const auto count = static_cast<int>(anywhere.size());
+    const int chunk_count = std::min(at_once, (count + at_once - 1) / at_once);
     forEachChunk(chunk_count, [&](int chunk) {
-        for (int i = chunk; i < count; i += chunk_count) {
-            const Breakable& body = *struck[i].breakable;
-            if (!isToBeRemoved(body))
-                gated.held[i] = heldByGate(*body.asset.solid(), struck[i].blow, *body.fracture, seedOf(body),
-                                           gated.ms[i].gate, body.damaged);
-        }
+        for (int i = chunk; i < count; i += chunk_count) ask(anywhere[i]);
     });
+    for (const std::size_t i : here) ask(i);
     for (std::size_t i = 0; i < struck.size(); ++i)
         if (!gated.held[i] && !isToBeRemoved(*struck[i].breakable))
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);

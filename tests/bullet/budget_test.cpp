@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <mutex>
 #include <numeric>
 #include <set>
 #include <thread>
@@ -142,6 +143,35 @@ TEST(Budget, WhatWouldWaitTooLongIsDropped) {
             EXPECT_TRUE(event.fragments.empty());
         }
     EXPECT_NEAR(fall.massInWorld(), fall.mass_kg, 1e-4 * fall.mass_kg);
+}
+
+// So many blows are gated on several threads, and a check by a full solve asks for the strength.
+TEST(Budget, ManyBlowsAtOnceAskTheAppForStrengthOnItsOwnThread) {
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    Settings settings = FallingPlate::brittle();
+    settings.fracture.check_with_full_solve = true;
+    std::mutex mutex;
+    std::set<std::thread::id> threads;
+    settings.strength.field = [&](const Vec3&) {
+        const std::lock_guard<std::mutex> lock(mutex);
+        threads.insert(std::this_thread::get_id());
+        return 1.0;
+    };
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    for (int i = 0; i < 24; ++i) {
+        BodyOptions options;
+        options.start = at(i, 0, 0.031f);
+        options.velocity = btVector3(0, 0, -0.2f);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    threads.clear();
+    scene.step(4, 1.0 / 60);
+    EXPECT_GT(fracture.counts().seen, 20);
+    EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
 
 TEST(Budget, BreaksMakeFewerPiecesWhereThereIsLittleRoom) {
