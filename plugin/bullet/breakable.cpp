@@ -59,15 +59,15 @@ Breakable& BreakableRegistry::add(std::unique_ptr<Breakable> breakable) {
 }
 
 Breakable* BreakableRegistry::find(const btCollisionObject* object) const {
-    const auto place = static_cast<std::size_t>(object->getWorldArrayIndex());  // huge: in no world
-    const bool is_known = place < places_.size() && places_[place].object == object;
-    Breakable* found = is_known ? places_[place].breakable : lookUp(object);
-    return found && !isAnother(*object, *found) ? found : nullptr;
+    const auto found = by_object_.find(object);
+    return found == by_object_.end() || isAnother(*object, *found->second) ? nullptr : found->second;
 }
 
-Breakable* BreakableRegistry::lookUp(const btCollisionObject* object) const {
-    const auto found = by_object_.find(object);
-    return found == by_object_.end() ? nullptr : found->second;
+Breakable* BreakableRegistry::of(const btCollisionObject& alive) const {
+    const auto place = static_cast<std::size_t>(alive.getWorldArrayIndex());  // huge: in no world
+    if (place >= places_.size() || places_[place].object != &alive) return find(&alive);
+    Breakable* known = places_[place].breakable;
+    return known && !isAnother(alive, *known) ? known : nullptr;
 }
 
 std::unique_ptr<Breakable> BreakableRegistry::take(BodyToken token) {
@@ -85,8 +85,8 @@ void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObje
     for (const auto& breakable : all_) breakable->in_world = false;
     places_.clear();
     for (int i = 0; i < in_world.size(); ++i) {
-        places_.push_back({in_world[i], lookUp(in_world[i])});
-        if (Breakable* breakable = find(in_world[i])) breakable->in_world = true;
+        places_.push_back({in_world[i], find(in_world[i])});
+        if (places_.back().breakable) places_.back().breakable->in_world = true;
     }
 }
 

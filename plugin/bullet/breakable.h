@@ -102,6 +102,8 @@ class BreakableRegistry {
     Breakable& add(std::unique_ptr<Breakable> breakable);
     /// `object` is alive, or was never an app's body that is breakable.
     Breakable* find(const btCollisionObject* object) const;
+    /// The same of what is alive for sure, sooner.
+    Breakable* of(const btCollisionObject& alive) const;
     /// Removes and returns an entry; nullptr for other bodies.
     std::unique_ptr<Breakable> take(BodyToken token);
     /// Updates `in_world` of every entry. A body that the app removed from the world stays breakable, for
@@ -114,8 +116,6 @@ class BreakableRegistry {
     const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
 
   private:
-    Breakable* lookUp(const btCollisionObject* object) const;
-
     /// What stood at a place in the world's array at the last syncWithWorld.
     struct Place {
         const btCollisionObject* object = nullptr;

@@ -132,13 +132,13 @@ btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btColli
 }
 
 void ContactCollector::addSide(const Side& own, const Side& other, const btManifoldPoint& point) {
-    Breakable* breakable = breakables_.find(own.object);
+    Breakable* breakable = breakables_.of(*own.object);
     if (!breakable || !listens(*breakable)) return;
     const btTransform asset_from_world = breakable->placed(stoodAt(*own.object)).inverse();
     ContactImpulse contact = contactOn(own, other, asset_from_world, point);
     const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
     if (!contact.strikes() && !rests) return;
-    if (isOfTheSameBlow(*breakable, *other.object, breakables_.find(other.object), time_s_)) return;
+    if (isOfTheSameBlow(*breakable, *other.object, breakables_.of(*other.object), time_s_)) return;
     StruckBreakable& entry = entryOf(*breakable);
     contact.partner = entry.numberOf(other.object);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
@@ -165,7 +165,7 @@ bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
 }
 
 btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const {
-    const Breakable* breakable = breakables_.find(&object);
+    const Breakable* breakable = breakables_.of(object);
     const bool is_ours = breakable && breakable->ownedHere() && !breakable->owned.shape->disjoint;
     return is_ours ? static_cast<btScalar>(shape_tolerance * breakable->asset.solid()->spacing()) : 0;
 }
@@ -203,7 +203,7 @@ void ContactCollector::lookForPiles(const std::vector<const btPersistentManifold
 
 bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
-        const Breakable* breakable = breakables_.find(object);
+        const Breakable* breakable = breakables_.of(*object);
         if (breakable && listens(*breakable)) return true;
     }
     return false;
@@ -237,7 +237,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = strikingRadius(*other.object->getCollisionShape(), other.child);
-    if (const Breakable* other_breakable = breakables_.find(other.object)) {
+    if (const Breakable* other_breakable = breakables_.of(*other.object)) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;
     }

@@ -147,11 +147,11 @@ void FractureWorld::Impl::bodiesEnter(const std::vector<btCollisionObject*>& bod
 }
 
 bool FractureWorld::Impl::isBreakable(const btCollisionObject& object) const {
-    return breakables_.find(&object) != nullptr;
+    return breakables_.of(object) != nullptr;
 }
 
 bool FractureWorld::Impl::isFragment(const btCollisionObject& object) const {
-    const Breakable* breakable = breakables_.find(&object);
+    const Breakable* breakable = breakables_.of(object);
     return breakable && breakable->isFragment();
 }
 

@@ -82,7 +82,7 @@ bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
 bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
     constexpr btScalar much_heavier = 50;  // whole or broken, the body takes a few percent of its speed
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        if (struck.partners[p]->isStaticObject() || breakables_.find(struck.partners[p])) continue;
+        if (struck.partners[p]->isStaticObject() || breakables_.of(*struck.partners[p])) continue;
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
         const bool is_slowed =
             !partner || much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();

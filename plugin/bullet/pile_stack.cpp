@@ -50,7 +50,7 @@ Stack Piles::stackOf(const Pile& pile, StruckBreakable& struck) const {
 
 StackBody Piles::stackBody(const btCollisionObject& object, const Pile& pile, StruckBreakable& struck,
                            const btTransform& from_world) const {
-    const Breakable* breakable = breakables_.find(&object);
+    const Breakable* breakable = breakables_.of(object);
     const btVector3 extent = extentOf(object);
     const btVector3 along = (pile.strike.push * object.getWorldTransform().getBasis()).absolute();
     const double length = along.dot(extent);
@@ -101,7 +101,7 @@ DistantStrike Piles::distantStrike(const Strike& strike, StruckBreakable& struck
     const double own = strikingRadius(*strike.struck->getCollisionShape(), strike.struck_child),
                  other = strikingRadius(*strike.striker->getCollisionShape(), strike.striker_child);
     const double curvature = (own > 0 ? 1 / own : 0) + (other > 0 ? 1 / other : 0);
-    const Breakable* breakable = breakables_.find(strike.struck);
+    const Breakable* breakable = breakables_.of(*strike.struck);
     const btVector3 extent = extentOf(*strike.struck);
     const double wall = breakable ? breakable->asset.solid()->wallThickness() : extent[extent.minAxis()];
     const double least = settings.smallest_patch * wall;
@@ -114,8 +114,8 @@ DistantStrike Piles::distantStrike(const Strike& strike, StruckBreakable& struck
 /// Its modulus.
 HertzContact Piles::contactBetween(const btCollisionObject& a, const btCollisionObject& b,
                                    const ContactSettings& settings) const {
-    const auto of_a = elasticityOf(breakables_.find(&a), settings),
-               of_b = elasticityOf(breakables_.find(&b), settings);
+    const auto of_a = elasticityOf(breakables_.of(a), settings),
+               of_b = elasticityOf(breakables_.of(b), settings);
     return {0, contactModulus(of_a.first, of_a.second, of_b.first, of_b.second)};
 }
 

@@ -67,7 +67,7 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
     }
     const Strike on_b{a, b, on_a.point, -on_a.push, on_a.speed_m_s, 0, on_a.struck_child, on_a.striker_child};
     for (Strike strike : {on_a, on_b}) {
-        const Breakable *struck = breakables_.find(strike.struck), *by = breakables_.find(strike.striker);
+        const Breakable *struck = breakables_.of(*strike.struck), *by = breakables_.of(*strike.striker);
         if (!givesWay(*strike.struck) || !givesWay(*strike.striker)) continue;
         if (struck && isOfTheSameBlow(*struck, *strike.striker, by, time_s_)) continue;
         const double mass = 1 / double(btRigidBody::upcast(strike.striker)->getInvMass());
@@ -102,7 +102,7 @@ void Piles::assign(Pile pile) {
     if (pile.bodies.size() < 2) return;  // what does not give way is all that holds the struck body
     bool is_heard = false;
     for (const btCollisionObject* body : pile.bodies) {
-        const Breakable* breakable = breakables_.find(body);
+        const Breakable* breakable = breakables_.of(*body);
         if (!breakable || pile.strike.energy_j < breakable->least_energy_j) continue;
         is_heard = true;
         const auto [place, is_new] = pile_of_.try_emplace(body, piles_.size());

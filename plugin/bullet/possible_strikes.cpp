@@ -36,7 +36,7 @@ double massOf(const Breakable& struck, const btCollisionObject& striker) {
 void PossibleStrikes::add(const btPersistentManifold& manifold) {
     if (manifold.getNumContacts() == 0) return;
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-    const Breakable *of_a = breakables_.find(&a), *of_b = breakables_.find(&b);
+    const Breakable *of_a = breakables_.of(a), *of_b = breakables_.of(b);
     if (!of_a && !of_b) return;
     const double speed = fastestMeeting(a, b);
     if (of_a) add(*of_a, b, speed);

@@ -17,7 +17,7 @@ constexpr btScalar largest_reach = btScalar(0.5);  // of the fragment's radius
 constexpr btScalar same_place = btScalar(0.01);    // of the breaking threshold
 
 bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
-    const Breakable* breakable = breakables.find(&object);
+    const Breakable* breakable = breakables.of(object);
     return breakable && breakable->isFragment();
 }
 

@@ -113,4 +113,23 @@ TEST(Identity, BodyWhoseMarkIsTakenIsRefused) {
     }
 }
 
+// What a game asks of a body that it kept the address of.
+TEST(Identity, NoBodyAndABodyThatIsGoneAreNotBreakable) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const auto body = fracture.add(plate(Material::plaster()), at(0, 0, 2));
+    ASSERT_TRUE(body.ok()) << body.error();
+    const btRigidBody* gone = body.value();
+    fracture.remove(body.value());
+    scene.step(3, 1.0 / 60);
+    fracture.takeEvents();
+    scene.step(3, 1.0 / 60);
+    for (const btRigidBody* none : {gone, static_cast<const btRigidBody*>(nullptr)}) {
+        EXPECT_EQ(fracture.asset(none), nullptr);
+        EXPECT_EQ(fracture.name(none), "");
+    }
+    fracture.remove(nullptr);
+    EXPECT_TRUE(fracture.bodies().empty());
+}
+
 }  // namespace
