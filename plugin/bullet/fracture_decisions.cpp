@@ -112,7 +112,8 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     };
     std::vector<std::size_t> here, anywhere;
     for (std::size_t i = 0; i < struck.size(); ++i)
-        (mayRunElsewhere(*struck[i].breakable->asset.solid(), *struck[i].breakable->fracture) ? anywhere : here)
+        (mayRunElsewhere(*struck[i].breakable->asset.solid(), *struck[i].breakable->fracture) ? anywhere
+                                                                                              : here)
             .push_back(i);
     constexpr int at_once = 8;  // fewer take less time than it takes to wake a thread
     const auto count = static_cast<int>(anywhere.size());

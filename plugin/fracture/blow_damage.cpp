@@ -94,7 +94,8 @@ void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrengt
         const AddDamageAt add_damage_at = [&](const VibrationState& state, Damage& sum) {
             if (state.modes.size() == 0)
                 return addDamage(
-                    damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places), sum);
+                    damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places),
+                    sum);
             const StressField field =
                 valueOrFail(stressAt(stress, state, *valueOrFail(struck.solid.stressSolver()),
                                      struck.solid.reducedStress()->model));

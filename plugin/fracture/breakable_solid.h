@@ -142,7 +142,8 @@ class BreakableSolid {
     Sampled sampled() const;
     /// Makes the strength, which scatters over that distance.
     void scatterOver(double length_m);
-    /// Of the material that fails together at least, m^3: of a particle, or of a wall that is thinner than those.
+    /// Of the material that fails together at least, m^3: of a particle, or of a wall that is thinner than
+    /// those.
     double cellVolume() const;
 };
 

@@ -38,8 +38,8 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
                         const Strength& strength, const std::vector<char>& damaged = {},
                         const std::vector<Vec3>& points = {});
 
-/// Adds what another moment damages: of each particle the stress that is nearest to failure is kept. `sum` may
-/// be empty.
+/// Adds what another moment damages: of each particle the stress that is nearest to failure is kept. `sum`
+/// may be empty.
 void addDamage(Damage more, Damage& sum);
 
 }  // namespace sherd

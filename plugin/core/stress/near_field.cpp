@@ -62,8 +62,7 @@ double NearField::largestAbout(const Vec3& x, double radius) const {
         const double distance = std::max(0.0, offset.norm() - radius) / disc.radius;
         const bool is_behind = offset.dot(disc.inward) >= radius;
         const double times = disc.hollow ? most_if_hollow : is_behind ? 1 : most_before_plane;
-        sum += times * disc.traction_pa.norm() *
-               std::min(most, beyond / (distance * distance));
+        sum += times * disc.traction_pa.norm() * std::min(most, beyond / (distance * distance));
     }
     return sum;
 }

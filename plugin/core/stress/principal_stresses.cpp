@@ -17,7 +17,8 @@ Vec3 eigenvalues(const SymmetricTensor& stress) {
     if (!(scale > 0) || !std::isfinite(scale)) return {-scale, scale, scale};
     const Mat3 scaled = toMatrix(stress / scale);
     const Mat3 deviator = scaled - scaled.trace() / 3 * Mat3::Identity();
-    const bool turned = deviator.determinant() < 0;  // so that mirrored stress has mirrored values, to the bit
+    const bool turned =
+        deviator.determinant() < 0;  // so that mirrored stress has mirrored values, to the bit
     Eigen::SelfAdjointEigenSolver<Mat3> spectrum;
     spectrum.computeDirect(turned ? -scaled : scaled, Eigen::EigenvaluesOnly);
     const Vec3 values = scale * spectrum.eigenvalues();

@@ -71,7 +71,8 @@ class Crossing {
     };
 
     // Where the pairs of a chunk begin, if none shares a body triangle with the chunk before.
-    static std::size_t firstOfItsBodyTriangle(const std::vector<NearPair>& pairs, int chunk_count, int chunk) {
+    static std::size_t firstOfItsBodyTriangle(const std::vector<NearPair>& pairs, int chunk_count,
+                                              int chunk) {
         std::size_t first = chunkBegin(chunk, chunk_count, static_cast<int>(pairs.size()));
         while (first > 0 && first < pairs.size() &&
                pairs[first].body_triangle == pairs[first - 1].body_triangle)

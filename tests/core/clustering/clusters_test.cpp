@@ -97,7 +97,8 @@ TEST(Clusters, SpecksJoinWhatSurroundsThem) {
     EXPECT_EQ(clusterParticles(solid, all_but_one, 4, 0, 1).count, 4);
 }
 
-// A body breaks alike on a fine grid and on one of which two particles are as much of the wall as six of that.
+// A body breaks alike on a fine grid and on one of which two particles are as much of the wall as six of
+// that.
 TEST(Clusters, SpecksAreFewerParticlesWhereTheWallIsThinnerThanTheirSpacing) {
     const Discretisation solid = sheet(12);
     const Damage dots =

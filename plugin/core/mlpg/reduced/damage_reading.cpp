@@ -264,12 +264,10 @@ double DamageReading::weakest(int part, const Strength& strength) const {
     return least;
 }
 
-DamageReading::Bounds DamageReading::boundsOf(const Displacement& displacement,
-                                              const ContactReading& contact, double scale,
-                                              const Strength& strength) const {
+DamageReading::Bounds DamageReading::boundsOf(const Displacement& displacement, const ContactReading& contact,
+                                              double scale, const Strength& strength) const {
     const EquivalentBound equivalent_bound(strength.criterion, strength.material);
-    const auto ranges =
-        bounds_.ranges(displacement.raw, problem_->space->raw_of, displacement.dilatation);
+    const auto ranges = bounds_.ranges(displacement.raw, problem_->space->raw_of, displacement.dilatation);
     Bounds bounds;
     for (std::size_t i = 0; i < ranges.size(); ++i) {
         const int part = static_cast<int>(i);
@@ -277,9 +275,9 @@ DamageReading::Bounds DamageReading::boundsOf(const Displacement& displacement,
             contact.hasNearField() ? widened(ranges[i], contact.nearBound(part)) : ranges[i];
         const bool has_points = points_.starts[i] < points_.starts[i + 1];
         bounds.tension.push_back(has_points ? range.largest : 0);
-        bounds.overstress.push_back(
-            has_points ? scale * equivalent_bound(range.smallest, range.largest) / weakest(part, strength)
-                       : 0);
+        bounds.overstress.push_back(has_points ? scale * equivalent_bound(range.smallest, range.largest) /
+                                                     weakest(part, strength)
+                                               : 0);
     }
     return bounds;
 }

@@ -25,8 +25,8 @@ class DamageReading {
     Damage damage(const Eigen::VectorXf& unknowns, const ContactField& contact, double scale,
                   const Strength& strength) const;
     /// Adds the damage of one of many displacements under the same contacts. `scale` multiplies both. What
-    /// is no nearer to failure than `sum` has it already is not read: the hardest displacement first. Overstress
-    /// below 1 is that of the displacements from the first that fails something on.
+    /// is no nearer to failure than `sum` has it already is not read: the hardest displacement first.
+    /// Overstress below 1 is that of the displacements from the first that fails something on.
     void addDamage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
                    const Strength& strength, Damage& sum) const;
     ContactReading contactReading(const ContactField& contact) const {
