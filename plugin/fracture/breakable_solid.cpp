@@ -179,13 +179,11 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
     return StressSolver::build(sampled.value(), material_, stress, supports.value(), damaged, precision);
 }
 
-const Result<CoarseModel>& BreakableSolid::coarseModel() const {
+Result<CoarseModel> BreakableSolid::makeCoarseModel() const {
     constexpr double coarser = 2.5;  // than its own sampling
-    return shared_->coarse.get([&]() -> Result<CoarseModel> {
-        const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
-        if (!supports) return Error{supports.error()};
-        return CoarseModel::make(surface(), coarser * spacing_, material_, supports.value());
-    });
+    const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
+    if (!supports) return Error{supports.error()};
+    return CoarseModel::make(surface(), coarser * spacing_, material_, supports.value());
 }
 
 void BreakableSolid::scatterOver(double length_m) {

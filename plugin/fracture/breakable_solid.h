@@ -73,8 +73,8 @@ class BreakableSolid {
     Status makeReduced(const Progress& progress) const;
     /// What these made to answer blows without a factor; nullptr if it did not. Never waits.
     const ReducedStress* reducedStress() const;
-    /// For a first look at a blow on a fragment; made at the first call.
-    const Result<CoarseModel>& coarseModel() const;
+    /// For a first look at a blow on a fragment. Not kept: it is made in milliseconds.
+    Result<CoarseModel> makeCoarseModel() const;
     /// Whether `makeFragment` made it.
     bool isFragment() const { return is_fragment_; }
     /// The same anew, without the particles that are `damaged` (#particles). Not kept.
@@ -122,7 +122,6 @@ class BreakableSolid {
         MadeOnce<CuttableSolid> cuttable;
         MadeOnce<Sampled> sampled;
         MadeOnce<Result<StressSolver>> solver;
-        MadeOnce<Result<CoarseModel>> coarse;
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
         MadeOnce<double> smallest_failure_energy;
         /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.

@@ -18,7 +18,7 @@ bool isAsked(const BreakableSolid& solid, const FractureSettings& fracture) {
 
 std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
                                 const FractureSettings& fracture) {
-    const Result<CoarseModel>& model = solid.coarseModel();
+    const Result<CoarseModel> model = solid.makeCoarseModel();
     if (!model) return std::nullopt;
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
                                     const ContactField&) -> Result<UnitResponse> {
