@@ -1,26 +1,51 @@
 #include "core/linear_algebra/big_buffer.h"
 
+#include <cstdlib>
 #include <new>
 
 #ifdef __linux__
 #include <sys/mman.h>
-
-#include <cstdint>
 #endif
 
 namespace sherd {
 
+namespace {
+
+#ifdef __linux__
+constexpr std::size_t worth_own_pages = 1 << 20;  // bytes
+
+bool hasOwnPages(std::size_t bytes) {
+    return bytes >= worth_own_pages;
+}
+
+void* ownPages(std::size_t bytes) {
+    void* memory = mmap(nullptr, bytes, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (memory == MAP_FAILED) throw std::bad_alloc();
+    (void)madvise(memory, bytes, MADV_HUGEPAGE);  // a wish only; without large pages all works as well
+    return memory;
+}
+#endif
+
+}  // namespace
+
 void* zeroedLargePages(std::size_t bytes) {
+#ifdef __linux__
+    if (hasOwnPages(bytes)) return ownPages(bytes);
+#endif
     void* memory = std::calloc(bytes, 1);
     if (!memory) throw std::bad_alloc();
-#ifdef __linux__
-    constexpr std::uintptr_t page = 4096;
-    const auto address = reinterpret_cast<std::uintptr_t>(memory);
-    const std::uintptr_t begin = (address + page - 1) / page * page, end = (address + bytes) / page * page;
-    // A wish only; without large pages all works as well.
-    if (end > begin) (void)madvise(reinterpret_cast<void*>(begin), end - begin, MADV_HUGEPAGE);
-#endif
     return memory;
+}
+
+void freeLargePages(void* memory, std::size_t bytes) {
+#ifdef __linux__
+    if (hasOwnPages(bytes)) {
+        munmap(memory, bytes);
+        return;
+    }
+#endif
+    (void)bytes;
+    std::free(memory);
 }
 
 }  // namespace sherd
