@@ -83,6 +83,7 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
                                btScalar(largestRestingGap()))
               : landedVertices(manifold, collector);
     std::vector<btManifoldPoint> points;
+    points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint point = manifold.getContactPoint(i);
         if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
@@ -124,25 +125,36 @@ btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btColli
     btVector3 impulse =
         normal * point.m_appliedImpulse + point.m_lateralFrictionDir1 * point.m_appliedImpulseLateral1;
     if (two_friction_directions_) impulse += point.m_lateralFrictionDir2 * point.m_appliedImpulseLateral2;
-    const Side a{wrapper_a->getCollisionObject(), point.getPositionWorldOnA(), normal, impulse, index_a};
-    const Side b{wrapper_b->getCollisionObject(), point.getPositionWorldOnB(), -normal, -impulse, index_b};
+    lookUp(*wrapper_a->getCollisionObject(), party_a_);
+    lookUp(*wrapper_b->getCollisionObject(), party_b_);
+    const Side a{&party_a_, point.getPositionWorldOnA(), normal, impulse, index_a};
+    const Side b{&party_b_, point.getPositionWorldOnB(), -normal, -impulse, index_b};
     addSide(a, b, point);
     addSide(b, a, point);
     return 0;
 }
 
+void ContactCollector::lookUp(const btCollisionObject& object, Party& party) const {
+    if (party.object == &object) return;
+    party.object = &object;
+    party.before = before_.find(&object);
+    party.breakable = breakables_.of(object);
+    party.listens = party.breakable && listens(*party.breakable);
+    if (party.listens) party.asset_from_world = party.breakable->placed(stoodAt(object)).inverse();
+}
+
 void ContactCollector::addSide(const Side& own, const Side& other, const btManifoldPoint& point) {
-    Breakable* breakable = breakables_.of(*own.object);
-    if (!breakable || !listens(*breakable)) return;
-    const btTransform asset_from_world = breakable->placed(stoodAt(*own.object)).inverse();
-    ContactImpulse contact = contactOn(own, other, asset_from_world, point);
+    if (!own.party->listens) return;
+    Breakable& breakable = *own.party->breakable;
+    ContactImpulse contact = contactOn(own, other, point);
     const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
     if (!contact.strikes() && !rests) return;
-    if (isOfTheSameBlow(*breakable, *other.object, breakables_.of(*other.object), time_s_)) return;
-    StruckBreakable& entry = entryOf(*breakable);
-    contact.partner = entry.numberOf(other.object);
+    const btCollisionObject& partner = *other.party->object;
+    if (isOfTheSameBlow(breakable, partner, other.party->breakable, time_s_)) return;
+    StruckBreakable& entry = entryOf(breakable);
+    contact.partner = entry.numberOf(&partner);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
-        entry.blow.partners.push_back(mobilityOf(*other.object, asset_from_world, own.point));
+        entry.blow.partners.push_back(mobilityOf(partner, own.party->asset_from_world, own.point));
     entry.blow.contacts.push_back(contact);
     const auto order = std::make_tuple(contact.strikes(), contact.strikes() ? contact.touched_s : 0,
                                        double(point.m_appliedImpulse));
@@ -216,12 +228,12 @@ bool ContactCollector::listens(const Breakable& breakable) const {
 }
 
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
-                                           const btTransform& asset_from_world,
                                            const btManifoldPoint& point) const {
+    const btTransform& asset_from_world = own.party->asset_from_world;
+    const btCollisionObject& striker = *other.party->object;
     const PointMotion self =
-        motionAt(*own.object, before_.find(own.object), own.point, own.push, time_step_s_);
-    const PointMotion partner =
-        motionAt(*other.object, before_.find(other.object), own.point, own.push, time_step_s_);
+        motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_);
+    const PointMotion partner = motionAt(striker, other.party->before, own.point, own.push, time_step_s_);
     const btVector3 meeting = partner.velocity - self.velocity;
     const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
 
@@ -236,8 +248,8 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.touched_s = closing > 0 ? std::clamp(depth_m / closing, -time_step_s_, time_step_s_) : 0;
     contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
-    contact.partner_radius_m = strikingRadius(*other.object->getCollisionShape(), other.child);
-    if (const Breakable* other_breakable = breakables_.of(*other.object)) {
+    contact.partner_radius_m = strikingRadius(*striker.getCollisionShape(), other.child);
+    if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;
     }

@@ -72,17 +72,25 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     std::vector<StruckBreakable> takeStruck();
 
   private:
+    /// What is known of an object that touches another one.
+    struct Party {
+        const btCollisionObject* object = nullptr;
+        const BodyState* before = nullptr;
+        Breakable* breakable = nullptr;
+        bool listens = false;
+        btTransform asset_from_world = btTransform::getIdentity();  // where it listens
+    };
     struct Side {
-        const btCollisionObject* object;
+        const Party* party;
         btVector3 point;    // world frame
         btVector3 push;     // unit, the direction in which the contact pushes this side
         btVector3 impulse;  // on this side
         int child;
     };
+    void lookUp(const btCollisionObject& object, Party& party) const;
     StruckBreakable& entryOf(Breakable& breakable);
     void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
-    ContactImpulse contactOn(const Side& own, const Side& other, const btTransform& asset_from_world,
-                             const btManifoldPoint& point) const;
+    ContactImpulse contactOn(const Side& own, const Side& other, const btManifoldPoint& point) const;
     bool listens(const Breakable& breakable) const;
 
     const BreakableRegistry& breakables_;
@@ -92,6 +100,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     bool two_friction_directions_;
     PossibleStrikes possible_;
     std::shared_ptr<const Piles> piles_;
+    Party party_a_, party_b_;  // of the last point: those of a manifold follow each other
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only
 };

@@ -2,10 +2,10 @@
 
 #include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/CollisionShapes/btPolyhedralConvexShape.h>
+#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sherd {
@@ -33,6 +33,20 @@ ConvexPart partOf(const btCollisionObject& object, btTransform transform, int ch
 /// How far the surface that collides lies outside the vertices, m. Those of a box include the margin.
 btScalar marginAround(const btPolyhedralConvexShape& shape) {
     return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? 0 : shape.getMargin();
+}
+
+template <class Visit>
+void forEachVertex(const btPolyhedralConvexShape& shape, const Visit& visit) {
+    if (shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE) {  // without a virtual call for each
+        const auto& hull = static_cast<const btConvexHullShape&>(shape);
+        for (int i = 0; i < hull.getNumPoints(); ++i) visit(hull.getScaledPoint(i));
+        return;
+    }
+    for (int i = 0; i < shape.getNumVertices(); ++i) {
+        btVector3 vertex;
+        shape.getVertex(i, vertex);
+        visit(vertex);
+    }
 }
 
 /// The vertices of one of the two bodies.
@@ -76,44 +90,45 @@ class VerticesOf {
         const btManifoldPoint& first = manifold_.getContactPoint(0);
         const btScalar margin = marginAround(*part.shape);
         const Planes planes = planesSeenFrom(part, margin);
-        for (int i = 0; i < part.shape->getNumVertices(); ++i) {
-            btVector3 vertex;
-            part.shape->getVertex(i, vertex);
-            if (isBeyond(planes, vertex)) continue;
-            vertex = part.transform * vertex;
+        forEachVertex(*part.shape, [&](const btVector3& own) {
+            if (isBeyond(planes, own)) return;
+            const btVector3 vertex = part.transform * own;
             const btVector3 within = vertex - outwardAt(first) * reach_;
             const btManifoldPoint* near = nearestPoint(vertex, isInside(other, within));
-            if (!near) continue;
+            if (!near) return;
             const btManifoldPoint point = contactAt(*near, vertex, margin);
             if (point.getDistance() < reach_) points.push_back(point);
-        }
+        });
     }
 
-    /// Of all points of the manifold: normal, and the height up to which a vertex counts.
+    /// Of all points of the manifold: normal, and the height up to which a vertex counts; in the part's
+    /// frame, and side by side.
     struct Planes {
-        std::array<btVector4, MANIFOLD_CACHE_SIZE> all;
-        int count = 0;
+        using OfPoints = Eigen::Array<btScalar, MANIFOLD_CACHE_SIZE, 1>;
+        OfPoints x = OfPoints::Zero(), y = x, z = x, height = OfPoints::Constant(-BT_LARGE_FLOAT);
     };
 
-    /// In the part's frame.
     Planes planesSeenFrom(const ConvexPart& part, btScalar margin) const {
+        constexpr btScalar rounding = btScalar(1e-5);  // m
         Planes planes;
         for (int i = 0; i < manifold_.getNumContacts(); ++i) {
             const btManifoldPoint& point = manifold_.getContactPoint(i);
             const btVector3 outward = outwardAt(point);
             const btVector3 normal = outward * part.transform.getBasis();
-            const btScalar height =
-                outward.dot(onOther(point) - part.transform.getOrigin()) + margin + reach_;
-            planes.all[planes.count++] = btVector4(normal.x(), normal.y(), normal.z(), height);
+            planes.x[i] = normal.x();
+            planes.y[i] = normal.y();
+            planes.z[i] = normal.z();
+            planes.height[i] =
+                outward.dot(onOther(point) - part.transform.getOrigin()) + margin + reach_ + rounding;
         }
         return planes;
     }
 
     /// Whether a vertex is too high over all of them, seen before it is placed in the world: most are.
     static bool isBeyond(const Planes& planes, const btVector3& vertex) {
-        constexpr btScalar rounding = btScalar(1e-5);  // m
-        return std::none_of(planes.all.begin(), planes.all.begin() + planes.count,
-                            [&](const btVector4& plane) { return plane.dot(vertex) < plane.w() + rounding; });
+        const Planes::OfPoints above =
+            planes.x * vertex.x() + planes.y * vertex.y() + planes.z * vertex.z() - planes.height;
+        return above.minCoeff() >= 0;  // in vector lanes, as any() is not
     }
 
     const btVector3& onOther(const btManifoldPoint& point) const {
@@ -176,6 +191,7 @@ class VerticesOf {
 bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices) {
     constexpr btScalar flat = btScalar(0.01);      // slope of the face against what it lands on
     constexpr btScalar parallel = btScalar(1e-5);  // sine of an angle that is none but for rounding
+    if (vertices.size() < 3) return false;
     const btVector3& normal = point.m_normalWorldOnB;
     std::vector<btVector3> ways;
     ways.reserve(vertices.size());

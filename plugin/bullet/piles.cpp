@@ -22,19 +22,24 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
              const StepSnapshot& before, double time_s, double time_step_s)
     : breakables_(breakables), before_(before), time_s_(time_s), time_step_s_(time_step_s) {
     std::vector<Strike> strikes;
-    Neighbours neighbours;
+    std::vector<const btPersistentManifold*> pressed;
     for (const btPersistentManifold* manifold : solved) {
         const bool foreseen = std::find(predictive.begin(), predictive.end(), manifold) != predictive.end();
-        look(*manifold, foreseen, strikes, neighbours);
+        look(*manifold, foreseen, strikes, pressed);
     }
-    if (neighbours.empty()) return;
+    if (strikes.empty()) return;
+    Neighbours neighbours;
+    for (const btPersistentManifold* manifold : pressed)
+        for (const btCollisionObject* object : {manifold->getBody0(), manifold->getBody1()})
+            if (givesWay(*object)) neighbours[object].push_back(manifold);
     for (const Strike& strike : strikes)
         if (neighbours.count(strike.struck)) assign(pileOf(strike, neighbours));
 }
 
 void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
-                 Neighbours& neighbours) const {
+                 std::vector<const btPersistentManifold*>& pressed) const {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const BodyState *before_a = before_.find(a), *before_b = before_.find(b);
     Strike on_a{b, a, {}, {}, 0, 0, -1, -1};
     btScalar impulse = 0;
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -43,8 +48,8 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         const btVector3 push = point.m_normalWorldOnB;
         btVector3 place = point.getPositionWorldOnA();
         if (is_predictive) place -= push * a->getCcdSweptSphereRadius();
-        const PointMotion of_a = motionAt(*a, before_.find(a), place, push, time_step_s_),
-                          of_b = motionAt(*b, before_.find(b), place, push, time_step_s_);
+        const PointMotion of_a = motionAt(*a, before_a, place, push, time_step_s_),
+                          of_b = motionAt(*b, before_b, place, push, time_step_s_);
         const double closing = (of_b.velocity - of_a.velocity).dot(push);
         if (!(closing > slowestStrike(of_a, of_b, time_step_s_))) continue;
         const double speed = speedOfTouch(closing, of_b.fall - of_a.fall, -point.getDistance(), time_step_s_);
@@ -60,9 +65,7 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
     }
     if (!(impulse > 0)) return;
     if (!(on_a.speed_m_s > 0)) {
-        if (is_predictive) return;
-        if (givesWay(*a)) neighbours[a].push_back(&manifold);
-        if (givesWay(*b)) neighbours[b].push_back(&manifold);
+        if (!is_predictive) pressed.push_back(&manifold);
         return;
     }
     const Strike on_b{a, b, on_a.point, -on_a.push, on_a.speed_m_s, 0, on_a.struck_child, on_a.striker_child};

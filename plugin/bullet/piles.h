@@ -43,9 +43,9 @@ class Piles {
     };
     using Neighbours = std::unordered_map<const btCollisionObject*, std::vector<const btPersistentManifold*>>;
 
-    /// How the bodies of a manifold meet: as strikes, if they do; false if they neither meet nor rest.
+    /// How the bodies of a manifold meet: as strikes, if they do; else pressed on each other, if they are.
     void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
-              Neighbours& neighbours) const;
+              std::vector<const btPersistentManifold*>& pressed) const;
     Pile pileOf(const Strike& strike, const Neighbours& neighbours) const;
     void assign(Pile pile);
     Stack stackOf(const Pile& pile, StruckBreakable& struck) const;

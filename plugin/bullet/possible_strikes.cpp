@@ -2,6 +2,7 @@
 
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "bullet/contact_motion.h"
@@ -11,6 +12,7 @@ namespace sherd {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
+constexpr double untouched = -1;  // instead of an energy
 
 /// Whether its velocities tell how all its points move: it is neither a link nor moved by the app.
 bool movesAsRigidBody(const btCollisionObject& object) {
@@ -44,12 +46,16 @@ void PossibleStrikes::add(const btPersistentManifold& manifold) {
 }
 
 void PossibleStrikes::add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s) {
-    energy_j_[&struck] += 0.5 * massOf(struck, striker) * speed_m_s * speed_m_s;
+    const auto place = static_cast<std::size_t>(struck.body->getWorldArrayIndex());
+    if (place >= energy_j_.size()) energy_j_.resize(place + 1, untouched);
+    energy_j_[place] =
+        std::max(energy_j_[place], 0.0) + 0.5 * massOf(struck, striker) * speed_m_s * speed_m_s;
 }
 
 bool PossibleStrikes::mayBreak(const Breakable& breakable) const {
-    const auto found = energy_j_.find(&breakable);
-    return found != energy_j_.end() && !(found->second < breakable.least_energy_j);
+    const auto place = static_cast<std::size_t>(breakable.body->getWorldArrayIndex());
+    const double energy = place < energy_j_.size() ? energy_j_[place] : untouched;
+    return !(energy < 0) && !(energy < breakable.least_energy_j);
 }
 
 double PossibleStrikes::fastestMeeting(const btCollisionObject& a, const btCollisionObject& b) const {

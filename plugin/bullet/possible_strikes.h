@@ -1,6 +1,6 @@
 #pragma once
 
-#include <unordered_map>
+#include <vector>
 
 #include "bullet/breakable.h"
 #include "bullet/island_state.h"
@@ -27,7 +27,7 @@ class PossibleStrikes {
     const BreakableRegistry& breakables_;
     const StepSnapshot& before_;
     double time_step_s_;
-    std::unordered_map<const Breakable*, double> energy_j_;  // for look-up only
+    std::vector<double> energy_j_;  // by the place in the world's array of objects
 };
 
 }  // namespace sherd
