@@ -76,11 +76,11 @@ void measure(Scene scene, int seeds) {
     const SizeLaws laws = sizeLaws(sizes);
     std::printf(
         "%-14s %5.1f pieces, aligned %4.1f %%, hooked %4.1f %% (worst %2.0f %%), flat %.3f, sizes %.1f "
-        "decades "
-        "^-%.2f, power law %+.3f a piece over one size, cluster %.2f ms, surface %.1f ms\n",
+        "decades (%.1f without the least and the largest 2 %%) ^-%.2f, power law %+.3f a piece over one "
+        "size, cluster %.2f ms, surface %.1f ms\n",
         scene.name.c_str(), count / breaks, 100 * aligned / breaks, 100 * hooked / count, 100 * worst,
-        flat / breaks, laws.decades, laws.exponent, laws.power_law - laws.one_size, cluster / breaks,
-        surface / breaks);
+        flat / breaks, laws.all_decades, laws.decades, laws.exponent, laws.power_law - laws.one_size,
+        cluster / breaks, surface / breaks);
     std::fflush(stdout);
 }
 

@@ -126,8 +126,9 @@ inline double flatness(const std::vector<TriangleMesh>& pieces) {
 /// fitted too.
 struct SizeLaws {
     double power_law = 0, one_size = 0;
-    double exponent = 0;  ///< of the density, size^-exponent
-    double decades = 0;   ///< between the 2nd and the 98th percentile
+    double exponent = 0;     ///< of the density, size^-exponent
+    double decades = 0;      ///< between the 2nd and the 98th percentile
+    double all_decades = 0;  ///< between the smallest and the largest: what the power law is fitted to
 };
 
 inline SizeLaws sizeLaws(std::vector<double> sizes) {
@@ -138,6 +139,7 @@ inline SizeLaws sizeLaws(std::vector<double> sizes) {
     for (const double size : sizes) log_mean += std::log(size) / n, mean += size / n;
     laws.decades = std::log10(sizes[static_cast<std::size_t>(0.98 * (n - 1))] /
                               sizes[static_cast<std::size_t>(0.02 * (n - 1))]);
+    laws.all_decades = std::log10(high / low);
     laws.power_law = laws.one_size = -std::numeric_limits<double>::infinity();
     for (double a = -1; a < 4; a += 0.01) {
         const double area = std::abs(a - 1) < 1e-9 ? std::log(high / low)
