@@ -16,8 +16,6 @@ namespace {
 
 constexpr const char* too_many_fragments =
     "there are as many fragments as Budget::fragments_alive allows; raise it, or remove some";
-constexpr const char* too_many_in_step =
-    "this step has brought as many fragments as Budget::fragments_per_step allows; raise it";
 constexpr const char* too_long_a_queue =
     "it would have waited for longer than Budget::longest_wait_s; raise that, or milliseconds_per_step and "
     "solves_per_step";
@@ -114,8 +112,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
     const int room = std::min(roomForFragments(), budget_.fragments_per_step);
     for (const StruckBreakable* struck : blows) {
         if (room < fewest_fragments) {
-            const bool is_full = roomForFragments() < fewest_fragments;
-            tellDropped(*struck, is_full ? too_many_fragments : too_many_in_step, 0);
+            tellDropped(*struck, too_many_fragments, 0);
             continue;
         }
         const Breakable& breakable = *struck->breakable;
