@@ -281,12 +281,8 @@ void print(const std::string& name, const std::string& level, const Answers& own
     for (std::size_t i = 0; i < truth.size(); ++i)
         errors.push_back(100 * std::abs(own.pa_n[i] / truth[i] - 1));
     int same = 0;
-    std::vector<double> sorted = truth;
-    std::sort(sorted.begin(), sorted.end());
     for (const std::size_t quarters : {1, 2, 3}) {
-        // Between two blows: what is just as strong as one is a matter of rounding.
-        const std::size_t above = quarters * sorted.size() / 4;
-        const double strength = 0.5 * (sorted[above - 1] + sorted[above]);
+        const double strength = betweenAtQuarter(truth, quarters);
         for (std::size_t i = 0; i < truth.size(); ++i)
             same += (own.pa_n[i] > strength) == (truth[i] > strength);
     }

@@ -28,7 +28,8 @@ do for [panel = 1:2] {
     set ytics nomirror
     set key top left vertical Left reverse samplen 0.5 spacing 1.2
     if (panel == 1) {
-        set label 1 "Of the blows that hold, the gate decides the share beside its marks; the others go on to the reduced model." \
+        set label 1 "Of the blows that hold, the gate decides the share beside its marks; the others go on to the reduced model. " . \
+            "These two are held against the full solve of their own body, the others against film." \
             at screen 0.06,0.05 font ",11" tc rgb "#555555"
     } else {
         unset label 1

@@ -17,4 +17,11 @@ inline double median(std::vector<double> values) {
     return quantile(std::move(values), 0.5);
 }
 
+/// Between the two values about a quartile, of at least four: against it nothing is decided by rounding.
+inline double betweenAtQuarter(std::vector<double> values, std::size_t quarters) {
+    std::sort(values.begin(), values.end());
+    const std::size_t above = quarters * values.size() / 4;
+    return 0.5 * (values[above - 1] + values[above]);
+}
+
 }  // namespace sherd::benchmarks
