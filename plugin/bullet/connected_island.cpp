@@ -51,11 +51,14 @@ Island connectedIsland(btDiscreteDynamicsWorld& world, const std::vector<btColli
         if (connects(a) && connects(b)) groups.unite(a.getWorldArrayIndex(), b.getWorldArrayIndex());
     });
     std::vector<char> wanted(objects.size(), 0), is_seed(objects.size(), 0);
-    for (const btCollisionObject* seed : seeds) is_seed[seed->getWorldArrayIndex()] = 1;
     const auto want = [&](const btCollisionObject& object) {
         wanted[groups.root(object.getWorldArrayIndex())] = 1;
     };
-    for (const btCollisionObject* seed : seeds) want(*seed);
+    for (const btCollisionObject* seed : seeds) {
+        if (seed->getWorldArrayIndex() < 0) continue;  // the app took it out while the step was solved
+        is_seed[seed->getWorldArrayIndex()] = 1;
+        want(*seed);
+    }
     forEachJoint(world, [&](const btCollisionObject& a, const btCollisionObject& b) {  // of static seeds
         if (connects(a) && isSeed(is_seed, b)) want(a);
         if (connects(b) && isSeed(is_seed, a)) want(b);

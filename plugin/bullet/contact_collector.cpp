@@ -273,6 +273,8 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
         if (manifold->getNumContacts() == 0) continue;
         const btCollisionObject *a = manifold->getBody0(), *b = manifold->getBody1();
+        // Predictive manifolds outlive bodies that the app takes out while the step is solved.
+        if (a->getWorldArrayIndex() < 0 || b->getWorldArrayIndex() < 0) continue;
         if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
     }
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);

@@ -114,7 +114,7 @@ std::vector<btRigidBody*> sweptInto(btDiscreteDynamicsWorld& world,
     for (int i = 0; i < manifolds.size(); ++i) {
         btRigidBody* body = btRigidBody::upcast(const_cast<btCollisionObject*>(manifolds[i]->getBody0()));
         const bool is_new = std::find(bodies.begin(), bodies.end(), body) == bodies.end();
-        if (body && is_new && is_hit(*manifolds[i]->getBody1())) bodies.push_back(body);
+        if (body && body->isInWorld() && is_new && is_hit(*manifolds[i]->getBody1())) bodies.push_back(body);
     }
     return bodies;
 }

@@ -72,6 +72,47 @@ TEST(Traps, JointThatOnlyTheFirstSolveBrokeStays) {
     scene.world->removeConstraint(&joint);
 }
 
+/// A solver of the app's that does something of its own when the step is solved.
+struct SolverWithATask final : btSequentialImpulseConstraintSolver {
+    std::function<void()> task;
+    void allSolved(const btContactSolverInfo& info, btIDebugDraw* drawer) override {
+        btSequentialImpulseConstraintSolver::allSolved(info, drawer);
+        task();
+    }
+};
+
+TEST(Traps, WhatTheAppTakesOutDuringTheSolveIsStruckByNothing) {
+    for (const bool takes_ball : {false, true}) {
+        TestWorld scene;
+        SolverWithATask solver;
+        scene.world->setConstraintSolver(&solver);
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* struck = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+        ASSERT_TRUE(fracture.add(plate(crumbly()), at(5, 0, 0)).ok());
+        // In the same step another ball breaks the other plate, or this one.
+        scene.addBall(2, 0.1, btVector3(takes_ball ? -0.2f : 5, 0, 0.129f), btVector3(0, 0, -8));
+        btRigidBody* ball = scene.addBall(2, 0.05, btVector3(0.05f, 0, 0.5f), btVector3(0, 0, -40));
+        ball->setCcdMotionThreshold(0.02f);
+        ball->setCcdSweptSphereRadius(0.04f);
+        btRigidBody* const leaves = takes_ball ? ball : struck;
+        solver.task = [&] {
+            for (int i = 0; i < scene.dispatcher->getNumManifolds(); ++i) {
+                const btPersistentManifold& manifold = *scene.dispatcher->getManifoldByIndexInternal(i);
+                const bool foreseen = manifold.getBody0() == ball && manifold.getBody1() == struck;
+                if (foreseen && leaves->isInWorld()) scene.world->removeRigidBody(leaves);
+            }
+        };
+        scene.step(1, 1.0 / 60);
+        EXPECT_FALSE(leaves->isInWorld());
+        const std::vector<BlowEvent> events = fracture.takeEvents();
+        ASSERT_EQ(events.size(), 1u);
+        EXPECT_EQ(events[0].outcome, broke);
+        EXPECT_EQ(events[0].body == struck, takes_ball);
+        scene.step(30, 1.0 / 60);
+        expectCalm(scene, 60);
+    }
+}
+
 TEST(Traps, SleepingNeighbourWakesAndFalls) {
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, -10));

@@ -95,7 +95,8 @@ std::vector<int> chooseTargets(const std::vector<PieceShell>& shells, const Labe
 void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundary,
                  std::vector<PieceShell>& shells) {
     std::vector<int> piece_of = pieceOfTriangle(shells, boundary);
-    for (int& piece : piece_of) piece = target_of[piece];
+    for (int& piece : piece_of)
+        if (piece >= 0) piece = target_of[piece];  // a crack that vanished before is in none
     std::vector<char> has_grown(shells.size(), false);
     for (std::size_t s = 0; s < shells.size(); ++s) {
         if (target_of[s] == static_cast<int>(s)) continue;
