@@ -147,9 +147,14 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     decided_now_ += static_cast<int>(now.size());
     const auto decided = decideNow(blows);
     std::vector<Break> breaks;
+    int places = roomForFragments();
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
         if (!is_now && !gated.held[i]) continue;
+        if (is_now && time_step_s > 0 && !takeRoom(struck[i], decided[k]->outcome, places)) {
+            ++k;
+            continue;
+        }
         const auto broken = is_now ? tell(struck[i], decided[k]->outcome, decided[k])
                                    : tell(struck[i], *gated.held[i], nullptr);
         k += is_now;

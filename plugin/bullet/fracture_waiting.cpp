@@ -60,6 +60,19 @@ int FractureWorld::Impl::roomForFragments() const {
     return budget_.fragments_alive - static_cast<int>(alive);
 }
 
+/// Takes the places of a broken body's fragments; a fragment gives back its own. False, and told, if there
+/// are too few: the body stays whole.
+bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room) {
+    if (outcome.outcome != Outcome::broke) return true;
+    const int more = static_cast<int>(outcome.fragments.size()) - (struck.breakable->isFragment() ? 1 : 0);
+    if (more > room) {
+        tellDropped(struck, too_many_fragments, 0);
+        return false;
+    }
+    room -= more;
+    return true;
+}
+
 /// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
 /// back by what is broken in truth.
 bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {

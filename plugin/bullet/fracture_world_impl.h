@@ -109,6 +109,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
+    bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
     const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);

@@ -200,6 +200,30 @@ TEST(Budget, BreaksMakeFewerPiecesWhereThereIsLittleRoom) {
     EXPECT_NEAR(full.massInWorld(), full.mass_kg, 1e-4 * full.mass_kg);
 }
 
+TEST(Budget, BodiesThatBreakAtOnceKeepToTheFragmentsAlive) {
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.fragments_alive = 5;
+    ASSERT_TRUE(fracture.setBudget(budget).ok());
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), FallingPlate::brittle());
+    for (int i = 0; i < 4; ++i) {
+        BodyOptions options;
+        options.start = at(i, 0, 0.035f);
+        options.velocity = btVector3(0, 0, -5);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    scene.step(8, 1.0 / 60);
+    const auto events = fracture.takeEvents();
+    std::size_t fragments = 0;
+    for (const BlowEvent& event : events) fragments += event.fragments.size();
+    EXPECT_GE(fragments, 4u);
+    EXPECT_LE(fragments, 5u);
+    EXPECT_GT(count(events, Outcome::dropped), 0);
+}
+
 TEST(Budget, WhatAStrikerFliesThroughNeverWaits) {
     for (const bool is_light : {true, false}) {
         TestWorld scene;
