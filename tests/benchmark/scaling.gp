@@ -18,14 +18,14 @@ set key top left reverse Left samplen 2.5
 set xlabel "particles"
 
 set title "Assembly per particle" font ",14"
-set yrange [1:100]
+set yrange [0.3:30]
 set ytics ("1 µs" 1, "3 µs" 3, "10 µs" 10, "30 µs" 30, "100 µs" 100)
 plot file("quadratic") using 1:(1000 * $3 / $1) with linespoints lw 2.2 pt 7 ps 0.7 lc rgb quadratic title "splines, quadratic", \
      file("linear") using 1:(1000 * $3 / $1) with linespoints lw 2.2 pt 5 ps 0.6 lc rgb linear title "splines, linear"
 
 unset key
 set title "Factor, once a body (filled); solve, each blow (open)"
-set yrange [1:100000]
+set yrange [0.5:100000]
 set ytics ("1 ms" 1, "10 ms" 10, "0.1 s" 100, "1 s" 1000, "10 s" 10000, "100 s" 100000)
 plot file("quadratic") using 1:4 with linespoints lw 2.2 pt 7 ps 0.7 lc rgb quadratic, \
      file("linear") using 1:4 with linespoints lw 2.2 pt 5 ps 0.6 lc rgb linear, \
