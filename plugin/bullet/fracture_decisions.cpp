@@ -151,13 +151,9 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
         if (!is_now && !gated.held[i]) continue;
-        if (is_now && time_step_s > 0 && !takeRoom(struck[i], decided[k]->outcome, places)) {
-            ++k;
-            continue;
-        }
-        const auto broken = is_now ? tell(struck[i], decided[k]->outcome, decided[k])
-                                   : tell(struck[i], *gated.held[i], nullptr);
-        k += is_now;
+        const auto own = is_now ? decided[k++] : nullptr;
+        if (own && time_step_s > 0 && !takeRoom(struck[i], own->outcome, places)) continue;
+        const auto broken = tell(struck[i], own ? own->outcome : *gated.held[i], own);
         if (broken) breaks.push_back(*broken);
     }
     std::vector<const StruckBreakable*> to_wait;

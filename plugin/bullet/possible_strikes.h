@@ -14,7 +14,7 @@ class PossibleStrikes {
     PossibleStrikes(const BreakableRegistry& breakables, const StepSnapshot& before, double time_step_s)
         : breakables_(breakables), before_(before), time_step_s_(time_step_s) {}
 
-    /// Counts in what the two bodies of a manifold may bring each other.
+    /// Counts in what the two bodies of a manifold, both in the world, may bring each other.
     void add(const btPersistentManifold& manifold);
     /// Whether all that was counted in may break a body.
     bool mayBreak(const Breakable& breakable) const;
