@@ -71,25 +71,17 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
     return facets;
 }
 
-/// How the body lies about a disc.
-enum class Lie { behind, hollow, before };
-
-/// A hollow surface rises above the disc's plane, but so slowly that the near field goes on there. What is
-/// further away is the grid's anyway.
-Lie lieOf(const SurfaceTree& surface, const ContactDisc& disc) {
-    constexpr double reach = 2.5;               // radii
-    constexpr double bulge = 0.05, rise = 0.5;  // of the radius, of the distance
-    constexpr double flat = 0.02;               // of the radius
-    Lie lie = Lie::behind;
-    for (const PieceNearby& piece :
-         surfaceAround(surface, disc.centre, reach * disc.radius, disc.radius, 0.5 * disc.radius)) {
+/// Whether the surface about a disc rises above its plane: slowly, as in a hollow, or at once, as in a
+/// corner. What is further away is the grid's anyway.
+bool isInHollow(const SurfaceTree& surface, const ContactDisc& disc) {
+    constexpr double reach = 2.5;  // radii
+    constexpr double flat = 0.02;  // of the radius
+    const auto around =
+        surfaceAround(surface, disc.centre, reach * disc.radius, disc.radius, 0.5 * disc.radius);
+    return std::any_of(around.begin(), around.end(), [&](const PieceNearby& piece) {
         const Vec3 offset = piece.centre - disc.centre;
-        const double distance = offset.norm(), height = -offset.dot(disc.inward);
-        if (distance > reach * disc.radius) continue;
-        if (height > bulge * disc.radius + rise * distance) return Lie::before;
-        if (height > flat * disc.radius) lie = Lie::hollow;
-    }
-    return lie;
+        return offset.norm() <= reach * disc.radius && -offset.dot(disc.inward) > flat * disc.radius;
+    });
 }
 
 /// t - sigma n about the discs.
@@ -172,9 +164,8 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
         const double in_middle = contactProfile(above * above / (patch.radius_m * patch.radius_m));
         ContactDisc disc{patch.spot.point + above * facet.outward, -facet.outward, std::sqrt(squared),
                          in_middle / weight * patch.force};
-        const Lie lie = lieOf(surface, disc);
-        if (lie == Lie::before || discs.size() == most_facets) return {};
-        disc.hollow = lie == Lie::hollow;
+        if (discs.size() == most_facets) return {};
+        disc.hollow = isInHollow(surface, disc);
         discs.push_back(disc);
     }
     return discs;

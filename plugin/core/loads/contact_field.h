@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// The discs that stand for a contact; none if the surface near it is neither flat nor smooth and slowly
-/// curved.
+/// The discs that stand for a contact; none at a corner, or where the surface under it is further from a
+/// plane than `largest_sag`.
 std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactPatch& patch);
 
 /// Contacts as discs on the planes of the surface under them: there the body is nearly a half-space, less

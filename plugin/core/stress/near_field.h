@@ -34,7 +34,7 @@ class NearField {
 
 /// How far the surface under a contact may be from a plane that stands for it, in radii of the contact, and
 /// the least cosine between its normal and the plane's.
-constexpr double largest_sag = 0.35, least_facing = 0.8;
+constexpr double largest_sag = 0.6, least_facing = 0.8;
 
 /// Before its plane, and under a hollow surface, no stress of a disc is more times larger than as far away
 /// behind a plane.

@@ -50,20 +50,13 @@ TEST(ContactField, OverAnEdgeKeepsTheForceThatIsOnTheBody) {
     EXPECT_EQ(pressed(block, Vec3(0.1, 0, 0.04), push, 0.02).near.discs().size(), 2u);
 }
 
-TEST(ContactField, IsLeftToTheGridWhereTheSurfaceIsNotFlatOrNotInFront) {
+TEST(ContactField, IsLeftToTheGridWhereTheSurfaceBendsAway) {
     const TriangleMesh ball = shapes::icosphere(0.05, 4);
-    const ContactField on_ball = pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.04);
+    const ContactField on_ball = pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.07);
     EXPECT_TRUE(on_ball.near.empty());
     EXPECT_TRUE(on_ball.places.empty());
     EXPECT_GT(on_ball.others.size(), 20u);
-    EXPECT_FALSE(pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.005).near.empty()) << "nearly flat";
-    const TriangleMesh hollow = shapes::uShape(0.02, 0.1, 0.1, 0.3);
-    int left = 0, known = 0;
-    for (const Vec3& v : hollow.vertices)
-        for (const Vec3& push : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX())})
-            ++(pressed(hollow, v, push, 0.004).near.empty() ? left : known);
-    EXPECT_GT(left, 0) << "inside of the hollow";
-    EXPECT_GT(known, 0) << "outside";
+    EXPECT_FALSE(pressed(ball, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.03).near.empty());
 }
 
 TEST(ContactField, IsKnownOnWallsThatAreRoundInsideAndOutside) {
@@ -110,18 +103,22 @@ TEST(ContactField, APatchDoesNotDependOnTheOrderOfTriangles) {
     }
 }
 
-TEST(ContactField, IsLeftToTheGridAtCornersAndBesideWalls) {
+TEST(ContactField, IsLeftToTheGridAtCorners) {
     EXPECT_TRUE(pressed(block, Vec3(0.1, 0.1, 0.05), Vec3(-1, -1, -1).normalized(), 0.02).near.empty());
+}
+
+TEST(ContactField, BesideAWallIsInAHollow) {
     const TriangleMesh channel = shapes::uShape(0.02, 0.1, 0.1, 0.3);
     double floor = 0;  // of the channel, half way between the legs
     for (const Vec3& v : channel.vertices)
         if (v.z() > 0 && v.z() < 0.1 - 1e-6) floor = std::max(floor, v.z());
     const Vec3 low = boundingBox(channel.vertices).min();
-    const auto onFloor = [&](double from_leg) {
-        return pressed(channel, Vec3(low.x() + 0.02 + from_leg, 0, floor), -Vec3::UnitZ(), 0.004);
-    };
-    EXPECT_TRUE(onFloor(0.005).near.empty());
-    EXPECT_FALSE(onFloor(0.05).near.empty());
+    for (const double from_leg : {0.005, 0.05}) {
+        const ContactField field =
+            pressed(channel, Vec3(low.x() + 0.02 + from_leg, 0, floor), -Vec3::UnitZ(), 0.004);
+        ASSERT_EQ(field.near.discs().size(), 1u);
+        EXPECT_EQ(field.near.discs()[0].hollow, from_leg < 0.01);
+    }
 }
 
 }  // namespace
