@@ -57,7 +57,7 @@ void showBlow(const sherd::BlowEvent& blow) {
     if (!blow.fragments.empty()) ImGui::Text("%zu pieces", blow.fragments.size());
     ImGui::Text("%.1f MPa at %.0f N over %.2f ms", blow.largest_stress_pa / 1e6, blow.peak_force_n,
                 1000 * blow.contact_time_s);
-    ImGui::Text("%.1f ms in all", sherd::sumOf(blow.ms));
+    ImGui::Text("%.1f ms in all", blow.ms.total());
     showStages(blow.ms);
     if (!blow.message.empty()) ImGui::TextWrapped("%s", blow.message.c_str());
     for (const std::string& warning : blow.warnings) ImGui::TextWrapped("%s", warning.c_str());

@@ -26,6 +26,7 @@ struct StageTimes {
                            ///< app's callbacks do meanwhile is included
     double check = 0;      ///< the full solve of FractureSettings::check_with_full_solve
 
+    double total() const;  ///< sum of all fields
     StageTimes& operator+=(const StageTimes& more);
     StageTimes& operator-=(const StageTimes& less);
 };
@@ -42,6 +43,8 @@ struct StepTimes {
     double restore = 0;   ///< finding the islands of broken bodies, and setting them back to before the solve
     double resolve = 0;   ///< contacts of the fragments, and solving their islands once more, by Bullet
     double waiting = 0;   ///< choosing the blows that wait (Budget), and waiting for other threads
+
+    double total() const;  ///< sum of all fields
 };
 
 /// What a FractureWorld took since it was made, in steps and in applyBlow.
@@ -97,11 +100,15 @@ inline constexpr bool is_listed = sizeof(time_fields<Times>) ==
                                   sizeof(Times) / sizeof(double) * sizeof(TimeField<Times>);
 static_assert(is_listed<StageTimes> && is_listed<StepTimes>, "a new time needs a line in time_fields");
 
-/// Sum of all fields of a struct of times.
-template <class Times>
-double sumOf(const Times& times) {
+inline double StageTimes::total() const {
     double sum = 0;
-    for (const TimeField<Times>& field : time_fields<Times>) sum += times.*field.value;
+    for (const TimeField<StageTimes>& field : time_fields<StageTimes>) sum += this->*field.value;
+    return sum;
+}
+
+inline double StepTimes::total() const {
+    double sum = 0;
+    for (const TimeField<StepTimes>& field : time_fields<StepTimes>) sum += this->*field.value;
     return sum;
 }
 
@@ -118,7 +125,7 @@ inline StageTimes& StageTimes::operator-=(const StageTimes& less) {
 }
 
 inline double WorldTimes::stages() const {
-    return sumOf(blows) + sumOf(steps);
+    return blows.total() + steps.total();
 }
 
 }  // namespace sherd

@@ -52,7 +52,7 @@ std::optional<StageTimes> timesOfHeld(const BreakableSolid& solid, const Blow& b
         if (!timed(ms.gate, [&] { return canBreak(solid, blow, fracture); })) return {};
         const BlowDamage found = blowDamage({solid, sampling, fracture, 1}, blow, solid.strength(), ms);
         if (found.level != Level::reduced || found.damage.count > 0) return {};
-        if (!fastest || sumOf(ms) < sumOf(*fastest)) fastest = ms;
+        if (!fastest || ms.total() < fastest->total()) fastest = ms;
     }
     return fastest;
 }

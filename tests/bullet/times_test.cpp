@@ -83,7 +83,7 @@ TEST(Times, StagesAddUpToTheWholeAndTheWholeIsPartOfTheStep) {
         EXPECT_LE(whole_ms + after.bullet_solve - before.bullet_solve, step_ms);
         double blows_ms = 0;
         for (const BlowEvent& event : fracture.takeEvents()) {
-            blows_ms += sumOf(event.ms);
+            blows_ms += event.ms.total();
             if (event.outcome != Outcome::broke) continue;
             broke = true;
             EXPECT_GT(event.ms.bodies, after.steps.resolve - before.steps.resolve);
@@ -104,7 +104,7 @@ TEST(Times, OfAllBlowsAreThoseOfTheirEventsAndTheGateOfTheOthers) {
     ASSERT_TRUE(fracture.takeEvents().empty());
     const StageTimes silent = fracture.times().blows;
     EXPECT_GT(silent.gate, 0);
-    EXPECT_EQ(sumOf(silent), silent.gate);
+    EXPECT_EQ(silent.total(), silent.gate);
 
     pushMiddle(fracture, body, 1000);
     const std::vector<BlowEvent> events = fracture.takeEvents();

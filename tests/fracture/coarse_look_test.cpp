@@ -91,7 +91,7 @@ TEST(CoarseLook, WhatItSaysIsHeldIsHeldByAFullSolve) {
             EXPECT_GT(out.contact_time_s, 0);
             EXPECT_DOUBLE_EQ(out.impulse_n_s, normalImpulse(blow));
             EXPECT_GT(out.ms.coarse, 0);
-            EXPECT_EQ(sumOf(out.ms), out.ms.gate + out.ms.coarse);
+            EXPECT_EQ(out.ms.total(), out.ms.gate + out.ms.coarse);
         }
     EXPECT_GT(coarse, 3);
     EXPECT_GT(full, 3);

@@ -34,7 +34,7 @@ TEST(DecideBlow, TheGateDecidesWeakBlowsAndSolvesNothing) {
     EXPECT_FALSE(solid->prepared());
     EXPECT_FALSE(out.full_solve_outcome);
     EXPECT_GT(out.ms.gate, 0);
-    EXPECT_EQ(sumOf(out.ms), out.ms.gate);
+    EXPECT_EQ(out.ms.total(), out.ms.gate);
 }
 
 TEST(DecideBlow, AFullSolveDecidesTheOthers) {
@@ -61,7 +61,7 @@ TEST(DecideBlow, ACheckSaysWhatAFullSolveFindsAndDecidesNothing) {
     EXPECT_GT(out.full_solve_largest_stress_pa, 0);
     EXPECT_EQ(out.full_solve_largest_stress_pa, strike(*solid, weak, 1).largest_stress_pa);
     EXPECT_GT(out.ms.check, 0);
-    EXPECT_EQ(sumOf(out.ms), out.ms.gate + out.ms.check) << "the stages of the check are its own";
+    EXPECT_EQ(out.ms.total(), out.ms.gate + out.ms.check) << "the stages of the check are its own";
 }
 
 TEST(DecideBlow, ACheckThatFailsSaysWhy) {
