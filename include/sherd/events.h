@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+class btCollisionObject;
 class btMultiBodyConstraint;
 class btRigidBody;
 class btTypedConstraint;
@@ -33,9 +34,16 @@ struct BlowEvent : BlowFigures {
     /// If it broke, it is removed from the world. A body of Sherd's is then valid until the first step after
     /// the event was taken; a body of the app's for as long as the app keeps it.
     btRigidBody* body = nullptr;
+    /// How many breaks made it: 0 for a body that was added, 1 for its fragments, and so on. What a fragment
+    /// was part of says the event that has it among its `fragments`.
+    int generation = 0;
 
     Vec3 position = Vec3::Zero();  ///< of the strike that was met first, m
     Vec3 normal = Vec3::Zero();    ///< unit direction in which the body was pushed there
+    /// What struck there; nullptr for blows of the app's own (applyBlow, explode), and for a striker that
+    /// left the world while the blow waited. The app may have removed it since the step: then compare it
+    /// only.
+    const btCollisionObject* striker = nullptr;
 
     /// Empty unless it broke, and without those that a FragmentCallback removed. The FractureWorld owns them.
     /// Each is valid until it is removed or the FractureWorld is destroyed; if it breaks in its turn, it

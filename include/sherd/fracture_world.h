@@ -134,6 +134,10 @@ class FractureWorld {
     /// The name that a breakable body was given or inherited; empty for other bodies.
     std::string name(const btRigidBody* body) const;
 
+    /// How many breaks made a body: 0 for one that was added, 1 for its fragments, and so on; 0 for other
+    /// bodies.
+    int generation(const btRigidBody* body) const;
+
     /// Maps the coordinates of `asset(body)->surface()` to the world, where the body stands after the last
     /// step (getWorldTransform, not interpolated). The identity for other bodies.
     btTransform assetTransform(const btRigidBody* body) const;

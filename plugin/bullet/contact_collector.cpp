@@ -162,6 +162,7 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.foremost = order;
     entry.position = fromBullet(own.point);
     entry.normal = fromBullet(own.push);
+    entry.striker = &partner;
 }
 
 bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {

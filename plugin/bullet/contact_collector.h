@@ -27,8 +27,9 @@ struct StruckBreakable {
     std::vector<const btCollisionObject*> partners;  ///< what touches it, by the numbers in the blow
     Vec3 position =
         Vec3::Zero();  ///< of the strike that was met first, else of the hardest contact, world frame, m
-    Vec3 normal = Vec3::Zero();                 ///< direction in which the body was pushed there, world frame
-    std::tuple<bool, double, double> foremost;  ///< strikes, how long ago it was met, normal impulse there
+    Vec3 normal = Vec3::Zero();  ///< direction in which the body was pushed there, world frame
+    const btCollisionObject* striker = nullptr;  ///< what pushed it there; nullptr: the app itself
+    std::tuple<bool, double, double> foremost;   ///< strikes, how long ago it was met, normal impulse there
 
     /// The number of a partner; a new one gets the next.
     int numberOf(const btCollisionObject* partner);

@@ -30,6 +30,8 @@ BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
     event.body = struck.breakable->body;
     event.position = struck.position;
     event.normal = struck.normal;
+    event.striker = struck.striker;
+    event.generation = struck.breakable->generation;
     return event;
 }
 

@@ -20,17 +20,6 @@ constexpr const char* too_long_a_queue =
     "it would have waited for longer than Budget::longest_wait_s; raise that, or milliseconds_per_step and "
     "solves_per_step";
 
-/// The blow on a body that has moved on meanwhile.
-StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) {
-    StruckBreakable struck;
-    struck.breakable = &breakable;
-    struck.before = stateOf(*breakable.body);
-    const btTransform placed = breakable.placed(struck.before.transform);
-    struck.position = fromBullet(placed * toBullet(blow.position));
-    struck.normal = fromBullet(placed.getBasis() * toBullet(blow.normal));
-    return struck;
-}
-
 /// The larger, the sooner.
 double urgency(const StruckBreakable& struck, const Budget& budget) {
     switch (budget.priority) {
@@ -135,6 +124,10 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
         blow.impulse_n_s = normalImpulse(struck->blow);
         blow.position = fromBullet(from_world * toBullet(struck->position));
         blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
+        if (struck->striker) {
+            blow.striker = struck->striker;
+            blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
+        }
         blow.decided = DecidedBlow::make(toDecide(*struck, room));
         const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
         switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
@@ -148,6 +141,20 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
                 break;
         }
     }
+}
+
+/// The blow on a body that has moved on meanwhile.
+StruckBreakable FractureWorld::Impl::struckNow(Breakable& breakable, const WaitingBlow& blow) const {
+    StruckBreakable struck;
+    struck.breakable = &breakable;
+    struck.before = stateOf(*breakable.body);
+    const btTransform placed = breakable.placed(struck.before.transform);
+    struck.position = fromBullet(placed * toBullet(blow.position));
+    struck.normal = fromBullet(placed.getBasis() * toBullet(blow.normal));
+    // The app may have deleted it, and made another object at its address.
+    const bool is_there = isInWorld(world_, blow.striker) && tokenOf(*blow.striker) == blow.striker_token;
+    if (is_there) struck.striker = blow.striker;
+    return struck;
 }
 
 /// The blows whose turn it is: their bodies break where they are by now.

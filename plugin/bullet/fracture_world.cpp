@@ -78,6 +78,11 @@ std::string FractureWorld::name(const btRigidBody* body) const {
     return breakable ? breakable->name : std::string();
 }
 
+int FractureWorld::generation(const btRigidBody* body) const {
+    const Breakable* breakable = impl_->breakables().find(body);
+    return breakable ? breakable->generation : 0;
+}
+
 btTransform FractureWorld::assetTransform(const btRigidBody* body) const {
     const Breakable* breakable = impl_->breakables().find(body);
     return breakable ? breakable->placed(body->getWorldTransform()) : btTransform::getIdentity();

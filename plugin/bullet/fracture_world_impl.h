@@ -107,6 +107,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsInACrowd(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
+    StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);

@@ -7,6 +7,7 @@
 #include <deque>
 #include <memory>
 
+#include "bullet/body_token.h"
 #include "bullet/decided_blow.h"
 
 namespace sherd {
@@ -16,7 +17,9 @@ struct WaitingBlow {
     std::uint64_t serial = 0;  ///< of the body
     double impulse_n_s = 0;
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
-    double struck_at_s = 0, worked_by_s = 0, due_s = 0;   ///< simulated time
+    const btCollisionObject* striker = nullptr;           ///< may be dead: compared with its token
+    BodyToken striker_token = no_token;
+    double struck_at_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
     std::shared_ptr<DecidedBlow> decided;
 };
 

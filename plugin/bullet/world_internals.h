@@ -21,10 +21,10 @@ class WorldInternals : private btDiscreteDynamicsWorld {
     }
 };
 
-/// Compares pointers only: the body may be dead.
-inline bool isInWorld(const btDiscreteDynamicsWorld& world, const btRigidBody* body) {
+/// Compares pointers only: the object may be dead.
+inline bool isInWorld(const btDiscreteDynamicsWorld& world, const btCollisionObject* object) {
     const auto& objects = world.getCollisionObjectArray();
-    return objects.findLinearSearch(const_cast<btRigidBody*>(body)) != objects.size();
+    return objects.findLinearSearch(const_cast<btCollisionObject*>(object)) != objects.size();
 }
 
 }  // namespace sherd

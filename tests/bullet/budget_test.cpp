@@ -242,13 +242,30 @@ TEST(Budget, WhatAStrikerFliesThroughNeverWaits) {
             other->setAngularVelocity(btVector3(0, 0, 0));
         }
         fracture.takeEvents();
-        scene.addBall(is_light ? 0.5 : 500, 0.05,
-                      fragment->getWorldTransform().getOrigin() + btVector3(0, 0, 0.12f),
-                      btVector3(0, 0, -10));
+        const btRigidBody* ball = scene.addBall(
+            is_light ? 0.5 : 500, 0.05, fragment->getWorldTransform().getOrigin() + btVector3(0, 0, 0.12f),
+            btVector3(0, 0, -10));
         const BlowEvent event = stepUntilBreak(scene, fracture);
         ASSERT_EQ(event.outcome, Outcome::broke);
         EXPECT_EQ(event.waited_s == 0, is_light) << "a heavy one goes on whether it breaks or not";
+        EXPECT_EQ(event.striker, ball);
     }
+}
+
+TEST(Budget, NoEventNamesAStrikerThatIsGone) {
+    FallingPlate fall;
+    btRigidBody* floor = fall.scene.bodies.front().get();
+    std::vector<BlowEvent> events;
+    while (events.empty()) events = fall.run(1);
+    EXPECT_EQ(events.front().striker, floor);
+    for (const BlowEvent& event : fall.run(2)) EXPECT_EQ(event.waited_s, 0);
+    fall.scene.world->removeRigidBody(floor);
+    int without = 0;
+    for (const BlowEvent& event : fall.run(10)) {
+        EXPECT_NE(event.striker, floor);
+        without += event.waited_s > 0 && !event.striker;
+    }
+    EXPECT_GT(without, 0);
 }
 
 /// Six plates that are struck in one step: by the floor, or by a ball of `ball_kg` each. How many broke in

@@ -1,5 +1,7 @@
 // What an event says of a body that is gone, and how long events and bodies wait.
 
+#include <algorithm>
+
 #include "bullet/event_queue.h"
 #include "bullet/support.h"
 
@@ -20,7 +22,7 @@ TEST(Events, CarryTheAssetAndWhereItStoodWhenTheBlowFell) {
                                                 crumbly(), coarse(0.06));
     btRigidBody* body = fracture.add(asset.value(), options).value();
     const btVector3 ahead = options.start.getBasis().getColumn(2);
-    scene.addBall(2, 0.1, options.start * btVector3(1, 0, 0.2f), -8 * ahead);
+    const btRigidBody* ball = scene.addBall(2, 0.1, options.start * btVector3(1, 0, 0.2f), -8 * ahead);
     btTransform stood;
     btVector3 velocity, spin;
     for (int i = 0; i < 60; ++i) {
@@ -44,9 +46,35 @@ TEST(Events, CarryTheAssetAndWhereItStoodWhenTheBlowFell) {
                                                                             btScalar(event.position.y()),
                                                                             btScalar(event.position.z()));
         EXPECT_NEAR(there.z(), 0.03, 0.01);
+        EXPECT_EQ(event.striker, ball);
+        EXPECT_EQ(event.generation, 0);
         return;
     }
     FAIL() << "nothing broke";
+}
+
+TEST(Events, SayHowManyBreaksMadeTheBody) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Settings settings = coarse(0.06);
+    settings.fracture.smallest_fragment_m3 = 3e-4;
+    settings.fracture.rest_after_break_s = 0;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    btRigidBody* body = fracture.add(asset.value()).value();
+    for (int generation = 0; generation < 2; ++generation) {
+        EXPECT_EQ(fracture.generation(body), generation);
+        const btVector3 centre = body->getWorldTransform().getOrigin();
+        ASSERT_TRUE(fracture.applyBlow(body, {centre, btVector3(0, 0, -30)}).ok());
+        const auto events = fracture.takeEvents();
+        ASSERT_EQ(events.size(), 1u);
+        ASSERT_EQ(events[0].outcome, Outcome::broke);
+        EXPECT_EQ(events[0].generation, generation);
+        EXPECT_EQ(events[0].striker, nullptr) << "the app struck it itself";
+        body =
+            *std::max_element(events[0].fragments.begin(), events[0].fragments.end(),
+                              [](const auto* a, const auto* b) { return a->getInvMass() > b->getInvMass(); });
+    }
 }
 
 TEST(Events, NobodyTakesThemSoTheOldestAreDroppedWithTheirBodies) {
