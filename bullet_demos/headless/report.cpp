@@ -68,7 +68,7 @@ ordered_json firstBreakMilliseconds(const SceneRun& run, double sample_ms) {
 /// Of the first blow that was solved; 0 if none was.
 double firstBlowMilliseconds(const SceneRun& run) {
     for (const TimedEvent& timed : run.events)
-        if (timed.event.level != sherd::Level::gate) return stressMilliseconds(timed.event);
+        if (timed.event.level > sherd::Level::gate) return stressMilliseconds(timed.event);
     return 0;
 }
 

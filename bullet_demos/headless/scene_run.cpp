@@ -78,7 +78,7 @@ std::optional<sherd::BlowEvent> strikeAgain(const Scene& scene, const SceneAsset
     for (int step = 0; step < stepCount(scene); ++step) {
         world.step();
         for (sherd::BlowEvent& event : world.fracture().takeEvents())
-            if (event.level != sherd::Level::gate) return std::move(event);
+            if (event.level > sherd::Level::gate) return std::move(event);
     }
     return std::nullopt;
 }

@@ -48,12 +48,24 @@ void showStages(const sherd::StageTimes& ms) {
     }
 }
 
+const char* decidedBy(sherd::Level level) {
+    switch (level) {
+        case sherd::Level::gate:
+            return ", decided by the gate";
+        case sherd::Level::coarse:
+            return ", decided by a coarse solve";
+        case sherd::Level::reduced:
+            return ", decided by the reduced model";
+        case sherd::Level::full:
+            return ", decided by a full solve";
+        case sherd::Level::none:
+            break;
+    }
+    return "";
+}
+
 void showBlow(const sherd::BlowEvent& blow) {
-    ImGui::Text("last blow: %s, decided by %s", sherd::nameOf(blow.outcome),
-                blow.level == sherd::Level::reduced ? "the reduced model"
-                : blow.level == sherd::Level::full  ? "a full solve"
-                : blow.level == sherd::Level::gate  ? "the gate"
-                                                    : "a coarse solve");
+    ImGui::Text("last blow: %s%s", sherd::nameOf(blow.outcome), decidedBy(blow.level));
     if (!blow.fragments.empty()) ImGui::Text("%zu pieces", blow.fragments.size());
     ImGui::Text("%.1f MPa at %.0f N over %.2f ms", blow.largest_stress_pa / 1e6, blow.peak_force_n,
                 1000 * blow.contact_time_s);

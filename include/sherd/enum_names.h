@@ -106,10 +106,8 @@ inline constexpr NamedValue<Outcome> enum_names<Outcome>[] = {
 
 template <>
 inline constexpr NamedValue<Level> enum_names<Level>[] = {
-    {"gate", Level::gate},
-    {"coarse", Level::coarse},
-    {"reduced", Level::reduced},
-    {"full", Level::full},
+    {"none", Level::none},       {"gate", Level::gate}, {"coarse", Level::coarse},
+    {"reduced", Level::reduced}, {"full", Level::full},
 };
 
 /// The name of a value; empty for what is none of the enum's values.

@@ -19,8 +19,9 @@ enum class Outcome {
     dropped,
 };
 
-/// What decided a blow: the first of these that could.
+/// What decided a blow: the first of these, from the gate on, that could.
 enum class Level {
+    none,     ///< nothing did: Outcome::dropped, or Outcome::failed before the blow was looked at
     gate,     ///< the blow is too weak to break the body: nothing was solved
     coarse,   ///< a solve of a fragment on a coarse grid: what it stores pays for no crack by far
     reduced,  ///< the reduced model of the stress that the asset keeps
@@ -30,7 +31,7 @@ enum class Level {
 /// The figures of one blow. SI units.
 struct BlowFigures {
     Outcome outcome = Outcome::held;
-    Level level = Level::gate;
+    Level level = Level::none;
     double impulse_n_s = 0;     ///< sum of the normal impulses of all contacts
     double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
     double contact_time_s = 0;  ///< duration of that pulse
@@ -68,18 +69,20 @@ struct BlowCounts {
 
     long long solved() const { return reduced + full; }  ///< blows whose stress was solved
 
-    /// Blows that a level decided.
+    /// Blows that a level decided; at Level::none those that are `dropped`.
     long long at(Level level) const {
         return level == Level::gate      ? gate
                : level == Level::coarse  ? coarse
                : level == Level::reduced ? reduced
-                                         : full;
+               : level == Level::full    ? full
+                                         : dropped;
     }
     long long& at(Level level) {
         return level == Level::gate      ? gate
                : level == Level::coarse  ? coarse
                : level == Level::reduced ? reduced
-                                         : full;
+               : level == Level::full    ? full
+                                         : dropped;
     }
 };
 

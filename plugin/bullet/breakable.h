@@ -78,6 +78,8 @@ struct Breakable {
 
     bool ownedHere() const { return owned.body != nullptr; }
     bool isFragment() const { return generation > 0; }
+    /// Places that it gives back to its fragments, of those that Budget::fragments_alive has.
+    int ownPlaces() const { return isFragment() ? 1 : 0; }
     /// The map from the asset's frame to the world, for a body that stands at `world_transform`.
     btTransform placed(const btTransform& world_transform) const { return world_transform * body_from_asset; }
     /// An app may make a body static at any time.

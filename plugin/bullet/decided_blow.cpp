@@ -44,6 +44,7 @@ std::shared_ptr<DecidedBlow> DecidedBlow::make(BlowToDecide blow) {
 
 void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
     BlowOutcome outcome = failedIfThrown([&](BlowOutcome& out) {
+        out.level = Level::full;  // of what throws
         out = solveBlow(*blow.solid, blow.blow, *blow.fracture, blow.seed, blow.earlier);
     });
     outcome.ms += blow.before;

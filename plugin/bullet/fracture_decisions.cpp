@@ -70,14 +70,22 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     return decided;
 }
 
-void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, const char* why, double waited_s) {
+void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why,
+                                      double waited_s) {
     ++counts_.dropped;
     BlowFigures figures;
     figures.outcome = Outcome::dropped;
-    figures.impulse_n_s = normalImpulse(struck.blow);
+    figures.impulse_n_s = impulse_n_s;
     figures.waited_s = waited_s;
     figures.message = std::string("the budget left no room for this blow, so the body stays whole: ") + why;
     current_.push_back({eventOf(struck, figures), {}});
+}
+
+void FractureWorld::Impl::tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s) {
+    tellDropped(struck, impulse_n_s,
+                "with its fragments there would be more than Budget::fragments_alive allows; raise it, or "
+                "remove some",
+                waited_s);
 }
 
 /// Counts a decided blow and makes its event, unless the gate decided it and has nothing to say.
@@ -136,25 +144,30 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
     std::optional<OnThisThreadAlone> alone;
     if (executor_ && !*executor_) alone.emplace();
-    const Gated gated = gate(struck, time_step_s);
+    Gated gated = gate(struck, time_step_s);
     const std::vector<std::size_t>& now = gated.now;
+    int room = now.empty() ? 0 : roomForFragments();
+    if (time_step_s > 0) dropWithoutRoom(struck, gated, room);
     std::vector<BlowToDecide> blows;
-    const int room = std::min(roomForFragments(), budget_.fragments_per_step - new_fragments_);
-    const int share = now.empty() ? 0 : room / static_cast<int>(now.size());
+    const int sharing = std::max(1, static_cast<int>(now.size()));
+    const int share = room / sharing, share_of_step = (budget_.fragments_per_step - new_fragments_) / sharing;
     for (const std::size_t i : now) {
-        waiting_.settle(struck[i].breakable->serial, times_.steps.waiting);
-        blows.push_back(toDecide(struck[i], share));
+        const Breakable& breakable = *struck[i].breakable;
+        waiting_.settle(breakable.serial, times_.steps.waiting);
+        blows.push_back(toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step)));
         blows.back().before = gated.ms[i];
     }
     decided_now_ += static_cast<int>(now.size());
     const auto decided = decideNow(blows);
     std::vector<Break> breaks;
-    int places = roomForFragments();
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
         if (!is_now && !gated.held[i]) continue;
         const auto own = is_now ? decided[k++] : nullptr;
-        if (own && time_step_s > 0 && !takeRoom(struck[i], own->outcome, places)) continue;
+        if (own && time_step_s > 0 && !takeRoom(struck[i], own->outcome, room)) {
+            (own->doneElsewhere() ? times_.workers : times_.blows) += own->outcome.ms;
+            continue;
+        }
         const auto broken = tell(struck[i], own ? own->outcome : *gated.held[i], own);
         if (broken) breaks.push_back(*broken);
     }

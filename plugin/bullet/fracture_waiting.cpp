@@ -14,8 +14,6 @@ namespace sherd {
 
 namespace {
 
-constexpr const char* too_many_fragments =
-    "there are as many fragments as Budget::fragments_alive allows; raise it, or remove some";
 constexpr const char* too_long_a_queue =
     "it would have waited for longer than Budget::longest_wait_s; raise that, or milliseconds_per_step and "
     "solves_per_step";
@@ -49,13 +47,28 @@ int FractureWorld::Impl::roomForFragments() const {
     return budget_.fragments_alive - static_cast<int>(alive);
 }
 
-/// Takes the places of a broken body's fragments; a fragment gives back its own. False, and told, if there
-/// are too few: the body stays whole.
+/// Tells of the blows on bodies that have no room for as few fragments as they may break into, and leaves
+/// them out: they are not solved.
+void FractureWorld::Impl::dropWithoutRoom(const std::vector<StruckBreakable>& struck, Gated& gated,
+                                          int room) {
+    const auto has_room = [&](std::size_t i) {
+        return room + struck[i].breakable->ownPlaces() >= fewest_fragments;
+    };
+    const auto without = std::stable_partition(gated.now.begin(), gated.now.end(), has_room);
+    for (auto i = without; i != gated.now.end(); ++i) {
+        times_.blows += gated.ms[*i];
+        tellTooMany(struck[*i], normalImpulse(struck[*i].blow));
+    }
+    gated.now.erase(without, gated.now.end());
+}
+
+/// Takes the places of a broken body's fragments. False, and told, if there are too few: the body stays
+/// whole.
 bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room) {
     if (outcome.outcome != Outcome::broke) return true;
-    const int more = static_cast<int>(outcome.fragments.size()) - (struck.breakable->isFragment() ? 1 : 0);
+    const int more = static_cast<int>(outcome.fragments.size()) - struck.breakable->ownPlaces();
     if (more > room) {
-        tellDropped(struck, too_many_fragments, 0);
+        tellTooMany(struck, outcome.impulse_n_s);
         return false;
     }
     room -= more;
@@ -111,13 +124,14 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
         return urgency(*a, budget_) > urgency(*b, budget_);
     });
-    const int room = std::min(roomForFragments(), budget_.fragments_per_step);
+    const int room = roomForFragments();
     for (const StruckBreakable* struck : blows) {
-        if (room < fewest_fragments) {
-            tellDropped(*struck, too_many_fragments, 0);
+        const Breakable& breakable = *struck->breakable;
+        const int most_fragments = std::min(room + breakable.ownPlaces(), budget_.fragments_per_step);
+        if (most_fragments < fewest_fragments) {
+            tellTooMany(*struck, normalImpulse(struck->blow));
             continue;
         }
-        const Breakable& breakable = *struck->breakable;
         const btTransform from_world = breakable.placed(struck->before.transform).inverse();
         WaitingBlow blow;
         blow.serial = breakable.serial;
@@ -128,7 +142,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
             blow.striker = struck->striker;
             blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
         }
-        blow.decided = DecidedBlow::make(toDecide(*struck, room));
+        blow.decided = DecidedBlow::make(toDecide(*struck, most_fragments));
         const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
         switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
             case WaitingBlows::Fate::waits:
@@ -137,7 +151,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
                 ++counts_.merged;
                 break;
             case WaitingBlows::Fate::dropped:
-                tellDropped(*struck, too_long_a_queue, 0);
+                tellDropped(*struck, normalImpulse(struck->blow), too_long_a_queue);
                 break;
         }
     }
@@ -180,8 +194,9 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
             continue;
         }
         const double waited_s = time_s_ - blow.struck_at_s;
-        if (count > 0 && count > roomForFragments()) {
-            tellDropped(struckNow(**found, blow), too_many_fragments, waited_s);
+        if (count > 0 && count > roomForFragments() + (*found)->ownPlaces()) {
+            (blow.decided->doneElsewhere() ? times_.workers : times_.blows) += blow.decided->outcome.ms;
+            tellTooMany(struckNow(**found, blow), blow.impulse_n_s, waited_s);
             continue;
         }
         BlowOutcome& outcome = blow.decided->outcome;

@@ -103,14 +103,16 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);
-    void tellDropped(const StruckBreakable& struck, const char* why, double waited_s);
+    void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
+    void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsInACrowd(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
-    StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
+    void dropWithoutRoom(const std::vector<StruckBreakable>& struck, Gated& gated, int room);
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
+    StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);

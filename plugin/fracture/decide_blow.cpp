@@ -24,7 +24,8 @@ BlowOutcome completed(BlowOutcome out, const BreakableSolid& solid, const Blow& 
 std::optional<BlowOutcome> heldByGate(const BreakableSolid& solid, const Blow& blow,
                                       const FractureSettings& fracture, std::uint64_t seed, double& gate_ms,
                                       const std::shared_ptr<const DamagedMaterial>& earlier) {
-    BlowOutcome held;  // by the gate
+    BlowOutcome held;
+    held.level = Level::gate;
     if (timed(held.ms.gate, [&] { return canBreak(solid, blow, fracture); })) {
         gate_ms += held.ms.gate;
         return std::nullopt;
