@@ -126,13 +126,15 @@ bool isSheet(const TriangleMesh& wrap, double detail_m) {
            detail_m * surfaceArea(wrap);
 }
 
-/// Close around a body; with more room around sheets, which would be too thin to break otherwise. Most sheets
-/// show in a coarse wrap, which is a small part of the work; it encloses more than the fine one.
+/// Close around a body; with more room around sheets, and around a body that folds into sheets in a part of
+/// it: the walls that the wrap makes of them would break at a touch. Most sheets show in a coarse wrap, which
+/// is a small part of the work; it encloses more than the fine one.
 TriangleMesh wrapClosely(const TriangleMesh& mesh, double detail_m) {
     const double close = wrap_offset * detail_m, roomy = wrap_offset_of_sheets * detail_m;
     if (isSheet(wrapped(mesh, coarse * detail_m, close), detail_m)) return wrapped(mesh, detail_m, roomy);
     TriangleMesh wrap = wrapped(mesh, detail_m, close);
-    return isSheet(wrap, detail_m) ? wrapped(mesh, detail_m, roomy) : wrap;
+    const bool has_sheets = isSheet(wrap, detail_m) || wallThickness(wrap) < 3 * close;
+    return has_sheets ? wrapped(mesh, detail_m, roomy) : wrap;
 }
 
 /// Counts of what was mended before the wrap: holes, and what was stitched to find them.

@@ -35,6 +35,23 @@ TEST(Repair, WrapsWhatCannotBeMended) {
     EXPECT_NEAR(volumeOf(ball.mesh), 4 * pi / 3, 0.15);
 }
 
+TEST(Repair, TheWrapOfWhatFoldsIntoSheetsHasNoThinWalls) {
+    // A prism whose profile crosses itself: between the two halves its caps are sheets.
+    TriangleMesh mesh;
+    for (const double z : {0.0, 0.1})
+        for (const Vec2& p : {Vec2(0, 0), Vec2(0.2, 0.2), Vec2(0.2, 0), Vec2(0, 0.2)})
+            mesh.vertices.emplace_back(p.x(), p.y(), z);
+    mesh.triangles = {{0, 2, 1}, {0, 3, 2}, {4, 5, 6}, {4, 6, 7}};
+    for (int k = 0; k < 4; ++k) {
+        const int next = (k + 1) % 4;
+        mesh.triangles.push_back({k, next, next + 4});
+        mesh.triangles.push_back({k, next + 4, k + 4});
+    }
+    const RepairedMesh result = repaired(mesh, Repair::automatic());
+    ASSERT_TRUE(result.report.wrapped);
+    EXPECT_GT(wallThickness(result.mesh), 0.9 * Repair().wrap_detail * result.report.size_m);
+}
+
 TEST(Repair, TheWrapCarriesTheLookOfTheOriginal) {
     // A box whose sides have a material, a colour, a normal and texture coordinates each, by their place.
     TriangleMesh mesh = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1), 4, 4, 4);
