@@ -26,6 +26,13 @@ sherd::Repair repairOf(const Choices& choices, const sherd::TriangleMesh& mesh) 
     return repair;
 }
 
+/// A sentence about the mesh, with the viewer's options in the place of the fields of Repair that it names.
+std::string withOptions(const std::string& sentence) {
+    return sherd::withNames(sentence, {{"Repair::automatic()", "--repair"},
+                                       {"Repair::scale", "--scale, or --size"},
+                                       {"Repair::shell_thickness_m", "--shell"}});
+}
+
 Scene sceneAround(const Choices& choices) {
     Scene scene;
     scene.name = std::filesystem::path(choices.file).stem().string();
@@ -52,14 +59,15 @@ sherd::Result<Loaded> loadOwnMesh(const Choices& choices) {
                                                  repairOf(choices, mesh.value()));
     if (!asset)
         return sherd::Error{
-            choices.file + ": " + asset.error() +
-            (choices.own_mesh.repair ? "" : " In the viewer: --repair, or the box `repair the mesh`.") +
+            choices.file + ": " + withOptions(asset.error()) +
+            (choices.own_mesh.repair ? "" : " In the panel --repair is the box `repair the mesh`.") +
             (choices.own_mesh.shell_thickness_m > 0 && !choices.own_mesh.repair ? " A shell needs that, too."
                                                                                 : "")};
     if (asset.value().particleCount() == 0)
         return sherd::Error{choices.file + ": " + asset.value().prepare().error()};
-    loaded.said = asset.value().repairs().sentences();
-    for (const std::string& warning : asset.value().warnings()) loaded.said.push_back(warning);
+    for (const std::string& sentence : asset.value().repairs().sentences())
+        loaded.said.push_back(withOptions(sentence));
+    for (const std::string& warning : asset.value().warnings()) loaded.said.push_back(withOptions(warning));
     loaded.assets.bodies.push_back(std::move(asset).value());
     return loaded;
 }

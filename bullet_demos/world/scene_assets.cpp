@@ -12,16 +12,24 @@ namespace {
 
 using Announce = std::function<void(const std::string&)>;
 
+/// A sentence about a mesh, with what a scene file says in the place of the fields of Repair that it names.
+std::string inSceneWords(const std::string& sentence) {
+    return sherd::withNames(sentence, {{"Repair::automatic()", "\"repair\": \"automatic\""},
+                                       {"Repair::scale", "\"scale\""},
+                                       {"Repair::shell_thickness_m", "\"shell_thickness_m\""},
+                                       {"Repair::wrap_detail", "\"wrap_detail\""}});
+}
+
 /// Reads and repairs it as the scene says; what was changed, and a size that is hardly meant, is announced.
 sherd::Result<sherd::TriangleMesh> readMesh(const ObjFile& file, const Announce& announce) {
     const auto mesh = sherd::readObj(file.path);
     if (!mesh) return mesh;
     auto repaired = sherd::repairMesh(mesh.value(), file.repair);
-    if (!repaired) return sherd::Error{file.path + ": " + repaired.error()};
+    if (!repaired) return sherd::Error{file.path + ": " + inSceneWords(repaired.error())};
     std::vector<std::string> said = repaired.value().report.sentences();
     said.push_back(sherd::sizeWarning(repaired.value().mesh));
     for (const std::string& sentence : said)
-        if (announce && !sentence.empty()) announce(file.path + ": " + sentence);
+        if (announce && !sentence.empty()) announce(file.path + ": " + inSceneWords(sentence));
     return std::move(repaired.value().mesh);
 }
 

@@ -4,6 +4,7 @@
 #include <sherd/triangle_mesh.h>
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sherd {
@@ -44,7 +45,7 @@ struct RepairReport {
     /// Edges and vertices in which the surface touched itself; parts are pulled apart there.
     int parted_places = 0;
     int filled_holes = 0;
-    double largest_hole_m = 0;  ///< diagonal of the largest filled hole's box
+    double largest_hole_m = 0;  ///< diagonal of the box around the largest filled hole
     int crossings = 0;          ///< pairs of crossing triangles that were undone within a part
     int united_parts = 0;       ///< that overlapped others or lay inside them
     int empty_parts = 0;        ///< without volume, left out
@@ -74,6 +75,10 @@ struct RepairedMesh {
 /// vertices take their colour, from the nearest point of the mesh as it was. Deterministic.
 /// The error says every fault that is left, or which figure of `repair` is out of range.
 Result<RepairedMesh> repairMesh(const TriangleMesh& mesh, const Repair& repair);
+
+/// A sentence of the library, which calls what to change by its field (`Repair::scale`), as a program says it
+/// to users who know that by another name (`--scale`): `names` has the field first.
+std::string withNames(std::string sentence, const std::vector<std::pair<std::string, std::string>>& names);
 
 /// A warning if a body of that surface is so large or so small that its file is probably not in metres;
 /// empty otherwise.

@@ -10,6 +10,8 @@
 #include <iostream>
 #include <vector>
 
+#include "cli/mesh_options.h"
+
 namespace sherd::cli {
 
 namespace {
@@ -64,8 +66,9 @@ Status runBake(const BakeArguments& arguments, std::ostream& report) {
     if (const Status saved = asset.value().save(arguments.out); !saved) return saved;
     const double seconds = secondsSince(start);
     for (const std::string& repair : asset.value().repairs().sentences())
-        std::cerr << "note: " << repair << "\n";
-    for (const std::string& warning : asset.value().warnings()) std::cerr << "warning: " << warning << "\n";
+        std::cerr << "note: " << withOptions(repair) << "\n";
+    for (const std::string& warning : asset.value().warnings())
+        std::cerr << "warning: " << withOptions(warning) << "\n";
 
     const auto loading = secondsToLoad(arguments.out);
     if (!loading) return Error{loading.error()};

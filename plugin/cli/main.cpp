@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "cli/arguments.h"
+#include "cli/mesh_options.h"
 #include "cli/stress_command.h"
 
 int main(int argc, char** argv) {
@@ -18,7 +19,7 @@ int main(int argc, char** argv) {
         const bool bakes = arguments.value().command == sherd::cli::Arguments::Command::bake;
         const sherd::Status done = bakes ? sherd::cli::runBake(arguments.value().bake, std::cout)
                                          : sherd::cli::runStress(arguments.value(), std::cout);
-        if (!done) std::cerr << done.error() << "\n";
+        if (!done) std::cerr << sherd::cli::withOptions(done.error()) << "\n";
         return done ? 0 : 1;
     } catch (const std::exception& failure) {
         std::cerr << "sherd stopped: " << failure.what() << "\n";

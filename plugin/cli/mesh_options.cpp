@@ -33,4 +33,11 @@ Repair MeshOptions::chosen() const {
     return taken;
 }
 
+std::string withOptions(const std::string& sentence) {
+    return withNames(sentence, {{"Repair::automatic()", "--repair automatic"},
+                                {"Repair::scale", "--scale"},
+                                {"Repair::shell_thickness_m", "--shell-thickness"},
+                                {"Repair::wrap_detail", "--wrap-detail"}});
+}
+
 }  // namespace sherd::cli

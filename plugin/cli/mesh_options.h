@@ -20,4 +20,7 @@ class MeshOptions {
     double scale_ = 1, shell_thickness_m_ = 0, wrap_detail_ = Repair().wrap_detail;
 };
 
+/// A sentence about a mesh, with the options in the place of the fields of Repair that it names.
+std::string withOptions(const std::string& sentence);
+
 }  // namespace sherd::cli

@@ -6,6 +6,7 @@
 
 #include "cli/case_file.h"
 #include "cli/csv_file.h"
+#include "cli/mesh_options.h"
 #include "cli/report.h"
 #include "cli/vtk_file.h"
 #include "core/stress/principal_stresses.h"
@@ -83,8 +84,9 @@ Status writeAll(const Arguments& arguments, const StressCase& problem, const Str
     for (const std::string& key : problem.unknown_keys)
         std::cerr << "warning: " << arguments.case_file << ": the key \"" << key
                   << "\" is not known and was passed over\n";
-    for (const std::string repair : report["repairs"]) std::cerr << "note: " << repair << "\n";
-    for (const std::string warning : report["warnings"]) std::cerr << "warning: " << warning << "\n";
+    for (const std::string repair : report["repairs"]) std::cerr << "note: " << withOptions(repair) << "\n";
+    for (const std::string warning : report["warnings"])
+        std::cerr << "warning: " << withOptions(warning) << "\n";
     return status;
 }
 

@@ -1,6 +1,7 @@
 #include "geometry/surface_topology.h"
 
 #include <algorithm>
+#include <cmath>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -60,7 +61,7 @@ struct EdgeFaults {
 std::string openEdges(const TriangleMesh& mesh, const EdgeFaults& open) {
     return "The surface is open: " + describeEdge(mesh, *open.first) + " belongs to " +
            describeTriangle(mesh, open.first->triangle) + " only" + open.others(mesh) +
-           "; close the hole, or give the sheet a thickness.";
+           "; close the hole, or give the sheet a thickness (a vessel: Repair::shell_thickness_m).";
 }
 
 std::string crowdedEdges(const TriangleMesh& mesh, const EdgeFaults& crowded) {
@@ -120,10 +121,13 @@ std::string pinches(const TriangleMesh& mesh, const std::vector<SharedEdge>& edg
 }  // namespace
 
 std::string describePlace(const Vec3& position) {
+    constexpr double rounding_m = 1e-9;
+    const auto rounded = [](double x) { return std::abs(x) < rounding_m ? 0 : x; };
     std::ostringstream text;
     text.imbue(std::locale::classic());
     text.precision(4);
-    text << '(' << position.x() << ", " << position.y() << ", " << position.z() << ')';
+    text << '(' << rounded(position.x()) << ", " << rounded(position.y()) << ", " << rounded(position.z())
+         << ')';
     return text.str();
 }
 

@@ -50,7 +50,8 @@ TEST(SurfaceChecks, TheBadFilesHaveTheirSentences) {
     EXPECT_EQ(
         sentenceForFile("open.obj"),
         "The surface is open: the edge from (0, 0, 0.1) to (0.1, 0, 0.1) belongs to face 2 only (4 such "
-        "edges, at faces 2, 4, 5 and 3); close the hole, or give the sheet a thickness.");
+        "edges, at faces 2, 4, 5 and 3); close the hole, or give the sheet a thickness (a vessel: "
+        "Repair::shell_thickness_m).");
     EXPECT_EQ(sentenceForFile("inverted.obj"),
               "The surface is inside out: its triangles face inward, so its volume is negative; reverse the "
               "order of the "

@@ -84,10 +84,14 @@ TEST(OwnMesh, AnOpenSurfaceIsRefusedUnlessItIsToBeRepaired) {
     const auto refused = demo::load(choices, "");
     ASSERT_FALSE(refused.ok());
     EXPECT_NE(refused.error().find("The surface is open"), std::string::npos) << refused.error();
+    EXPECT_NE(refused.error().find(" --repair mends such meshes"), std::string::npos) << refused.error();
+    EXPECT_EQ(refused.error().find("Repair::"), std::string::npos) << refused.error();
     choices.own_mesh.repair = true;
     const auto mended = demo::load(choices, "");
     ASSERT_TRUE(mended.ok()) << mended.error();
     EXPECT_FALSE(mended.value().said.empty());
+    for (const std::string& sentence : mended.value().said)
+        EXPECT_EQ(sentence.find("Repair::"), std::string::npos) << sentence;
 }
 
 }  // namespace

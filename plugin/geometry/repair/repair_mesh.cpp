@@ -31,9 +31,7 @@ constexpr double wrap_offset_of_sheets = 0.5;  // of the wrap's detail: sheets b
 constexpr double coarse = 4;                   // over the wrap's detail
 constexpr std::size_t most_triangles = 3000000;
 
-constexpr const char* hint =
-    " Repair::automatic() mends such meshes, and wraps what it cannot mend (\"repair\": \"automatic\" in a "
-    "scene, --repair automatic on the command line).";
+constexpr const char* hint = " Repair::automatic() mends such meshes, and wraps what it cannot mend.";
 
 double diagonalOf(const TriangleMesh& mesh) {
     return boundingBox(mesh).diagonal().norm();

@@ -10,6 +10,7 @@ namespace sherd {
 namespace {
 
 constexpr double largest_usual_m = 15, smallest_usual_m = 0.01;
+constexpr double rounding = 1e-9;  // of the size: a distance below it is none
 
 }  // namespace
 
@@ -46,7 +47,11 @@ std::vector<std::string> RepairReport::sentences() const {
     say(turned_triangles, "triangle", "triangles", "turned to face outward");
     say(parted_places, "edge or vertex", "edges and vertices",
         "where the surface touched itself parted by a thousandth of an edge");
-    say(filled_holes, "hole", "holes", "filled, the largest " + threeDigits(largest_hole_m) + " m across");
+    say(filled_holes, "hole", "holes",
+        "filled; the box around the largest has a diagonal of " + threeDigits(largest_hole_m) + " m");
+    if (filled_holes > 0 && !hollowed)
+        said.push_back(
+            "A vessel whose opening was filled is solid; Repair::shell_thickness_m makes it hollow.");
     say(crossings, "crossing of triangles", "crossings of triangles", "undone");
     say(united_parts, "part", "parts", "united with others that it overlapped or lay in");
     say(empty_parts, "part", "parts", "without volume left out");
@@ -55,11 +60,18 @@ std::vector<std::string> RepairReport::sentences() const {
             "The surface was wrapped in a closed one, since what is wrong with it could not be "
             "mended face by face.");
     if (hollowed) said.push_back("The solid was made hollow.");
+    const double distance_m = largest_distance_m > rounding * size_m ? largest_distance_m : 0;
     if (wrapped || crossings > 0 || united_parts > 0)
-        said.push_back("The new surface is up to " + threeDigits(largest_distance_m) +
-                       " m from the old one (" + threeDigits(100 * largest_distance_m / size_m) +
-                       " % of its size).");
+        said.push_back("The new surface is up to " + threeDigits(distance_m) + " m from the old one (" +
+                       threeDigits(100 * distance_m / size_m) + " % of its size).");
     return said;
+}
+
+std::string withNames(std::string sentence, const std::vector<std::pair<std::string, std::string>>& names) {
+    for (const auto& [field, name] : names)
+        for (std::size_t at = 0; (at = sentence.find(field, at)) != std::string::npos; at += name.size())
+            sentence.replace(at, field.size(), name);
+    return sentence;
 }
 
 std::string sizeWarning(const TriangleMesh& mesh) {

@@ -61,6 +61,13 @@ TEST(Repair, SizesThatAreHardlyMeantAreNamed) {
     EXPECT_NE(sizeWarning(shapes::slab(Vec3(0.003, 0.001, 0.001))).find("0.003 m long"), std::string::npos);
 }
 
+TEST(Repair, SentencesAreSaidInAProgramsOwnNames) {
+    const std::string sentence = "Raise Repair::scale, or Repair::scale and a.";
+    EXPECT_EQ(withNames(sentence, {{"Repair::scale", "--scale"}, {"b", "c"}}),
+              "Raise --scale, or --scale and a.");
+    EXPECT_EQ(withNames(sentence, {}), sentence);
+}
+
 TEST(Repair, WhatIsNoMeshHasItsSentence) {
     const auto sentence = [](const TriangleMesh& mesh) {
         return repairMesh(mesh, Repair::automatic()).error();

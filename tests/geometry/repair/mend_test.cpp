@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "geometry/repair/support.h"
+#include "geometry/surface_topology.h"
 
 namespace {
 
@@ -27,6 +28,26 @@ TEST(Repair, FillsHoles) {
     EXPECT_GT(result.report.largest_hole_m, 0.2);
     EXPECT_NEAR(volumeOf(result.mesh), whole, 0.01);
     EXPECT_LT(result.report.largest_distance_m, 1e-9);
+}
+
+std::string allOf(const RepairReport& report) {
+    std::string said;
+    for (const std::string& sentence : report.sentences()) said += sentence + " ";
+    return said;
+}
+
+TEST(Repair, SaysWhatBecameOfHolesAndPrintsNoRoundingErrors) {
+    RepairReport report;
+    report.filled_holes = report.united_parts = 1;
+    report.largest_hole_m = 0.1414;
+    report.size_m = 0.4;
+    report.largest_distance_m = 2.78e-17;
+    for (const char* words : {"the box around the largest has a diagonal of 0.141 m.",
+                              "Repair::shell_thickness_m", "up to 0 m from the old one (0 % of its size)"})
+        EXPECT_NE(allOf(report).find(words), std::string::npos) << allOf(report);
+    report.hollowed = true;
+    EXPECT_EQ(allOf(report).find("Repair::shell_thickness_m"), std::string::npos) << allOf(report);
+    EXPECT_EQ(describePlace(Vec3(2.78e-17, -1e-12, 0.25)), "(0, 0, 0.25)");
 }
 
 /// Without the triangles whose middle is where `goes` says; as many as `most`.
