@@ -49,7 +49,7 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     app.add_option("SCENE", scene, "Its name, or a scene file that ends in .json")->capture_default_str();
     app.add_option("--preset", preset, "Figures that the scene file has under this name: paper")
         ->type_name("NAME");
-    app.add_option("--set", assignments, "Change figures of the scene, see below")
+    app.add_option("--set", assignments, "Change figures of the scene; --help-all lists them")
         ->type_name("KEY=VALUE ...");
     app.add_option("--seed", seed, "The same as --set seed=N")->type_name("N");
     app.add_flag("--list", arguments.show_list, "Name the scenes");
@@ -58,11 +58,14 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     app.add_option("--meshes", arguments.meshes, "Folder that keeps generated meshes")->type_name("DIR");
     addFilmOptions(app, arguments);
     app.add_flag("--progress-line", one_line, "Keep the progress on one line of a terminal");
-    app.footer("\n" + describeChanges());
+    app.set_help_all_flag("--help-all", "Print this, and all keys and paths that --set takes");
     try {
         app.parse(argc, argv);
     } catch (const CLI::CallForHelp&) {
         arguments.help = app.help();
+        return arguments;
+    } catch (const CLI::CallForAllHelp&) {
+        arguments.help = app.help() + "\n" + describeChanges();
         return arguments;
     } catch (const CLI::ParseError& error) {
         return sherd::Error{std::string(error.what()) + " (see --help)"};

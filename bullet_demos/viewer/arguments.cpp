@@ -143,7 +143,7 @@ sherd::Result<ViewArguments> parseViewArguments(int argc, const char* const* arg
                    "Figures that the scene file has under this name")
         ->type_name("NAME");
     app.add_option("--set", arguments.state.choices.changes,
-                   "Change figures of the scene, as bullet_demos/run does; its --help lists them")
+                   "Change figures of the scene, as bullet_demos/run does; its --help-all lists them")
         ->type_name("KEY=VALUE");
     addMeshOptions(app, raw, arguments);
     addViewOptions(app, arguments);

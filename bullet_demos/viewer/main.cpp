@@ -15,6 +15,10 @@ int view(const demo::ViewArguments& arguments) {
         if (!done) std::cerr << done.error() << "\n";
         return done ? 0 : 1;
     }
+    std::cout
+        << "A window is open. Click: throw a ball. Drag: turn. Right button or G: hold a body. R: again. "
+           "Space: pause. The panel lists the other keys (H shows it); close the window to end."
+        << std::endl;
     demo::Viewer viewer(arguments, *context);
     viewer.run();
     for (const std::string& message : viewer.errors().messages()) std::cerr << message << "\n";

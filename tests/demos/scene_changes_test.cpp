@@ -56,6 +56,18 @@ TEST(SceneChanges, EveryShortKeyLeadsToAFieldThatTheHelpLists) {
     EXPECT_EQ(keys, 17);
 }
 
+TEST(SceneChanges, TheShortHelpFitsOnAScreen) {
+    const auto help = [](const char* flag) {
+        const char* line[] = {"bullet_demos/run", flag};
+        return demo::parseArguments(2, line).value().help;
+    };
+    const std::string brief = help("--help"), all = help("--help-all");
+    EXPECT_LT(std::count(brief.begin(), brief.end(), '\n'), 35);
+    EXPECT_NE(brief.find("--help-all"), std::string::npos);
+    EXPECT_NE(all.find("settings.fracture.fragment_count"), std::string::npos);
+    EXPECT_EQ(all.rfind(brief, 0), 0u) << "and all of the short one";
+}
+
 TEST(SceneChanges, SpeedThrowsTheBodyDownWhereNoBallStrikes) {
     EXPECT_EQ(changed("coffee_cup", {"speed=2"}).bodies.front().velocity, demo::Vec3(0, 0, -2));
     EXPECT_EQ(changed("coffee_cup", {"ball_diameter=0.2"}).balls.size(), 0u);
