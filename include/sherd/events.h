@@ -34,8 +34,8 @@ struct BlowEvent : BlowFigures {
     /// If it broke, it is removed from the world. A body of Sherd's is then valid until the first step after
     /// the event was taken; a body of the app's for as long as the app keeps it.
     btRigidBody* body = nullptr;
-    /// How many breaks made it: 0 for a body that was added, 1 for its fragments, and so on. What a fragment
-    /// was part of says the event that has it among its `fragments`.
+    /// How many breaks made it: 0 for a body that was added, 1 for its fragments, and so on. The event that
+    /// has a fragment among its `fragments` is that of the body that it was part of.
     int generation = 0;
 
     Vec3 position = Vec3::Zero();  ///< of the strike that was met first, m
