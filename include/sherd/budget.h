@@ -35,7 +35,8 @@ struct Budget {
     /// made into fewer pieces, two at least; those that waited break a step later.
     int fragments_per_step = 200;
     /// Fragments in the world at most: bodies are made into fewer pieces, and where there is no room for two
-    /// they stay whole (Outcome::dropped).
+    /// they stay whole (Outcome::dropped). So does a body whose blow waited, if other bodies took the room
+    /// meanwhile. applyBlow and explode break a body all the same.
     int fragments_alive = 1000;
 
     /// No blow waits, and nothing is limited.

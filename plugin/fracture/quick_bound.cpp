@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/loads/contact_field.h"
 #include "core/numerics/pi.h"
 #include "fracture/blow_stress.h"
 #include "fracture/per_newton.h"
@@ -73,9 +74,8 @@ class Quick {
                                           std::max(contact.patch_radius_m, smallest));
         strike_.stress_pa = std::max(strike_.stress_pa, more.stress_pa);
         // A patch that hangs over an edge is smaller, and friction larger on a face that tilts.
-        constexpr double left = 0.35;
         const double radius = std::max(contact.patch_radius_m, smallest);
-        const double per_area = 1 / (left * 0.4 * pi * radius * radius);
+        const double per_area = 1 / (least_share * 0.4 * pi * radius * radius);
         const Vec3 along = (push - push.dot(contact.normal) * contact.normal).norm() > 0
                                ? Vec3((push - push.dot(contact.normal) * contact.normal).normalized())
                                : Vec3(contact.normal.unitOrthogonal());

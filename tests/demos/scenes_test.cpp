@@ -33,7 +33,9 @@ TEST(CoffeeCup, DroppedFromTwoCentimetresHolds) {
 }
 
 TEST(PlasterWall, HasAsManyParticlesAsThePapers) {
-    EXPECT_EQ(Stage(named("plaster_wall")).assets.bodies[0].particleCount(), 968);
+    const auto scene = readScene(SHERD_SCENES "/plaster_wall.json", "paper", {});
+    ASSERT_TRUE(scene) << scene.error();
+    EXPECT_EQ(Stage(scene.value()).assets.bodies[0].particleCount(), 968);
 }
 
 TEST(PlasterWall, BallGoesOnThroughAWallWithoutStrength) {

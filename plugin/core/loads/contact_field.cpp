@@ -71,17 +71,36 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
     return facets;
 }
 
-/// Whether the surface about a disc rises above its plane: slowly, as in a hollow, or at once, as in a
-/// corner. What is further away is the grid's anyway.
-bool isInHollow(const SurfaceTree& surface, const ContactDisc& disc) {
-    constexpr double reach = 2.5;  // radii
+/// Whether faces of a patch meet in a hollow, so that a part of one lies before another. A disc on the plane
+/// of one would then stand for what presses deep inside the body.
+bool meetInAHollow(const std::vector<Facet>& facets, const ContactPatch& patch) {
     constexpr double flat = 0.02;  // of the radius
-    const auto around =
-        surfaceAround(surface, disc.centre, reach * disc.radius, disc.radius, 0.5 * disc.radius);
-    return std::any_of(around.begin(), around.end(), [&](const PieceNearby& piece) {
-        const Vec3 offset = piece.centre - disc.centre;
-        return offset.norm() <= reach * disc.radius && -offset.dot(disc.inward) > flat * disc.radius;
+    return std::any_of(facets.begin(), facets.end(), [&](const Facet& facet) {
+        return std::any_of(patch.parts.begin(), patch.parts.end(), [&](const PatchPart& part) {
+            return part.centre.dot(facet.outward) > facet.highest + flat * patch.radius_m;
+        });
     });
+}
+
+/// How the surface lies about a disc.
+enum class Lie { behind, hollow, overhung };
+
+/// A hollow surface rises above the disc's plane, slowly or as a wall beside it, and the near field goes on
+/// there. It means nothing across air. What is further away is the grid's anyway.
+Lie lieOf(const SurfaceTree& surface, const ContactDisc& disc) {
+    constexpr double reach = 2.5;        // radii
+    constexpr double flat = 0.02;        // of the radius
+    constexpr double facing_back = 0.2;  // cosine
+    Lie lie = Lie::behind;
+    for (const PieceNearby& piece :
+         surfaceAround(surface, disc.centre, reach * disc.radius, disc.radius, 0.5 * disc.radius)) {
+        const Vec3 offset = piece.centre - disc.centre;
+        if (offset.norm() > reach * disc.radius || -offset.dot(disc.inward) < flat * disc.radius) continue;
+        const bool faces_disc = piece.area.dot(offset) < 0;  // not so the back of a wall beside it
+        if (faces_disc && piece.area.dot(disc.inward) > facing_back * piece.area.norm()) return Lie::overhung;
+        lie = Lie::hollow;
+    }
+    return lie;
 }
 
 /// t - sigma n about the discs.
@@ -153,8 +172,11 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
     double weight = 0;
     for (const PatchPart& part : patch.parts) weight += part.weight_m2;
     if (!(weight > 0)) return {};
+    const std::vector<Facet> facets = facetsOf(patch.parts);
+    if (facets.size() > most_facets || meetInAHollow(facets, patch)) return {};
+    const double whole = 0.4 * pi * patch.radius_m * patch.radius_m;  // of a disc that lies on a plane
     std::vector<ContactDisc> discs;
-    for (const Facet& facet : facetsOf(patch.parts)) {
+    for (const Facet& facet : facets) {
         const double spot = patch.spot.point.dot(facet.outward);
         const double above = std::clamp(spot, facet.lowest, facet.highest) - spot;
         const double squared = patch.radius_m * patch.radius_m - above * above;
@@ -164,8 +186,10 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
         const double in_middle = contactProfile(above * above / (patch.radius_m * patch.radius_m));
         ContactDisc disc{patch.spot.point + above * facet.outward, -facet.outward, std::sqrt(squared),
                          in_middle / weight * patch.force};
-        if (discs.size() == most_facets) return {};
-        disc.hollow = isInHollow(surface, disc);
+        const Lie lie = lieOf(surface, disc);
+        if (lie == Lie::overhung) return {};
+        disc.hollow = lie == Lie::hollow;
+        if (weight < (disc.hollow ? least_share_in_hollow : least_share) * whole) return {};
         discs.push_back(disc);
     }
     return discs;

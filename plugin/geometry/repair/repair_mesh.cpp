@@ -131,7 +131,8 @@ TriangleMesh wrapClosely(const TriangleMesh& mesh, double detail_m) {
     const double close = wrap_offset * detail_m, roomy = wrap_offset_of_sheets * detail_m;
     if (isSheet(wrapped(mesh, coarse * detail_m, close), detail_m)) return wrapped(mesh, detail_m, roomy);
     TriangleMesh wrap = wrapped(mesh, detail_m, close);
-    const bool has_sheets = isSheet(wrap, detail_m) || wallThickness(wrap) < 3 * close;
+    const double thickness = wallThickness(wrap);  // 0 if it is not known
+    const bool has_sheets = isSheet(wrap, detail_m) || (thickness > 0 && thickness < 3 * close);
     return has_sheets ? wrapped(mesh, detail_m, roomy) : wrap;
 }
 

@@ -107,6 +107,27 @@ TEST(ContactField, IsLeftToTheGridAtCorners) {
     EXPECT_TRUE(pressed(block, Vec3(0.1, 0.1, 0.05), Vec3(-1, -1, -1).normalized(), 0.02).near.empty());
 }
 
+// Half a disc on either flank, each with its middle deep under the other one.
+TEST(ContactField, IsLeftToTheGridAcrossAGroove) {
+    const TriangleMesh channel = shapes::uShape(0.02, 0.1, 0.1, 0.3);
+    const Vec3 low = boundingBox(channel.vertices).min();
+    double floor = 0;
+    for (const Vec3& v : channel.vertices)
+        if (v.z() > 0 && v.z() < 0.1 - 1e-6) floor = std::max(floor, v.z());
+    const Vec3 corner(low.x() + 0.02, 0, floor), push = Vec3(-1, 0, -1).normalized();
+    EXPECT_TRUE(pressed(channel, corner + Vec3(0.001, 0, 0), push, 0.004).near.empty());
+}
+
+// Of the disc next to nothing is on the floor of the slot.
+TEST(ContactField, IsLeftToTheGridInASlot) {
+    const TriangleMesh slotted =
+        shapes::rectilinear({-0.05, -0.0005, 0.0005, 0.05}, {-0.05, 0.05}, {0, 0.05, 0.1},
+                            [](int i, int, int k) { return i != 1 || k == 0; });
+    EXPECT_TRUE(pressed(slotted, Vec3(0, 0, 0.05), -Vec3::UnitZ(), 0.004).near.empty());
+    EXPECT_TRUE(pressed(slotted, Vec3(-0.0005, 0, 0.055), -Vec3::UnitX(), 0.004).near.empty())
+        << "the other wall is close before it";
+}
+
 TEST(ContactField, BesideAWallIsInAHollow) {
     const TriangleMesh channel = shapes::uShape(0.02, 0.1, 0.1, 0.3);
     double floor = 0;  // of the channel, half way between the legs
