@@ -48,6 +48,7 @@ class Bisection {
             for (std::size_t i = 0; i < solid.particles.size(); ++i)
                 if ((!holds.empty() && holds[i]) == held) all.push_back(static_cast<int>(i));
             if (all.empty()) continue;
+            if (!cells_.empty()) tree_->letRootsTouch();
             for (auto& members : connected_.of(all)) {
                 addCell(std::move(members), tree_->addRoot());
                 if (held) cells_.back().pieces = 0;

@@ -13,7 +13,15 @@ int CrackTree::cut(int part, const CrackPlane& plane) {
     nodes_[part].plane = plane;
     const int below = add(part, -1);
     add(part, 1);
+    nodes_[part].below = below;
     return below;
+}
+
+std::vector<int> CrackTree::piecesOf(int part) const {
+    std::vector<int> pieces;
+    for (int n = 0; n < size(); ++n)
+        if (nodes_[n].parent == part && nodes_[n].side == 0) pieces.push_back(n);
+    return pieces;
 }
 
 double CrackTree::lead(int a, int b, const Vec3& x) const {

@@ -114,6 +114,7 @@ CutAttempt cutFaces(const CuttableSurface& surface, const LabelLattice& lattice,
     faces.body_set = std::move(body_labels->set);
     faces.body_set_count = body_labels->set_count;
     faces.points = std::move(crossing.points);
+    faces.body_point_count = crossing.first_crack_point;
     faces.body = std::move(split[0].triangles);
     faces.body_parent = std::move(split[0].parents);
     if (!labelUntouchedShells(body, lattice, crack, faces)) {

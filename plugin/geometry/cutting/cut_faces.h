@@ -9,7 +9,8 @@ namespace sherd {
 
 /// The surface of the body, labelled, and the crack faces inside it, both split where they cross.
 struct CutFaces {
-    std::vector<Vec3> points;      ///< m
+    std::vector<Vec3> points;      ///< the body's vertices, then points on cracks, m
+    int body_point_count = 0;      ///< how many are the body's vertices
     std::vector<Triangle> body;    ///< in the order of their parents
     std::vector<int> body_parent;  ///< #body
     std::vector<int> body_label;   ///< #body

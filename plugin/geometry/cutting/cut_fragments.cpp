@@ -15,6 +15,7 @@
 #include "geometry/cutting/lattice_spacing.h"
 #include "geometry/cutting/marching_tetrahedra.h"
 #include "geometry/cutting/pieces.h"
+#include "geometry/cutting/plane_cuts.h"
 
 namespace sherd {
 
@@ -48,6 +49,16 @@ CutAttempt cutWithNudges(const CuttableSurface& surface, const LabelLattice& lat
     return attempt;
 }
 
+/// The pieces of a cut; `why` says why there are none.
+std::optional<FragmentSurfaces> piecesOf(const TriangleMesh& surface, const CutFaces& faces,
+                                         const Discretisation& solid, const FragmentLabels& labels,
+                                         const CutSettings& settings, std::string& why) {
+    auto pieces = assemblePieces(surface, faces, solid, labels, settings.pieces);
+    why = pieces ? "the volumes of the fragments do not add up" : pieces.error();
+    if (!pieces || !(std::abs(volumeRatio(surface, pieces.value()) - 1) <= volume_tolerance)) return {};
+    return FragmentSurfaces{std::move(pieces).value(), {}};
+}
+
 struct LatticeChoice {
     double spacing_m;
     std::uint64_t seed;
@@ -68,10 +79,7 @@ std::optional<FragmentSurfaces> tryLattice(const CuttableSolid& cuttable, const 
         why = attempt.failure;
         return {};
     }
-    auto pieces = assemblePieces(surface, attempt.faces, solid, labels, settings.pieces);
-    why = pieces ? "the volumes of the fragments do not add up" : pieces.error();
-    if (!pieces || !(std::abs(volumeRatio(surface, pieces.value()) - 1) <= volume_tolerance)) return {};
-    return FragmentSurfaces{std::move(pieces).value(), {}};
+    return piecesOf(surface, attempt.faces, solid, labels, settings, why);
 }
 
 Result<FragmentSurfaces> cutOrThrow(const CuttableSolid& cuttable, const Discretisation& solid,
@@ -81,6 +89,9 @@ Result<FragmentSurfaces> cutOrThrow(const CuttableSolid& cuttable, const Discret
     const TriangleMesh& surface = cuttable.surface().mesh();
     const double spacing = latticeSpacing(surface, spacingAtBorders(solid, labels), most_lattice_nodes);
     std::string why = "no lattice was tried";
+    if (arePlanesEnough(labels) && settings.roughness == 0)
+        if (const auto faces = cutByPlanes(cuttable.surface(), solid, labels))
+            if (auto cut = piecesOf(surface, *faces, solid, labels, settings, why)) return std::move(*cut);
     for (int k = 0; k < settings.lattices; ++k) {
         // Another jitter each time, and from the third lattice on a coarser one, whose faces are larger and
         // fewer.

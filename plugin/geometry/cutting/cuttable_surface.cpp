@@ -1,8 +1,12 @@
 #include "geometry/cutting/cuttable_surface.h"
 
+#include <algorithm>
+
 namespace sherd {
 
 namespace {
+
+constexpr int block_size = 32;  // triangles
 
 bool isClosedAndOriented(const std::vector<Triangle>& triangles, const EdgeTable& edges) {
     for (std::size_t e = 0; e < edges.edges.size(); ++e) {
@@ -19,6 +23,15 @@ bool isClosedAndOriented(const std::vector<Triangle>& triangles, const EdgeTable
 CuttableSurface::CuttableSurface(const TriangleMesh& mesh)
     : mesh_(mesh),
       edges_(buildEdgeTable(mesh.triangles, static_cast<int>(mesh.vertices.size()))),
-      is_closed_(isClosedAndOriented(mesh.triangles, edges_)) {}
+      is_closed_(isClosedAndOriented(mesh.triangles, edges_)) {
+    const int count = static_cast<int>(mesh.triangles.size());
+    block_boxes_.resize(static_cast<std::size_t>((count + block_size - 1) / block_size));
+    for (int t = 0; t < count; ++t)
+        for (const int v : mesh.triangles[t]) block_boxes_[t / block_size].extend(mesh.vertices[v]);
+}
+
+int CuttableSurface::blockBegin(int block) const {
+    return std::min(block * block_size, static_cast<int>(mesh_.triangles.size()));
+}
 
 }  // namespace sherd

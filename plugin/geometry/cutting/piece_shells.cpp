@@ -10,13 +10,6 @@ namespace sherd {
 
 namespace {
 
-std::vector<char> findCrackPoints(const LabelBoundary& boundary, std::size_t point_count) {
-    std::vector<char> on_crack(point_count, false);
-    for (std::size_t t = boundary.body_count; t < boundary.triangles.size(); ++t)
-        for (int v : boundary.triangles[t]) on_crack[v] = true;
-    return on_crack;
-}
-
 // A triangle that runs along an edge.
 struct EdgeSide {
     int triangle, label;
@@ -27,9 +20,9 @@ struct EdgeSide {
 /// of every crack face.
 class CrackEdges {
   public:
-    CrackEdges(const LabelBoundary& boundary, const std::vector<char>& on_crack)
-        : boundary_(boundary), first_(on_crack.size() + 1, 0) {
-        collect(on_crack);
+    CrackEdges(const LabelBoundary& boundary, const CutFaces& faces)
+        : boundary_(boundary), first_(faces.points.size() + 1, 0) {
+        collect(faces.body_point_count);
         std::vector<HalfEdge> sorted(found_.size());
         for (std::size_t v = 1; v < first_.size(); ++v) first_[v] += first_[v - 1];
         std::vector<int> next(first_.begin(), first_.end() - 1);
@@ -66,14 +59,15 @@ class CrackEdges {
         bool from_lower;
     };
 
-    void collect(const std::vector<char>& on_crack) {
+    /// Points on cracks have numbers from `first_on_crack` on.
+    void collect(int first_on_crack) {
         const int count = static_cast<int>(boundary_.triangles.size());
         found_.reserve(3 * (boundary_.triangles.size() - boundary_.body_count));
         for (int t = 0; t < count; t += t < boundary_.body_count ? 1 : 2) {
             const Triangle& corners = boundary_.triangles[t];
             for (int i = 0; i < 3; ++i) {
                 const int a = corners[i], b = corners[i < 2 ? i + 1 : 0];
-                if (!on_crack[a] && !on_crack[b]) continue;
+                if (std::max(a, b) < first_on_crack) continue;
                 found_.push_back({std::min(a, b), std::max(a, b), t, a < b});
                 ++first_[std::min(a, b) + 1];
             }
@@ -117,7 +111,7 @@ bool connectShells(const LabelBoundary& boundary, const CutFaces& faces, UnionFi
         if (first < 0) first = t;
         sets.unite(first, t);
     }
-    CrackEdges edges(boundary, findCrackPoints(boundary, faces.points.size()));
+    CrackEdges edges(boundary, faces);
     return edges.forEach([&](const std::vector<EdgeSide>& sides) { return uniteSides(sides, sets); });
 }
 
