@@ -129,10 +129,9 @@ TEST(CollisionShapes, FragmentsOfAFlyingCupFlyOnTogether) {
         const btVector3 velocity(1, 2, 3);
         BrokenCup cup(shape, velocity);
         cup.scene.step(20);
-        double momentum = 0;  // that the ball of 0.02 kg brought, at 3 m/s, and took back
-        for (const btRigidBody* piece : cup.event.fragments)
-            momentum += (piece->getLinearVelocity() - velocity).length() / piece->getInvMass();
-        EXPECT_LT(momentum, 0.2);
+        // Seen by who flies along, nothing but the ball of 0.02 kg brought energy, at 3 m/s.
+        for (btRigidBody* body : cup.all()) body->setLinearVelocity(body->getLinearVelocity() - velocity);
+        EXPECT_LT(kineticEnergy(cup.all()), 0.5 * 0.02 * 3 * 3);
     }
 }
 
@@ -213,7 +212,11 @@ TEST(CollisionShapes, PartedFragmentsArePushedApartAsAllOthers) {
     for (const CollisionShape shape : {CollisionShape::hull, CollisionShape::convex_parts}) {
         SCOPED_TRACE(static_cast<int>(shape));
         BrokenCup cup(shape);
-        const Overlap deepest = deepestOverlap(cup.scene, cup.event.fragments);
+        std::vector<btRigidBody*> slow;  // those that the ball drives into others are pushed back with reason
+        for (btRigidBody* piece : cup.event.fragments)
+            if (piece->getLinearVelocity().length() < 0.02) slow.push_back(piece);
+        const Overlap deepest = deepestOverlap(cup.scene, slow);
+        ASSERT_GT(deepest.depth, 1e-3);
         for (btRigidBody* body : cup.all())
             if (body != deepest.a && body != deepest.b) cup.scene.world->removeRigidBody(body);
         const btTransform home = deepest.a->getWorldTransform();
@@ -226,10 +229,11 @@ TEST(CollisionShapes, PartedFragmentsArePushedApartAsAllOthers) {
             cup.scene.step();
             return (deepest.a->getLinearVelocity() - deepest.b->getLinearVelocity()).length();
         };
-        EXPECT_LT(speedAfterAStepAt(home.getOrigin()), 1e-4)
-            << "where they were born the penetration is allowed";
+        const double allowed = speedAfterAStepAt(home.getOrigin());
+        EXPECT_LT(allowed, 1e-4) << "where they were born the penetration is allowed";
         speedAfterAStepAt(home.getOrigin() + btVector3(2, 0, 0));
-        EXPECT_GT(speedAfterAStepAt(home.getOrigin()), 0.01) << "back from elsewhere they are not";
+        EXPECT_GT(speedAfterAStepAt(home.getOrigin()), std::max(20 * allowed, 1e-3))
+            << "back from elsewhere it is not";
     }
 }
 
