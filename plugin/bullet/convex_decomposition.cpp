@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "bullet/cut_tree.h"
 #include "bullet/possible_cuts.h"
 #include "bullet/surface_cloud.h"
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/parallel_chunks.h"
 
 namespace sherd {
 
@@ -24,7 +26,7 @@ struct Part {
     Part(SurfaceCloud cut_off, double its_solid_volume)
         : cloud(std::move(cut_off)),
           box(boundingBox(cloud.points)),
-          hull_volume(roughHullVolume(cloud.points, box)),
+          hull_volume(GrowingHull(cloud.points).volume()),
           solid_volume(its_solid_volume) {}
     double air() const { return hull_volume - solid_volume; }
     double price() const { return priceOf(hull_volume, box.diagonal().norm()); }
@@ -77,26 +79,49 @@ std::vector<Vec3> cornersInside(const SurfaceCloud& part, const SurfaceCloud& wh
     return inside;
 }
 
+/// A part, and the cut through it once that is looked for.
+struct Leaf {
+    Part part;
+    std::optional<Cut> cut;
+};
+
+/// Looks for the cuts through the airiest leaf and the one behind it, both at once: the next cut is mostly
+/// through that one. `left`: how many cuts may follow.
+void findCuts(std::vector<Leaf>& leaves, int left) {
+    std::vector<Leaf*> airiest;
+    for (Leaf& leaf : leaves)
+        if (!leaf.cut) airiest.push_back(&leaf);
+    const std::size_t count = std::min<std::size_t>({2, airiest.size(), static_cast<std::size_t>(left)});
+    std::partial_sort(airiest.begin(), airiest.begin() + static_cast<long>(count), airiest.end(),
+                      [](const Leaf* a, const Leaf* b) {
+                          const double air = a->part.air(), other = b->part.air();
+                          return air != other ? air > other : a < b;
+                      });
+    forEachChunk(static_cast<int>(count), [&](int i) { airiest[i]->cut = bestCut(airiest[i]->part); });
+}
+
 /// For each part of a solid the points whose hull is that of the part.
 std::vector<std::vector<Vec3>> pointsOfParts(const TriangleMesh& surface, double volume,
                                              const DecompositionLimits& limits) {
     const SurfaceCloud whole = cloudOf(surface);
-    std::vector<Part> parts;  // in the order of the leaves
-    parts.emplace_back(whole, volume);
+    std::vector<Leaf> leaves;  // in the order of the tree
+    leaves.push_back({Part(whole, volume), {}});
     CutTree tree(in_plane * whole.spacing);
     while (tree.leafCount() < limits.most_parts) {
-        const auto airiest = std::max_element(parts.begin(), parts.end(),
-                                              [](const Part& a, const Part& b) { return a.air() < b.air(); });
-        if (airiest->air() <= limits.air_share * volume && tree.leafCount() > 1) break;
-        Cut cut = bestCut(*airiest);
+        const auto airiest = std::max_element(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+            return a.part.air() < b.part.air();
+        });
+        if (airiest->part.air() <= limits.air_share * volume && tree.leafCount() > 1) break;
+        if (!airiest->cut) findCuts(leaves, limits.most_parts - tree.leafCount());
+        Cut cut = std::move(*airiest->cut);
         if (cut.halves.empty()) break;
-        tree.cut(static_cast<int>(airiest - parts.begin()), cut.plane);
-        *airiest = std::move(cut.halves[0]);
-        parts.push_back(std::move(cut.halves[1]));
+        tree.cut(static_cast<int>(airiest - leaves.begin()), cut.plane);
+        *airiest = {std::move(cut.halves[0]), {}};
+        leaves.push_back({std::move(cut.halves[1]), {}});
     }
     std::vector<std::vector<Vec3>> points = tree.pointsOfLeaves(surface);
-    for (std::size_t p = 0; p < parts.size(); ++p) {
-        const std::vector<Vec3> corners = cornersInside(parts[p].cloud, whole);
+    for (std::size_t p = 0; p < leaves.size(); ++p) {
+        const std::vector<Vec3> corners = cornersInside(leaves[p].part.cloud, whole);
         points[p].insert(points[p].end(), corners.begin(), corners.end());
     }
     return points;
@@ -108,14 +133,17 @@ std::vector<ConvexHull> convexDecomposition(const TriangleMesh& surface, double 
                                             const DecompositionLimits& limits) {
     const double enough = (1 + limits.air_share_of_one_hull) * volume;
     std::vector<ConvexHull> hulls;
-    if (limits.most_parts == 1 ||
-        roughHullVolume(surface.vertices, boundingBox(surface.vertices)) <= enough) {
-        hulls.push_back(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));
+    GrowingHull rough(surface.vertices);
+    if (limits.most_parts == 1 || rough.volume() <= enough) {
+        hulls.push_back(
+            simpleHull(surface.vertices, std::move(rough), limits.most_vertices, limits.tolerance_m));
         if (limits.most_parts == 1 || hulls.front().volume <= enough) return hulls;
         hulls.clear();
     }
-    for (const std::vector<Vec3>& points : pointsOfParts(surface, volume, limits))
-        hulls.push_back(simpleHull(points, limits.most_vertices, limits.tolerance_m));
+    const std::vector<std::vector<Vec3>> points = pointsOfParts(surface, volume, limits);
+    hulls.resize(points.size());
+    forEachChunk(static_cast<int>(points.size()),
+                 [&](int p) { hulls[p] = simpleHull(points[p], limits.most_vertices, limits.tolerance_m); });
     return hulls;
 }
 

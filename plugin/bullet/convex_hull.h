@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "bullet/growing_hull.h"
+
 namespace sherd {
 
 /// A convex polyhedron.
@@ -16,13 +18,12 @@ struct ConvexHull {
 /// The hull of points (btConvexHullComputer: exact in integers, so no input upsets it).
 ConvexHull convexHull(const std::vector<Vec3>& points);
 
-/// The hull of a few of the points: of those outermost in 26 directions, and then of those furthest outside
-/// the faces, until there are `most_vertices` or none lies further out than `tolerance_m`. The time grows
-/// with the number of points, not with how many of them the whole hull would have.
+/// The hull of a few of the points: of those outermost in 26 directions, and then always the one furthest
+/// outside, until there are `most_vertices` or none lies further out than `tolerance_m`.
 ConvexHull simpleHull(const std::vector<Vec3>& points, int most_vertices, double tolerance_m);
 
-/// The volume of the hull of the points that are outermost in 26 directions, m^3: a little less than that of
-/// all. `box`: that of the points.
-double roughHullVolume(const std::vector<Vec3>& points, const Eigen::AlignedBox3d& box);
+/// The same, from the rough hull of the points on.
+ConvexHull simpleHull(const std::vector<Vec3>& points, GrowingHull rough, int most_vertices,
+                      double tolerance_m);
 
 }  // namespace sherd

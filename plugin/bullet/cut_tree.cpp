@@ -14,32 +14,30 @@ constexpr int no_leaf = -1;
 
 /// Whether a polygon of the surface is on one side of a plane, at least in part. What lies in the plane is on
 /// the side where the solid is.
-bool isOn(bool above, const std::vector<Vec3>& polygon, const Vec3& outward, const AxisPlane& plane,
-          double tolerance_m) {
+bool isOn(bool above, const std::vector<CutTree::Corner>& polygon, const Vec3& outward,
+          const AxisPlane& plane, double tolerance_m) {
     double lowest = 0, highest = 0;
-    for (const Vec3& x : polygon) {
-        lowest = std::min(lowest, plane.height(x));
-        highest = std::max(highest, plane.height(x));
+    for (const CutTree::Corner& corner : polygon) {
+        lowest = std::min(lowest, plane.height(corner.x));
+        highest = std::max(highest, plane.height(corner.x));
     }
     if (lowest >= -tolerance_m && highest <= tolerance_m) return above == (outward[plane.axis] < 0);
     return above ? highest > tolerance_m : lowest < -tolerance_m;
 }
 
 /// The part of a convex polygon on one side of a plane.
-std::vector<Vec3> partOf(const std::vector<Vec3>& polygon, const AxisPlane& plane, bool above,
-                         double tolerance_m) {
-    std::vector<Vec3> part;
+void takePart(const std::vector<CutTree::Corner>& polygon, const AxisPlane& plane, bool above,
+              double tolerance_m, std::vector<CutTree::Corner>& part) {
+    part.clear();
+    const auto height = [&](int i) { return plane.height(polygon[i].x); };
     walkAcrossPlane(
-        static_cast<int>(polygon.size()), [&](int i) { return plane.height(polygon[i]) >= 0; },
+        static_cast<int>(polygon.size()), [&](int i) { return height(i) >= 0; },
         [&](int i, bool is_above) {
-            if (is_above == above || std::abs(plane.height(polygon[i])) <= tolerance_m)
-                part.push_back(polygon[i]);
+            if (is_above == above || std::abs(height(i)) <= tolerance_m) part.push_back(polygon[i]);
         },
         [&](int i, int next, bool) {
-            part.push_back(planeCrossing(polygon[i], plane.height(polygon[i]), polygon[next],
-                                         plane.height(polygon[next])));
+            part.push_back({planeCrossing(polygon[i].x, height(i), polygon[next].x, height(next)), true});
         });
-    return part;
 }
 
 }  // namespace
@@ -74,34 +72,43 @@ int CutTree::leafOf(const Vec3& x) const {
     return nodes_[node].leaf;
 }
 
-void CutTree::clip(const std::vector<Vec3>& polygon, const Vec3& outward, int node,
-                   std::vector<std::vector<Vec3>>& points) const {
+void CutTree::clip(std::size_t depth, const Vec3& outward, int node, Clipping& clipping) const {
     const Node& here = nodes_[node];
     if (here.below < 0) {
-        points[here.leaf].insert(points[here.leaf].end(), polygon.begin(), polygon.end());
+        for (const Corner& corner : clipping.polygons[depth])
+            if (corner.is_new) clipping.points[here.leaf].push_back(corner.x);
         return;
     }
-    for (const bool above : {false, true})
-        if (isOn(above, polygon, outward, here.plane, tolerance_m_))
-            clip(partOf(polygon, here.plane, above, tolerance_m_), outward, above ? here.above : here.below,
-                 points);
+    if (clipping.polygons.size() == depth + 1) clipping.polygons.emplace_back();
+    for (const bool above : {false, true}) {
+        const std::vector<Corner>& polygon = clipping.polygons[depth];
+        if (!isOn(above, polygon, outward, here.plane, tolerance_m_)) continue;
+        takePart(polygon, here.plane, above, tolerance_m_, clipping.polygons[depth + 1]);
+        clip(depth + 1, outward, above ? here.above : here.below, clipping);
+    }
 }
 
 std::vector<std::vector<Vec3>> CutTree::pointsOfLeaves(const TriangleMesh& surface) const {
-    std::vector<std::vector<Vec3>> points(leaf_count_);
+    Clipping clipping;
+    clipping.points.resize(leaf_count_);
+    clipping.polygons.resize(1);
     std::vector<int> leaf_of_vertex;
+    leaf_of_vertex.reserve(surface.vertices.size());
     for (const Vec3& x : surface.vertices) {
-        leaf_of_vertex.push_back(leafOf(x));
-        if (leaf_of_vertex.back() != no_leaf) points[leaf_of_vertex.back()].push_back(x);
+        const int leaf = leafOf(x);
+        leaf_of_vertex.push_back(leaf);
+        if (leaf != no_leaf) clipping.points[leaf].push_back(x);
     }
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
         const auto& [a, b, c] = surface.triangles[t];
         const int leaf = leaf_of_vertex[a];
         if (leaf != no_leaf && leaf == leaf_of_vertex[b] && leaf == leaf_of_vertex[c]) continue;
-        const TriangleCorners corners = cornersOf(surface, t);
-        clip({corners.begin(), corners.end()}, areaVector(corners), 0, points);
+        clipping.polygons[0].clear();
+        for (const int corner : surface.triangles[t])
+            clipping.polygons[0].push_back({surface.vertices[corner], leaf_of_vertex[corner] == no_leaf});
+        clip(0, areaVector(cornersOf(surface, t)), 0, clipping);
     }
-    return points;
+    return std::move(clipping.points);
 }
 
 }  // namespace sherd

@@ -26,6 +26,12 @@ class CutTree {
     /// triangles cross the planes.
     std::vector<std::vector<Vec3>> pointsOfLeaves(const TriangleMesh& surface) const;
 
+    /// Of what is left of a triangle.
+    struct Corner {
+        Vec3 x;
+        bool is_new = false;  ///< in a plane, so that it is not among the points of a leaf as a vertex
+    };
+
   private:
     struct Node {
         AxisPlane plane;
@@ -34,9 +40,12 @@ class CutTree {
     };
     int nodeOf(int leaf) const;
     int leafOf(const Vec3& x) const;
-    /// Adds the corners of what is left of a triangle of the surface in each leaf.
-    void clip(const std::vector<Vec3>& polygon, const Vec3& outward, int node,
-              std::vector<std::vector<Vec3>>& points) const;
+    struct Clipping {
+        std::vector<std::vector<Vec3>> points;      // of each leaf
+        std::vector<std::vector<Corner>> polygons;  // of each depth of the tree
+    };
+    /// Adds the new corners of what is left in each leaf of the polygon of a depth.
+    void clip(std::size_t depth, const Vec3& outward, int node, Clipping& clipping) const;
 
     double tolerance_m_;
     std::vector<Node> nodes_ = std::vector<Node>(1);

@@ -54,6 +54,7 @@ TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_as
     const Vec3 offset = fromBullet(body_from_asset.getOrigin());
     TriangleMesh result;
     result.triangles = surface.triangles;
+    result.vertices.reserve(surface.vertices.size());
     for (const Vec3& vertex : surface.vertices) result.vertices.push_back(turn * vertex + offset);
     return result;
 }

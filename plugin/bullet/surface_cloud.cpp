@@ -21,6 +21,15 @@ constexpr double facing = 0.99;           // cosine, from which on a face lies a
 constexpr int places = 1024;              // along the box at which the areas of steps are added up
 constexpr double smallest_step = 0.02;    // of the section of the box
 
+/// Whether the surface at a point lies across an axis, so that it need not meet a plane that is near.
+bool liesAcross(const Vec3& area, int axis) {
+    return area[axis] * area[axis] > facing * facing * area.squaredNorm();
+}
+
+bool liesAcrossAny(const Vec3& area) {
+    return area.cwiseAbs2().maxCoeff() > facing * facing * area.squaredNorm();
+}
+
 /// Which points of a cloud stand for the vertices of a surface.
 class Representatives {
   public:
@@ -54,7 +63,7 @@ class Representatives {
     std::vector<int> of_vertex_, of_cell_;
 };
 
-/// Adds up the areas of flat faces across the axes.
+/// Adds up the areas of faces that lie across an axis.
 class Steps {
   public:
     explicit Steps(const Eigen::AlignedBox3d& box) : box_(box) {
@@ -63,7 +72,6 @@ class Steps {
     void add(const TriangleCorners& x, const Vec3& area) {
         int axis;
         const double across = area.cwiseAbs().maxCoeff(&axis);
-        if (across <= facing * area.norm()) return;
         const double offset = (x[0][axis] + x[1][axis] + x[2][axis]) / 3;
         const double place = (offset - box_.min()[axis]) / box_.sizes()[axis];
         if (!(place >= 0 && place <= 1)) return;
@@ -87,9 +95,15 @@ class Steps {
     std::array<std::vector<Sum>, 3> sums_;
 };
 
-double longestSide(const TriangleCorners& x) {
-    return std::sqrt(
-        std::max({(x[1] - x[0]).squaredNorm(), (x[2] - x[1]).squaredNorm(), (x[0] - x[2]).squaredNorm()}));
+/// The square of a triangle's longest side, m^2.
+double longestSquare(const Vec3& side, const Vec3& other) {
+    return std::max({side.squaredNorm(), other.squaredNorm(), (other - side).squaredNorm()});
+}
+
+/// Of a triangle's sides, so that points on it are no further apart than `spacing`.
+int divisionsOf(double longest, double spacing) {
+    if (longest < spacing * spacing) return 1;
+    return std::clamp(static_cast<int>(std::sqrt(longest) / spacing) + 1, 1, most_divisions);
 }
 
 void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, SurfaceCloud& cloud) {
@@ -102,11 +116,6 @@ void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, Surfac
             cloud.points.emplace_back(even + just_inside * (centre - even));
             cloud.areas.emplace_back(area / count);
         }
-}
-
-/// Whether the surface at a point lies across an axis, so that it need not meet a plane that is near.
-bool liesAcross(const Vec3& area, int axis) {
-    return area[axis] * area[axis] > facing * facing * area.squaredNorm();
 }
 
 /// Points with a list for each coordinate.
@@ -163,20 +172,20 @@ std::vector<Vec3> sectionOf(const SurfaceCloud& cloud, const AxisPlane& plane) {
 
 SurfaceCloud cloudOf(const TriangleMesh& surface) {
     SurfaceCloud cloud;
-    const Eigen::AlignedBox3d box = boundingBox(surface);
+    const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     cloud.spacing = box.diagonal().norm() / spacings_across;
     Representatives points(surface, box, cloud);
     Steps steps(box);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-        const TriangleCorners x = cornersOf(surface, t);
-        const Vec3 area = areaVector(x);
-        steps.add(x, area);
-        const int divisions =
-            std::clamp(static_cast<int>(longestSide(x) / cloud.spacing) + 1, 1, most_divisions);
+        const auto& [a, b, c] = surface.triangles[t];
+        const Vec3 side = surface.vertices[b] - surface.vertices[a],
+                   other = surface.vertices[c] - surface.vertices[a], area = side.cross(other) / 2;
+        if (liesAcrossAny(area)) steps.add(cornersOf(surface, t), area);
+        const int divisions = divisionsOf(longestSquare(side, other), cloud.spacing);
         if (divisions == 1)
             for (const int corner : surface.triangles[t]) cloud.areas[points.of(corner)] += area / 3;
         else
-            addEvenly(x, area, divisions, cloud);
+            addEvenly(cornersOf(surface, t), area, divisions, cloud);
     }
     // So a plane in a face has the face on the side where the solid is.
     for (std::size_t p = 0; p < cloud.points.size(); ++p)

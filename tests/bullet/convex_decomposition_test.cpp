@@ -6,6 +6,7 @@
 
 #include "bullet/convex_hull.h"
 #include "bullet/cut_tree.h"
+#include "bullet/growing_hull.h"
 #include "bullet/oriented_polytope.h"
 #include "bullet/possible_cuts.h"
 #include "bullet/surface_cloud.h"
@@ -51,6 +52,39 @@ TEST(ConvexHull, SimpleOneIsWithinTheTolerance) {
         EXPECT_LE(hull.outside, tolerance);
         EXPECT_LT(hull.vertices.size(), points.size() / 2);
         EXPECT_GT(hull.volume, std::pow(1 - tolerance, 3) * convexHull(points).volume);
+    }
+}
+
+TEST(GrowingHull, HasTheCornersOfABoxOnly) {
+    for (const Mat3& turn : {Mat3(Mat3::Identity()), shapes::tilt()}) {
+        std::vector<Vec3> points = shapes::slab(Vec3(1, 2, 3), 5, 7, 9).vertices;
+        for (Vec3& point : points) point = turn * point;
+        GrowingHull hull(points);
+        hull.growTo(100, 0);
+        EXPECT_EQ(hull.vertices().size(), 8u);
+        EXPECT_NEAR(hull.volume(), 6, 1e-5);
+        EXPECT_EQ(hull.outside(), 0);
+    }
+}
+
+TEST(GrowingHull, KnowsWhatIsFlat) {
+    EXPECT_TRUE(GrowingHull({}).isFlat());
+    EXPECT_TRUE(GrowingHull(std::vector<Vec3>(5, Vec3::Ones())).isFlat());
+    EXPECT_TRUE(GrowingHull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 0)}).isFlat());
+    EXPECT_FALSE(GrowingHull({Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(1, 1, 1)}).isFlat());
+}
+
+/// The points inside a hull that grew are inside that of all points, and nothing is further out than it says.
+TEST(GrowingHull, SaysHowFarPointsLieOutside) {
+    const std::vector<Vec3> points = shapes::icosphere(1, 4).vertices;
+    double before = 1;
+    for (const int most : {30, 60, 120, 240}) {
+        GrowingHull hull(points);
+        hull.growTo(most, 0);
+        EXPECT_LE(hull.vertices().size(), static_cast<std::size_t>(most));
+        EXPECT_LT(hull.outside(), before);
+        EXPECT_GT(hull.volume(), 4 * pi / 3 * std::pow(1 - hull.outside(), 3) * 0.98);
+        before = hull.outside();
     }
 }
 
@@ -142,8 +176,7 @@ TEST(SurfaceCloud, MeasuresThePartsOfASolid) {
     const auto parts = parted(cloud, {2, 1.1});
     EXPECT_NEAR(solidVolume(parts[0]), 2 * 2.6, 0.15);
     EXPECT_NEAR(solidVolume(parts[1]), 2 * 0.4, 0.15);
-    EXPECT_NEAR(roughHullVolume(parts[0].points, boundingBox(parts[0].points)), 2 * 2.6, 1e-3)
-        << "the section is there";
+    EXPECT_NEAR(GrowingHull(parts[0].points).volume(), 2 * 2.6, 1e-3) << "the section is there";
     EXPECT_TRUE(isWellInside(Vec3(0.1, 0.1, 0.1), cloud));
     EXPECT_FALSE(isWellInside(Vec3(0.1, 0.1, 1.499), cloud));
     EXPECT_FALSE(isWellInside(Vec3(0.1, 0.1, 2), cloud));
