@@ -6,8 +6,9 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
-#include <cmath>
 #include <unordered_set>
+
+#include "bullet/body_travel.h"
 
 namespace sherd {
 
@@ -19,13 +20,6 @@ btScalar distanceOf(const btManifoldPoint& point) {
     return (point.getPositionWorldOnA() - point.getPositionWorldOnB()).dot(point.m_normalWorldOnB);
 }
 
-/// Upper bound of the displacement of any point within `radius` of the origin.
-btScalar travel(const btTransform& from, const btTransform& to, btScalar radius) {
-    btScalar squared_turn = 0;
-    for (int row = 0; row < 3; ++row) squared_turn += (to.getBasis()[row] - from.getBasis()[row]).length2();
-    return (to.getOrigin() - from.getOrigin()).length() + std::sqrt(squared_turn) * radius;
-}
-
 bool boundsOverlap(const btCollisionObject& a, const btCollisionObject& b) {
     btVector3 low_a, high_a, low_b, high_b;
     a.getCollisionShape()->getAabb(a.getWorldTransform(), low_a, high_a);
@@ -35,13 +29,6 @@ bool boundsOverlap(const btCollisionObject& a, const btCollisionObject& b) {
 
 btTransform relativePose(const btCollisionObject& a, const btCollisionObject& b) {
     return a.getWorldTransform().inverse() * b.getWorldTransform();
-}
-
-btScalar radiusAboutOrigin(const btCollisionObject& object) {
-    btVector3 centre;
-    btScalar radius;
-    object.getCollisionShape()->getBoundingSphere(centre, radius);
-    return centre.length() + radius;
 }
 
 }  // namespace

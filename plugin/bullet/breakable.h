@@ -74,6 +74,8 @@ struct Breakable {
     InnerBall inner_ball;            ///< of a fragment
     btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
     btTransform moved_to = btTransform::getIdentity();    ///< and after it
+    btTransform settled_at = btTransform::getIdentity();  ///< near which a fragment has been
+    double settled_for_s = 0;                             ///< for so long
     bool being_born = false;                              ///< a fragment that is about to enter the world
 
     bool ownedHere() const { return owned.body != nullptr; }

@@ -6,6 +6,7 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
 #include "bullet/quiet_step.h"
+#include "bullet/settled_pieces.h"
 #include "bullet/steady_contacts.h"
 
 namespace sherd {
@@ -57,7 +58,10 @@ void FractureWorld::Impl::afterIntegration() {
     tellWhatCannotBreak();
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
-            if (awake_) timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+            if (awake_) {
+                forgetSettled(breakables_);
+                timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+            }
             endIntegration();
         });
     integrating_ = false;
@@ -98,6 +102,7 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.overlaps, [&] {
         birth_overlaps_.applyAllowances(world_);
         steadyContacts(world_, breakables_);
+        settlePieces(breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
     const AddedTime time(ms.snapshot);

@@ -1,0 +1,79 @@
+// Pieces that the solver pushes about where they are.
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+/// The pieces of a plate that lie apart from each other, in a world without gravity.
+class SettledPieces : public testing::Test {
+  protected:
+    SettledPieces() : fracture_(scene_.world.get()) {
+        const auto asset =
+            BreakableAsset::fromMesh(shapes::slab(Vec3(0.6, 0.6, 0.03), 8, 8, 1), Material::ceramic(),
+                                     Settings::forQuality(Quality::preview));
+        BodyOptions options(btTransform::getIdentity());
+        options.fracture = asset.value().settings().fracture;
+        options.fracture->rest_after_break_s = 100;
+        btRigidBody* body = fracture_.add(asset.value(), options).value();
+        Push push;
+        push.point = btVector3(0, 0, 0.015f);
+        push.impulse_n_s = btVector3(0, 0, -20);
+        push.speed_m_s = 5;
+        EXPECT_TRUE(fracture_.applyBlow(body, push).ok());
+        for (btRigidBody* piece : fracture_.bodies()) {
+            piece->setCenterOfMassTransform(
+                btTransform(btQuaternion::getIdentity(), btVector3(0, btScalar(pieces_.size()), 0)));
+            piece->setAngularVelocity(btVector3(0, 0, 0));
+            pieces_.push_back(piece);
+        }
+    }
+    /// To and fro, or on and on, faster than what Bullet takes for rest.
+    void move(btRigidBody& piece, bool to_and_fro, double seconds) {
+        for (int step = 0; step < int(seconds * 240) && piece.isActive(); ++step) {
+            piece.setLinearVelocity(btVector3(to_and_fro && step % 2 ? -1.f : 1.f, 0, 0));
+            scene_.step();
+        }
+    }
+
+    TestWorld scene_;
+    FractureWorld fracture_;
+    std::vector<btRigidBody*> pieces_;
+};
+
+TEST_F(SettledPieces, SleepWhereTheyAre) {
+    ASSERT_GE(pieces_.size(), 2u);
+    btRigidBody& piece = *pieces_[0];
+    ASSERT_LT(piece.getLinearSleepingThreshold(), 1);
+    move(piece, true, 1.9);
+    EXPECT_TRUE(piece.isActive());
+    move(piece, true, 0.2);
+    EXPECT_FALSE(piece.isActive());
+}
+
+TEST_F(SettledPieces, StayAwakeOnTheirWay) {
+    ASSERT_GE(pieces_.size(), 2u);
+    move(*pieces_[0], false, 3);
+    EXPECT_TRUE(pieces_[0]->isActive());
+}
+
+TEST_F(SettledPieces, HaveTimeToLeaveOnceTheyAreWokenUp) {
+    ASSERT_GE(pieces_.size(), 2u);
+    btRigidBody& piece = *pieces_[0];
+    move(piece, true, 2.1);
+    ASSERT_FALSE(piece.isActive());
+    piece.activate(true);
+    move(piece, true, 1.9);
+    EXPECT_TRUE(piece.isActive());
+}
+
+TEST_F(SettledPieces, StayAwakeWhereTheAppWantsIt) {
+    ASSERT_GE(pieces_.size(), 2u);
+    pieces_[0]->setActivationState(DISABLE_DEACTIVATION);
+    move(*pieces_[0], true, 3);
+    EXPECT_TRUE(pieces_[0]->isActive());
+}
+
+}  // namespace
