@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/clustering/wall_axes.h"
 #include "core/damage/material_strength.h"
 #include "core/numerics/split_mix.h"
 #include "core/numerics/stopwatch.h"
@@ -94,6 +95,10 @@ const SurfaceTree& BreakableSolid::surfaceTree() const {
 
 const CuttableSolid& BreakableSolid::cuttable(const Discretisation& sampling) const {
     return shared_->cuttable.get([&] { return CuttableSolid(surface(), sampling); });
+}
+
+const std::vector<Vec3>& BreakableSolid::wallAxes(const Discretisation& sampling) const {
+    return shared_->wall_axes.get([&] { return sherd::wallAxes(sampling); });
 }
 
 BreakableSolid::Sampled BreakableSolid::sampled() const {

@@ -84,6 +84,8 @@ class BreakableSolid {
     const BodyStrength& strength() const { return *strength_; }
     /// For cutting it; made at the first call.
     const CuttableSolid& cuttable(const Discretisation& sampling) const;
+    /// Of its particles, see wall_axes.h; found at the first call.
+    const std::vector<Vec3>& wallAxes(const Discretisation& sampling) const;
     /// Least elastic energy of a particle that fails, J, whatever the sampling makes of the solid.
     double smallestFailureEnergy() const;
     /// What the sampling took; 0 until it is done. Never waits.
@@ -120,6 +122,7 @@ class BreakableSolid {
         const TriangleMesh surface;
         MadeOnce<SurfaceTree> tree;
         MadeOnce<CuttableSolid> cuttable;
+        MadeOnce<std::vector<Vec3>> wall_axes;
         MadeOnce<Sampled> sampled;
         MadeOnce<Result<StressSolver>> solver;
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;

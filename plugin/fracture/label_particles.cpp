@@ -45,9 +45,10 @@ FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage,
         fracture.crack_pattern == CrackPattern::stress && fracture.collision_shape != CollisionShape::boxes;
     FragmentLabels labels =
         through_cells
-            ? bisectParticles(struck.sampling, damage, clusters, fracture.largest_fragment_count, wall,
-                              struck.seed, whereCracksStop(struck, damage), holeOf(struck, damage, forces),
-                              fracture.guide, axis)
+            ? bisectParticles(struck.sampling, struck.solid.wallAxes(struck.sampling), damage, clusters,
+                              fracture.largest_fragment_count, wall, struck.seed,
+                              whereCracksStop(struck, damage), holeOf(struck, damage, forces), fracture.guide,
+                              axis)
             : clusterParticles(struck.sampling, damage, clusters, wall, struck.seed, fracture.guide, axis);
     const double smallest_m3 =
         fracture.debris == Debris::merged ? smallestFragment(struck.solid, fracture) : 0;

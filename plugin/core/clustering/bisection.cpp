@@ -11,7 +11,6 @@
 #include "core/clustering/crack_tree.h"
 #include "core/clustering/damaged_region.h"
 #include "core/clustering/tension_metric.h"
-#include "core/clustering/wall_axes.h"
 #include "core/clustering/way_out.h"
 #include "core/numerics/union_find.h"
 
@@ -240,11 +239,11 @@ class Bisection {
 
 }  // namespace
 
-FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
-                               int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const std::vector<char>& holds, const std::vector<CrackPlane>& hole,
-                               const GuideField& guide, const BlowAxis& blow) {
-    const std::vector<Vec3> axes = wallAxes(solid);
+FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Vec3>& axes,
+                               const Damage& damage, int clusters, int most_pieces, double wall_thickness_m,
+                               std::uint64_t seed, const std::vector<char>& holds,
+                               const std::vector<CrackPlane>& hole, const GuideField& guide,
+                               const BlowAxis& blow) {
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
     if (labelWholeParts(solid, region.damaged, labels).empty()) return labels;

@@ -21,10 +21,11 @@ namespace sherd {
 /// own, or if it is too little joins the neighbour that it touches most. Where there is a `hole`, a convex
 /// part of the body with planes whose normals point out of it, cracks run in it and around it: the rest stays
 /// whole. A count of 1 means that nothing came
-/// off: nothing but specks (see damaged_region.h) is damaged.
-FragmentLabels bisectParticles(const Discretisation& solid, const Damage& damage, int clusters,
-                               int most_pieces, double wall_thickness_m, std::uint64_t seed,
-                               const std::vector<char>& holds = {}, const std::vector<CrackPlane>& hole = {},
-                               const GuideField& guide = {}, const BlowAxis& blow = {});
+/// off: nothing but specks (see damaged_region.h) is damaged. `axes`: see wall_axes.h.
+FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Vec3>& axes,
+                               const Damage& damage, int clusters, int most_pieces, double wall_thickness_m,
+                               std::uint64_t seed, const std::vector<char>& holds = {},
+                               const std::vector<CrackPlane>& hole = {}, const GuideField& guide = {},
+                               const BlowAxis& blow = {});
 
 }  // namespace sherd

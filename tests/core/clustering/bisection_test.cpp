@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/clustering/crack_tree.h"
+#include "core/clustering/wall_axes.h"
 #include "core/clustering/way_out.h"
 #include "core/stress/elasticity.h"
 
@@ -38,7 +39,7 @@ struct Sheet {
     }
     FragmentLabels labels(int clusters, std::uint64_t seed = 1, const GuideField& guide = {},
                           const BlowAxis& blow = {}) const {
-        return bisectParticles(solid, damage, clusters, 1000, 1, seed, {}, {}, guide, blow);
+        return bisectParticles(solid, wallAxes(solid), damage, clusters, 1000, 1, seed, {}, {}, guide, blow);
     }
     /// Calls visit(middle, normal) for neighbours that a crack parts; `normal` is the crack's.
     template <class Visit>
