@@ -16,3 +16,11 @@
 #else
 #define SHERD_WIDE_VECTORS
 #endif
+
+// SHERD_INLINED before a function that is done in each lane of another: it becomes part of that function, and
+// so of what is compiled for wider registers.
+#if defined(__GNUC__)
+#define SHERD_INLINED [[gnu::always_inline]] inline
+#else
+#define SHERD_INLINED inline
+#endif

@@ -3,120 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stress/disc_potentials.h"
+
 namespace sherd {
-
-namespace {
-
-struct Complex {
-    double re = 0, im = 0;
-};
-Complex operator+(Complex a, Complex b) {
-    return {a.re + b.re, a.im + b.im};
-}
-Complex operator*(Complex a, Complex b) {
-    return {a.re * b.re - a.im * b.im, a.re * b.im + a.im * b.re};
-}
-/// Of the upper half-plane, into the first quadrant.
-Complex squareRoot(Complex a) {
-    const double size = std::sqrt(a.re * a.re + a.im * a.im);
-    const double larger = std::sqrt((size + std::abs(a.re)) / 2);
-    if (!(larger > 0)) return {};
-    const double smaller = a.im / (2 * larger);
-    return a.re >= 0 ? Complex{larger, smaller} : Complex{smaller, larger};
-}
-Complex inverse(Complex a) {
-    const double squared = a.re * a.re + a.im * a.im;
-    return {a.re / squared, -a.im / squared};
-}
-Complex operator*(double f, Complex a) {
-    return {f * a.re, f * a.im};
-}
-
-/// Harmonic functions of which the fields under a force on a half-space consist (Boussinesq, Cerruti; K. L.
-/// Johnson, Contact Mechanics, 3.2): H_0 = 1 / R under a point force, R^2 = s + z^2, s = x^2 + y^2, and
-/// H_(k-1) is the derivative of H_k by z. Derivatives by s / 2 are written d, dd, ddd, so that in the plane
-/// d_i H = x_i dH, d_i d_j H = delta_ij dH + x_i x_j ddH and so on.
-struct Potentials {
-    double h_m2, h_m1, d_m1;  // H_-2, H_-1
-    double d_0, dd_0;
-    double d_1, dd_1, ddd_1;
-    double dd_2, ddd_2;
-};
-
-/// Those under a force of 1 on a disc of radius 1 with the profile of a contact: point sources at imaginary
-/// depths,
-///     H_k = 15/16 int (1 - t^2)^2 h_k(s, z + i t) dt, t = -1 .. 1,
-///         = -15 Im h_(k+3) - 45 Re h_(k+4) + 45 Im h_(k+5) at (s, z + i),
-/// by parts, each h_(k+1) an integral of h_k by zeta = z + i t. With e = 1 / (R + zeta) and L = log(R + zeta)
-/// all are powers of e, s and L: the integral of e^n / R is -e^n / n, of 1 / R it is L, R = (1 / e + s e) / 2
-/// and zeta = (1 / e - s e) / 2. Of L only the angle is left in the end.
-Potentials underDisc(double s, double z) {
-    const Complex zeta{z, 1};
-    const Complex r = squareRoot({s + z * z - 1, 2 * z});
-    const Complex one_over_e = r + zeta, e = inverse(one_over_e), e2 = e * e;
-    const Complex u = s * e2;  // all below are a power of e times a polynomial in u
-    const Complex u2 = u * u, u3 = u2 * u, u4 = u2 * u2, one{1, 0};
-    const Complex one_over_e2 = one_over_e * one_over_e, e3 = e2 * e;
-    const double angle = std::atan2(one_over_e.im, one_over_e.re);
-    const auto sum = [](Complex third, Complex fourth, Complex fifth) {
-        return -15 * third.im - 45 * fourth.re + 45 * fifth.im;
-    };
-    // Without their terms with L, which follow in `sum`s as multiples of the angle.
-    const Complex zeta_r = zeta * r;
-    const Complex h_4 = (-11.0 / 36) * (r * r * r) + (5.0 / 12 * s) * r;
-    const Complex d_3 = (1.0 / 4) * u;
-    const Complex d_4 = one_over_e * ((1.0 / 4) * one + (1.0 / 8) * u + (-1.0 / 24) * u2);
-    const Complex d_5 = one_over_e2 * ((3.0 / 32) * one + (-5.0 / 96) * u2 + (1.0 / 192) * u3);
-    const Complex d_6 =
-        one_over_e2 * one_over_e *
-        ((11.0 / 576) * one + (-1.0 / 64) * u + (-7.0 / 192) * u2 + (13.0 / 1152) * u3 + (-1.0 / 1920) * u4);
-    const Complex dd_3 = (-1.0 / 2) * e2;
-    const Complex dd_4 = e * ((1.0 / 4) * one + (1.0 / 12) * u);
-    const Complex dd_5 = (-1.0 / 12) * u + (-1.0 / 96) * u2;
-    const Complex dd_6 =
-        one_over_e * ((-1.0 / 16) * one + (-1.0 / 48) * u + (1.0 / 64) * u2 + (1.0 / 960) * u3);
-    const Complex dd_7 =
-        one_over_e2 * ((-3.0 / 128) * one + (7.0 / 768) * u2 + (-1.0 / 480) * u3 + (-1.0 / 11520) * u4);
-    const Complex ddd_4 = (-1.0 / 3) * e3;
-    const Complex ddd_5 = e2 * ((1.0 / 12) * one + (1.0 / 24) * u);
-    const Complex ddd_6 = e * ((-1.0 / 24) * one + (-1.0 / 48) * u + (-1.0 / 240) * u2);
-    const Complex ddd_7 = (1.0 / 64) * u + (1.0 / 320) * u2 + (1.0 / 2880) * u3;
-
-    const Complex none{0, 0}, minus_r = -1.0 * r, h_3 = (-3.0 / 4) * zeta_r;
-    const double z2 = z * z;
-    Potentials p;
-    p.h_m2 = sum(none, minus_r, h_3) + (15.0 / 2 + 45.0 / 2 * z2 - 45.0 / 4 * s) * angle;
-    p.h_m1 = sum(minus_r, h_3, h_4) + (15.0 / 2 * (1 + z2) - 45.0 / 4 * s) * z * angle;
-    p.d_m1 = sum(-1.0 * e, d_3, d_4) - 45.0 / 2 * z * angle;
-    p.d_0 = sum(d_3, d_4, d_5) + (-15.0 / 4 - 45.0 / 4 * z2 + 45.0 / 16 * s) * angle;
-    p.dd_0 = sum(dd_3, dd_4, dd_5) + 45.0 / 8 * angle;
-    p.d_1 = sum(d_4, d_5, d_6) + (-15.0 / 4 * (1 + z2) + 45.0 / 16 * s) * z * angle;
-    p.dd_1 = sum(dd_4, dd_5, dd_6) + 45.0 / 8 * z * angle;
-    p.ddd_1 = sum(ddd_4, ddd_5, ddd_6);
-    p.dd_2 = sum(dd_5, dd_6, dd_7) + (15.0 / 16 + 45.0 / 16 * z2 - 15.0 / 32 * s) * angle;
-    p.ddd_2 = sum(ddd_5, ddd_6, ddd_7) - 15.0 / 16 * angle;
-    return p;
-}
-
-/// Those under a point force of 1.
-Potentials underPoint(double s, double z) {
-    const double r = std::sqrt(s + z * z), e = 1 / (r + z), q = 1 / r;  // de = -e^2 q, dq = -q^3
-    const double e2 = e * e, q2 = q * q, q3 = q2 * q;
-    Potentials p;
-    p.h_m2 = (3 * z * z * q2 - 1) * q3;
-    p.h_m1 = -z * q3;
-    p.d_m1 = 3 * z * q3 * q2;
-    p.d_0 = -q3;
-    p.dd_0 = 3 * q3 * q2;
-    p.d_1 = e * q;
-    p.dd_1 = -e2 * q2 - e * q3;
-    p.ddd_1 = 2 * e2 * e * q3 + 3 * e2 * q2 * q2 + 3 * e * q2 * q3;
-    p.dd_2 = e2 * q;
-    p.ddd_2 = -2 * e2 * e * q2 - e2 * q3;
-    return p;
-}
-
-}  // namespace
 
 Vec3 ContactDisc::tractionAt(const Vec3& x) const {
     const Vec3 offset = x - centre;
@@ -125,24 +14,24 @@ Vec3 ContactDisc::tractionAt(const Vec3& x) const {
 }
 
 DiscField::DiscField(const ContactDisc& disc, double poisson_ratio)
-    : centre_(disc.centre), radius_(disc.radius), nu_(poisson_ratio), hollow_(disc.hollow) {
-    inward_pa_ = disc.traction_pa.dot(disc.inward);
-    Vec3 along = disc.traction_pa - inward_pa_ * disc.inward;
-    along_pa_ = along.norm();
-    along = along_pa_ > 1e-12 * disc.traction_pa.norm() ? Vec3(along / along_pa_)
-                                                        : Vec3(disc.inward.unitOrthogonal());
+    : centre_(disc.centre), radius_(disc.radius), hollow_(disc.hollow), traction_{poisson_ratio, 0, 0} {
+    traction_.inward_pa = disc.traction_pa.dot(disc.inward);
+    Vec3 along = disc.traction_pa - traction_.inward_pa * disc.inward;
+    traction_.along_pa = along.norm();
+    along = traction_.along_pa > 1e-12 * disc.traction_pa.norm() ? Vec3(along / traction_.along_pa)
+                                                                 : Vec3(disc.inward.unitOrthogonal());
     axes_ << along.transpose(), disc.inward.cross(along).transpose(), disc.inward.transpose();
 }
 
 Mat3 DiscField::stressAt(const Vec3& place) const {
-    constexpr double on_plane = 1e-6, whole = 0.4, none = 0.8;
+    using namespace under_disc;
     const Vec3 local = axes_ * (place - centre_) / radius_;
     const double height = -local.z();
     if (!(height > on_plane)) return turned(behind(local.x(), local.y(), std::max(local.z(), 0.0)));
     // Much higher up is another part of the body, that the field says nothing of.
     const double steepness = height / std::max(1.0, local.norm());
-    if (steepness >= none) return Mat3::Zero();
-    const double share = std::clamp((none - steepness) / (none - whole), 0.0, 1.0);
+    if (steepness >= too_steep) return Mat3::Zero();
+    const double share = shareBefore(steepness);
     const Mat3 on = behind(local.x(), local.y(), 0);
     // A hollow surface rises above the plane. There the field goes on as straight as it came.
     return turned(share * (hollow_ ? Mat3(2 * on - behind(local.x(), local.y(), height)) : on));
@@ -153,34 +42,14 @@ Mat3 DiscField::turned(const Mat3& local) const {
 }
 
 Mat3 DiscField::behind(double x, double y, double z) const {
-    // Far away a disc is a point, to 1.5 % of what is left of the traction there, 1.3 %; and farther out the
-    // closed form of a disc loses digits.
-    constexpr double far = 8;
+    using namespace under_disc;
     const double s = x * x + y * y;
-    const Potentials h = s + z * z < far * far ? underDisc(s, z) : underPoint(s, z);
-    // Gradient of 4 pi G u, u being the displacement: Johnson's Eq. 3.7, term by term.
-    const double p = inward_pa_, q = along_pa_, nu = nu_;
-    const double normal_1 = -p * (1 - 2 * nu) * h.d_1 - p * z * h.d_0;
-    const double normal_2 = -p * (1 - 2 * nu) * h.dd_1 - p * z * h.dd_0;
-    const double once = q * (2 * nu * h.dd_2 - z * h.dd_1), thrice = q * (2 * nu * h.ddd_2 - z * h.ddd_1);
-    Mat3 g;
-    g(0, 0) = normal_1 + x * x * normal_2 + 2 * q * x * h.d_0 + 3 * x * once + x * x * x * thrice;
-    g(1, 1) = normal_1 + y * y * normal_2 + x * once + x * y * y * thrice;
-    g(0, 1) = x * y * normal_2 + 2 * q * y * h.d_0 + y * once + x * x * y * thrice;
-    g(1, 0) = x * y * normal_2 + y * once + x * x * y * thrice;
-    const double radial_z = p * (-2 * (1 - nu) * h.d_0 - z * h.d_m1);  // d_z u_i = x_i of it
-    const double z_radial = p * (2 * (1 - nu) * h.d_0 - z * h.d_m1);   // d_i u_z = x_i of it
-    const double shear_1 = q * (-(1 - 2 * nu) * h.d_1 - z * h.d_0);
-    const double shear_2 = q * (-(1 - 2 * nu) * h.dd_1 - z * h.dd_0);
-    g(0, 2) = x * radial_z + 2 * q * h.h_m1 + shear_1 + x * x * shear_2;
-    g(1, 2) = y * radial_z + x * y * shear_2;
-    const double lift_1 = q * ((1 - 2 * nu) * h.d_1 - z * h.d_0);
-    const double lift_2 = q * ((1 - 2 * nu) * h.dd_1 - z * h.dd_0);
-    g(2, 0) = x * z_radial + lift_1 + x * x * lift_2;
-    g(2, 1) = y * z_radial + x * y * lift_2;
-    g(2, 2) = p * ((1 - 2 * nu) * h.h_m1 - z * h.h_m2) + q * x * (-2 * nu * h.d_0 - z * h.d_m1);
-    // sigma = (2 nu / (1 - 2 nu) tr(g) + g + g^T) F / (4 pi), F = 2 pi / 5 of the traction in the middle.
-    return 0.1 * (2 * nu / (1 - 2 * nu) * g.trace() * Mat3::Identity() + g + g.transpose());
+    const auto angle_of = [](Complex a) { return std::atan2(a.im, a.re); };
+    const Potentials h = s + z * z < far * far ? underDisc(s, z, angle_of) : underPoint(s, z);
+    const LocalStress local = stressUnder(h, traction_, x, y, z);
+    Mat3 stress;
+    stress << local.xx, local.xy, local.zx, local.xy, local.yy, local.yz, local.zx, local.yz, local.zz;
+    return stress;
 }
 
 }  // namespace sherd

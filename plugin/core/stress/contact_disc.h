@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/stress/stress_lanes.h"
+
 namespace sherd {
 
 /// How strong the traction of a contact is at `squared` = (r / radius)^2, relative to its middle:
@@ -38,6 +40,14 @@ class DiscField {
     /// At x, Pa. Before the plane as on it; under a hollow surface, which lies there, as it changes behind
     /// the plane; zero far before it.
     Mat3 stressAt(const Vec3& x) const;
+    /// Adds the same, but for the last digits, at several places.
+    void addStressAt(const PlaceLanes& at, StressLanes& sum) const;
+
+    /// What the field depends on.
+    struct Traction {
+        double nu;
+        double along_pa, inward_pa;  ///< its parts
+    };
 
   private:
     /// In radii and on the disc's own axes, z >= 0.
@@ -46,9 +56,9 @@ class DiscField {
 
     Vec3 centre_;
     Mat3 axes_;  ///< rows: along the tangential traction, across it, inward
-    double radius_, nu_;
+    double radius_;
     bool hollow_;
-    double along_pa_, inward_pa_;  ///< parts of the traction
+    Traction traction_;
 };
 
 }  // namespace sherd

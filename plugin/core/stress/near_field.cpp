@@ -15,6 +15,10 @@ Mat3 NearField::stressAt(const Vec3& x) const {
     return sum;
 }
 
+void NearField::addStressAt(const PlaceLanes& at, StressLanes& sum) const {
+    for (const DiscField& field : fields_) field.addStressAt(at, sum);
+}
+
 namespace {
 
 /// 1 close to the disc, 0 from `close_reach` on.

@@ -21,6 +21,8 @@ class NearField {
     double closeShare(const Vec3& x) const;
 
     Mat3 stressAt(const Vec3& x) const;  ///< Pa
+    /// Adds the same, but for the last digits, at several places.
+    void addStressAt(const PlaceLanes& at, StressLanes& sum) const;
     /// What acts on the surface at x, Pa: the discs whose plane it lies on, or nearly so. `outward`: its
     /// normal.
     Vec3 tractionAt(const Vec3& x, const Vec3& outward) const;

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <atomic>
-#include <memory>
 #include <vector>
 
 #include "core/mlpg/splines/reading_points.h"
@@ -27,28 +25,22 @@ class ContactReading {
     ContactReading(const SplineProblem& problem, const ReadingPoints& points, const ContactField& contact);
 
     bool hasNearField() const { return !near_.empty(); }
+    /// By their parts.
     const std::vector<Place>& places() const { return places_; }
 
     /// No principal stress of the near field in a part is larger, Pa.
     double nearBound(int part) const { return near_bounds_[part]; }
-    /// The near field at x, Pa. `number`: of the reading point or, beyond those, of the place that it is for.
-    Mat3 nearStress(int number, const Vec3& x) const;
-    int numberOfPlace(std::size_t place) const { return point_count_ + static_cast<int>(place); }
+    void addNearStress(const PlaceLanes& at, StressLanes& sum) const { near_.addStressAt(at, sum); }
     /// What the near field's discs do to the surface at x, Pa.
     Vec3 tractionAt(const Vec3& x, const Vec3& outward) const { return near_.tractionAt(x, outward); }
     /// Near loads that no disc stands for.
     bool isLoaded(const Vec3& x) const { return loaded_.isNear(x); }
 
   private:
-    enum State : unsigned char { unknown, being_written, known };
-
     NearField near_;
     LoadedPlaces loaded_;
-    int point_count_;
     std::vector<Place> places_;
     std::vector<double> near_bounds_;  ///< per part; empty without a near field
-    std::unique_ptr<std::atomic<unsigned char>[]> states_;
-    std::unique_ptr<SymmetricTensor[]> near_stress_;  ///< where it is known, Pa
 };
 
 }  // namespace sherd

@@ -1,17 +1,17 @@
 #include "core/mlpg/reduced/damage_reading.h"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <numeric>
 #include <optional>
 #include <utility>
 
 #include "core/damage/equivalent_bound.h"
+#include "core/mlpg/reduced/gradient_lanes.h"
 #include "core/mlpg/splines/b_spline.h"
 #include "core/mlpg/splines/monomials.h"
 #include "core/numerics/parallel_chunks.h"
-#include "core/stress/surface_traction.h"
+#include "core/stress/stress_lanes.h"
 
 namespace sherd {
 
@@ -72,7 +72,7 @@ struct DamageReading::Bounds {
 };
 
 /// Reads the stress of one displacement, part by part, and keeps what is nearer to failure than what was read
-/// before.
+/// before. Points wait until there are as many as lanes; `finish` reads the last ones.
 class DamageReading::Reader {
   public:
     Reader(const DamageReading& of, const Displacement& displacement, const ContactReading& contact,
@@ -85,160 +85,159 @@ class DamageReading::Reader {
           strength_(strength),
           bound_(strength.criterion, strength.material),
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
-          overstress(before.overstress),
-          worst(before.stress),
-          tension(scale > 0 ? before.largest_stress_pa / scale : 0) {}
+          overstress_(before.overstress),
+          tension_(scale > 0 ? before.largest_stress_pa / scale : 0) {}
 
     /// Reads the points of a part that may be as near to failure as the overstress `wanted`, or under the
     /// largest tension.
     void read(int part, double wanted) {
-        switch (of_.problem_->space->degree) {
-            case 1:
-                return read<1>(part, wanted);
-            case 2:
-                return read<2>(part, wanted);
-            default:
-                static_assert(largest_spline_degree == 3);
-                return read<3>(part, wanted);
+        takeCoefficients(part);
+        const double near = contact_.hasNearField() ? contact_.nearBound(part) : 0;
+        const int end = of_.points_.starts[part + 1];
+        for (int first = of_.points_.starts[part]; first < end; first += GradientLanes::count) {
+            const int count = std::min(GradientLanes::count, end - first);
+            GradientLanes::Lane is_on_surface = {};
+            for (int l = 0; l < count; ++l) {
+                const ReadingPoint& point = of_.points_.points[first + l];
+                setPoint(l, point.xi);
+                is_on_surface[l] = point.normal.isZero(0) ? 0 : 1;
+            }
+            readGradients(part, count);
+            StressBounds::RangeLanes ranges;
+            of_.bounds_.rangesAt(gradients_, is_on_surface, ranges);
+            for (int l = 0; l < count; ++l) {
+                if (doesNotMatter(ranges.smallest[l] - near, ranges.largest[l] + near, wanted, first + l))
+                    continue;
+                const ReadingPoint& point = of_.points_.points[first + l];
+                const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
+                wait(l, {x, x, point.normal, first + l, wanted});
+            }
         }
     }
 
-    /// Reads the stress at a place of the contact, which is none of the points.
-    void readPlace(std::size_t place) {
-        switch (of_.problem_->space->degree) {
-            case 1:
-                return readPlace<1>(place);
-            case 2:
-                return readPlace<2>(place);
-            default:
-                return readPlace<3>(place);
+    /// Reads the stress at the places of the contact, which are none of the points.
+    void readPlaces() {
+        const std::vector<ContactReading::Place>& places = contact_.places();
+        for (std::size_t first = 0; first < places.size();) {
+            const int part = places[first].where.part;
+            takeCoefficients(part);
+            int count = 0;
+            for (; count < GradientLanes::count && first + count < places.size(); ++count) {
+                if (places[first + count].where.part != part) break;
+                setPoint(count, places[first + count].where.xi.cast<float>());
+            }
+            readGradients(part, count);
+            for (int l = 0; l < count; ++l, ++first) {
+                const ContactReading::Place& place = places[first];
+                wait(l, {place.position, place.near_at, place.normal, place.nearest, near_to_failure});
+            }
         }
     }
+
+    /// Reads what waits.
+    void finish() {
+        StressLanes stress;
+        PlaceLanes::Lane smallest, largest;
+        stressOf(of_.problem_->elasticity, waiting_.gradient, stress);
+        contact_.addNearStress(waiting_.near_at, stress);
+        applyTraction(waiting_.surface, of_.problem_->elasticity, stress);
+        boundPrincipal(stress, smallest, largest);
+        for (int l = 0; l < waiting_.count; ++l)
+            if (!doesNotMatter(smallest[l], largest[l], waiting_.wanted[l], waiting_.point[l]))
+                include(stress.at(l), waiting_.point[l]);
+        waiting_.count = 0;
+    }
+
+    /// The stress that is nearest to failure at a particle, so far.
+    struct Found {
+        int particle;
+        double overstress;
+        SymmetricTensor stress;  ///< Pa
+    };
+    const std::vector<Found>& found() const { return found_; }
+    double tension() const { return tension_; }
 
   private:
-    using Quad = Eigen::Array4f;  // a vector and a zero
-    template <int degree>
-    using Coefficients = std::array<Quad, (degree + 1) * (degree + 1) * (degree + 1)>;
+    /// Where the stress is read. `near_at`: for the near field; `normal`: of the surface there, or zero;
+    /// `point`: whose strength and particle count there.
+    struct Spot {
+        Vec3 x, near_at;
+        Eigen::Vector3f normal;
+        int point;
+        double wanted;
+    };
 
-    template <int degree>
-    void read(int part, double wanted) {
-        const Coefficients<degree> coefficients = coefficientsOf<degree>(part);
-        const double near = contact_.hasNearField() ? contact_.nearBound(part) : 0;
-        for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at) {
-            const ReadingPoint& point = of_.points_.points[at];
-            const bool is_on_surface = !point.normal.isZero(0);
-            const Eigen::Matrix3f gradient = projectedGradient<degree>(coefficients, part, point.xi);
-            if (doesNotMatter(widened(of_.bounds_.rangeAt(gradient, is_on_surface), near), wanted, at))
-                continue;
-            const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
-            include(x, x, gradient, point.normal, at, at, wanted);
-        }
-    }
+    struct Waiting {
+        int count = 0;
+        PlaceLanes near_at = {};
+        PlaceLanes::Lane gradient[3][3] = {};
+        SurfaceLanes surface = {};
+        int point[PlaceLanes::count];
+        double wanted[PlaceLanes::count];
+    };
 
-    template <int degree>
-    void readPlace(std::size_t number) {
-        const ContactReading::Place& place = contact_.places()[number];
-        const Coefficients<degree> coefficients = coefficientsOf<degree>(place.where.part);
-        const Eigen::Matrix3f gradient =
-            projectedGradient<degree>(coefficients, place.where.part, place.where.xi.cast<float>());
-        include(place.position, place.near_at, gradient, place.normal, place.nearest,
-                contact_.numberOfPlace(number), near_to_failure);
-    }
-
-    template <int degree>
-    Coefficients<degree> coefficientsOf(int part) const {
-        Coefficients<degree> coefficients;
+    void takeCoefficients(int part) {
         const std::vector<int>& functions = of_.problem_->space->raw_of[part];
-        for (std::size_t f = 0; f < coefficients.size(); ++f)
-            coefficients[f] = displacement_.raw.col(functions[f]).array();
-        return coefficients;
+        for (std::size_t f = 0; f < functions.size(); ++f)
+            std::copy_n(displacement_.raw.col(functions[f]).data(), 4, coefficients_.of_function[f]);
     }
 
-    /// Of the stress at x. `normal`: of the surface there, or zero; `at`: the point whose strength and
-    /// particle count there; `number`: in the contact's reading.
-    void include(const Vec3& x, const Vec3& near_at, const Eigen::Matrix3f& gradient,
-                 const Eigen::Vector3f& normal, int at, int number, double wanted) {
-        const Elasticity& elasticity = of_.problem_->elasticity;
-        Mat3 whole = elasticity.stress(gradient.cast<double>());
-        if (contact_.hasNearField()) whole += contact_.nearStress(number, near_at);
-        SymmetricTensor stress = toSymmetricTensor(whole);
-        if (!normal.isZero(0)) {
-            const Vec3 outward = normal.cast<double>().normalized();
-            if (!contact_.isLoaded(x))
-                stress = withTraction(stress, outward, contact_.tractionAt(x, outward), elasticity);
+    void setPoint(int lane, const Eigen::Vector3f& xi) {
+        for (int d = 0; d < 3; ++d) gradients_.xi[d][lane] = xi[d];
+    }
+
+    /// Displacement gradients with the dilatation that the stiffness sees.
+    void readGradients(int part, int count) {
+        const int degree = of_.problem_->space->degree;
+        findGradients(degree, of_.powers_, coefficients_, per_edge_, gradients_);
+        const Eigen::MatrixXf& dilatation = displacement_.dilatation;
+        if (dilatation.size() == 0) return;
+        for (int l = 0; l < count; ++l) {
+            const Eigen::Vector3f xi(gradients_.xi[0][l], gradients_.xi[1][l], gradients_.xi[2][l]);
+            Eigen::Matrix3f gradient = Eigen::Matrix3f::Zero();
+            for (int d = 0; d < 3; ++d) gradient(d, d) = gradients_.gradient[d][d][l];
+            projectTrace(gradient, polynomialAt(dilatationDegree(degree), dilatation.col(part), xi),
+                         projected_share_);
+            for (int d = 0; d < 3; ++d) gradients_.gradient[d][d][l] = gradient(d, d);
         }
-        // The bound of what was freed, or joined with the near field, is much closer; finding its eigenvalues
-        // costs more than all before.
-        if ((contact_.hasNearField() || !normal.isZero(0)) &&
-            doesNotMatter(principalRange(toMatrix(stress).cast<float>(), 0, 0), wanted, at))
-            return;
+    }
+
+    /// `lane`: of the gradients.
+    void wait(int lane, const Spot& spot) {
+        const int to = waiting_.count++;
+        const bool is_known = !spot.normal.isZero(0) && !contact_.isLoaded(spot.x);
+        waiting_.surface.is_known[to] = is_known ? 1 : 0;
+        const Vec3 normal = spot.normal.cast<double>();
+        const Vec3 traction =
+            is_known ? contact_.tractionAt(spot.x, normal.normalized()) : Vec3(Vec3::Zero());
+        for (int i = 0; i < 3; ++i) {
+            waiting_.near_at.x[i][to] = spot.near_at[i];
+            waiting_.surface.normal[i][to] = normal[i];
+            waiting_.surface.traction_pa[i][to] = traction[i];
+            for (int d = 0; d < 3; ++d) waiting_.gradient[i][d][to] = gradients_.gradient[i][d][lane];
+        }
+        waiting_.point[to] = spot.point;
+        waiting_.wanted[to] = spot.wanted;
+        if (waiting_.count == PlaceLanes::count) finish();
+    }
+
+    void include(const SymmetricTensor& stress, int point) {
         const PrincipalStresses principal = principalStresses(stress);
         const double equivalent = strength_.criterion.equivalent_stress_pa(principal, strength_.material);
-        const int particle = of_.points_.points[at].particle;
-        const double own = scale_ / strength_.at_points[at] * equivalent;
-        if (own > overstress[particle]) {
-            overstress[particle] = own;
-            worst[particle] = scale_ * stress;
+        const int particle = of_.points_.points[point].particle;
+        const double own = scale_ / strength_.at_points[point] * equivalent;
+        if (own > overstress_[particle]) {
+            overstress_[particle] = own;
+            found_.push_back({particle, own, scale_ * stress});
         }
-        tension = std::max(tension, principal.largest);
+        tension_ = std::max(tension_, principal.largest);
     }
 
-    bool doesNotMatter(const PrincipalRange& range, double wanted, int at) const {
-        const double least = std::max(wanted, overstress[of_.points_.points[at].particle]);
-        return range.largest <= tension &&
-               scale_ * bound_(range.smallest, range.largest) < least * strength_.at_points[at];
-    }
-
-    /// Displacement gradient with the dilatation that the stiffness sees.
-    template <int degree>
-    Eigen::Matrix3f projectedGradient(const Coefficients<degree>& coefficients, int part,
-                                      const Eigen::Vector3f& at) const {
-        Eigen::Matrix3f gradient = gradientAt<degree>(coefficients.data(), at);
-        const Eigen::MatrixXf& dilatation = displacement_.dilatation;
-        if (dilatation.size() > 0)
-            projectTrace(gradient, polynomialAt(dilatationDegree(degree), dilatation.col(part), at),
-                         projected_share_);
-        return gradient;
-    }
-
-    /// Displacement gradient, summed one direction after the other.
-    template <int degree>
-    Eigen::Matrix3f gradientAt(const Quad* coefficients, const Eigen::Vector3f& at) const {
-        constexpr int w = degree + 1;
-        float values[3][w], slopes[3][w];
-        for (int d = 0; d < 3; ++d)
-            for (int a = 0; a < w; ++a) {
-                float value = 0, slope = 0;
-                for (int k = w - 1; k >= 0; --k) {
-                    slope = slope * at[d] + value;
-                    value = value * at[d] + of_.powers_(k, a);
-                }
-                values[d][a] = value;
-                slopes[d][a] = slope;
-            }
-        Quad by_x = Quad::Zero(), by_y = Quad::Zero(), by_z = Quad::Zero();
-        for (int c = 0; c < w; ++c) {
-            Quad plane = Quad::Zero(), plane_x = Quad::Zero(), plane_y = Quad::Zero();
-            for (int b = 0; b < w; ++b) {
-                Quad line = Quad::Zero(), line_x = Quad::Zero();
-                for (int a = 0; a < w; ++a) {
-                    const Quad& own = coefficients[(c * w + b) * w + a];
-                    line += values[0][a] * own;
-                    line_x += slopes[0][a] * own;
-                }
-                plane += values[1][b] * line;
-                plane_x += values[1][b] * line_x;
-                plane_y += slopes[1][b] * line;
-            }
-            by_x += values[2][c] * plane_x;
-            by_y += values[2][c] * plane_y;
-            by_z += slopes[2][c] * plane;
-        }
-        Eigen::Matrix3f gradient;
-        gradient.col(0) = by_x.head<3>() * per_edge_[0];
-        gradient.col(1) = by_y.head<3>() * per_edge_[1];
-        gradient.col(2) = by_z.head<3>() * per_edge_[2];
-        return gradient;
+    /// `smallest_pa`, `largest_pa`: no principal stress is beyond these.
+    bool doesNotMatter(double smallest_pa, double largest_pa, double wanted, int point) const {
+        const double least = std::max(wanted, overstress_[of_.points_.points[point].particle]);
+        return largest_pa <= tension_ &&
+               scale_ * bound_(smallest_pa, largest_pa) < least * strength_.at_points[point];
     }
 
     const DamageReading& of_;
@@ -249,11 +248,12 @@ class DamageReading::Reader {
     const Strength& strength_;
     EquivalentBound bound_;
     Eigen::Vector3f per_edge_;  ///< of a cell
-
-  public:
-    std::vector<double> overstress;      ///< per particle, the largest that was read
-    std::vector<SymmetricTensor> worst;  ///< per particle, the stress that made it, Pa
-    double tension;                      ///< the largest that was read, Pa, for a scale of 1
+    PartCoefficients coefficients_;
+    GradientLanes gradients_ = {};
+    Waiting waiting_;
+    std::vector<double> overstress_;  ///< per particle, the largest that was read
+    std::vector<Found> found_;        ///< of a particle each time nearer to failure
+    double tension_;                  ///< the largest that was read, Pa, for a scale of 1
 };
 
 /// The least strength at the points of a part.
@@ -301,12 +301,12 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
     const Bounds bounds = boundsOf(displacement, contact, scale, strength);
     const auto reader = [&] { return Reader(*this, displacement, contact, scale, strength, sum); };
     const auto take = [&](const Reader& read) {
-        for (std::size_t i = 0; i < sum.overstress.size(); ++i) {
-            if (!(read.overstress[i] > sum.overstress[i])) continue;
-            sum.overstress[i] = read.overstress[i];
-            sum.stress[i] = read.worst[i];
+        for (const Reader::Found& found : read.found()) {
+            if (!(found.overstress > sum.overstress[found.particle])) continue;
+            sum.overstress[found.particle] = found.overstress;
+            sum.stress[found.particle] = found.stress;
         }
-        sum.largest_stress_pa = std::max(sum.largest_stress_pa, scale * read.tension);
+        sum.largest_stress_pa = std::max(sum.largest_stress_pa, scale * read.tension());
     };
     const auto has_failed = [&] {
         return std::any_of(sum.overstress.begin(), sum.overstress.end(), [](double o) { return o > 1; });
@@ -320,8 +320,9 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
     const int part_count = static_cast<int>(order.size());
     {
         Reader first = reader();
-        for (std::size_t place = 0; place < contact.places().size(); ++place) first.readPlace(place);
+        first.readPlaces();
         for (int i = 0; i < std::min(first_parts, part_count); ++i) first.read(order[i], 1);
+        first.finish();
         take(first);
     }
     const auto read = [&](double wanted) {
@@ -329,8 +330,9 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
         forEachChunk(chunk_count, [&](int chunk) {
             Reader& own = readers[chunk].emplace(reader());
             for (int i = chunk; i < part_count; i += chunk_count)
-                if (bounds.tension[order[i]] > own.tension || bounds.overstress[order[i]] >= wanted)
+                if (bounds.tension[order[i]] > own.tension() || bounds.overstress[order[i]] >= wanted)
                     own.read(order[i], wanted);
+            own.finish();
         });
         for (const auto& own : readers) take(*own);
     };

@@ -8,6 +8,7 @@
 #include "core/mlpg/splines/monomials.h"
 #include "core/mlpg/splines/volumetric_projection.h"
 #include "core/numerics/wide_vectors.h"
+#include "core/stress/principal_bound.h"
 
 namespace sherd {
 
@@ -140,6 +141,32 @@ void slopeOf(int width, const Lane* values, int step, int second, int third, con
 }
 
 }  // namespace
+
+namespace {
+
+SHERD_WIDE_VECTORS
+void rangesOf(const GradientLanes& points, float lambda, float mu, float coupling,
+              const GradientLanes::Lane& may_be_freed, StressBounds::RangeLanes& ranges) {
+    constexpr float rounding = 1e-4f;
+    const auto& g = points.gradient;
+    for (int l = 0; l < GradientLanes::count; ++l) {
+        const float equal = lambda * (g[0][0][l] + g[1][1][l] + g[2][2][l]);
+        float smallest, largest;
+        boundPrincipal(equal + 2 * mu * g[0][0][l], equal + 2 * mu * g[1][1][l], equal + 2 * mu * g[2][2][l],
+                       mu * (g[0][1][l] + g[1][0][l]), mu * (g[1][2][l] + g[2][1][l]),
+                       mu * (g[2][0][l] + g[0][2][l]), rounding, smallest, largest);
+        const float freed = coupling * may_be_freed[l];
+        ranges.smallest[l] = smallest - freed * largest;
+        ranges.largest[l] = largest - freed * smallest;
+    }
+}
+
+}  // namespace
+
+void StressBounds::rangesAt(const GradientLanes& points, const GradientLanes::Lane& may_be_freed,
+                            RangeLanes& ranges) const {
+    rangesOf(points, lambda_pa_, mu_pa_, coupling_, may_be_freed, ranges);
+}
 
 void StressBounds::load(const Eigen::Matrix4Xf& raw, const std::vector<int>& functions, int part, int lane,
                         Lanes& lanes) const {

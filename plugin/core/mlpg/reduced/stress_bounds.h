@@ -8,6 +8,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/mlpg/reduced/gradient_lanes.h"
 #include "core/mlpg/splines/spline_field.h"
 #include "core/stress/elasticity.h"
 
@@ -53,10 +54,13 @@ class StressBounds {
     std::vector<PrincipalRange> ranges(const Eigen::Matrix4Xf& raw,
                                        const std::vector<std::vector<int>>& functions,
                                        const Eigen::MatrixXf& dilatation = {}) const;
-    /// Of the stress where the displacement has this gradient. `may_be_freed`: by withTraction.
-    PrincipalRange rangeAt(const Eigen::Matrix3f& gradient, bool may_be_freed) const {
-        return principalRange(stressOf(gradient), 0, may_be_freed ? coupling_ : 0);
-    }
+    /// Of the stress at points where the displacement has these gradients. `may_be_freed`: 1 where
+    /// withTraction may change it, else 0.
+    struct RangeLanes {
+        GradientLanes::Lane smallest, largest;  ///< Pa
+    };
+    void rangesAt(const GradientLanes& points, const GradientLanes::Lane& may_be_freed,
+                  RangeLanes& ranges) const;
 
   private:
     static constexpr int most = largest_spline_degree + 1;
