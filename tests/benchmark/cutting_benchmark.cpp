@@ -21,6 +21,7 @@
 #include "benchmark/value_or_exit.h"
 #include "core/clustering/bisection.h"
 #include "core/clustering/clusters.h"
+#include "core/clustering/wall_axes.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/stress/elasticity.h"
@@ -125,7 +126,9 @@ Damage damageOf(const Case& c, const Discretisation& sampling) {
 
 FragmentLabels labelsOf(const Case& c, const Discretisation& sampling, double wall_thickness_m) {
     const Damage damage = damageOf(c, sampling);
-    if (c.by_stress) return bisectParticles(sampling, damage, c.clusters, 1000, wall_thickness_m, c.seed);
+    if (c.by_stress)
+        return bisectParticles(sampling, wallAxes(sampling), damage, c.clusters, 1000, wall_thickness_m,
+                               c.seed);
     const BlowAxis axis{boundingBox(c.surface).center(), Vec3::UnitX()};
     return clusterParticles(sampling, damage, c.clusters, wall_thickness_m, c.seed, c.guide, axis);
 }

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "core/clustering/bisection.h"
+#include "core/clustering/wall_axes.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/sampling/sample_solid.h"
 #include "core/stress/elasticity.h"
@@ -82,7 +83,8 @@ Damage damageAbout(const Discretisation& solid, double size, unsigned seed) {
 
 FragmentLabels labelsOf(const TriangleMesh& mesh, const Discretisation& solid, int pieces, unsigned seed) {
     const double size = boundingBox(mesh.vertices).sizes().maxCoeff();
-    return bisectParticles(solid, damageAbout(solid, size, seed), pieces, 1000, wallThickness(mesh), seed);
+    return bisectParticles(solid, wallAxes(solid), damageAbout(solid, size, seed), pieces, 1000,
+                           wallThickness(mesh), seed);
 }
 
 class PlaneCutsOf : public testing::TestWithParam<Body> {};
