@@ -6,6 +6,14 @@
 
 namespace sherd {
 
+namespace {
+
+/// Of the largest load on a part: a support presses with little on many places, where the modes do. Functions
+/// there would leave fewer for what strikes.
+constexpr double faint = 0.03;
+
+}  // namespace
+
 LocalFunctions::LocalFunctions(const SplineProblem& problem)
     : parts_(problem.parts()), function_count_(problem.space->function_count) {
     const SplineSpace& space = *problem.space;
@@ -34,6 +42,8 @@ std::vector<int> LocalFunctions::around(const std::vector<PointForce>& loads, in
     std::vector<std::pair<double, int>> largest_first;
     for (const auto& [part, push] : pushes) largest_first.push_back({-push.size, part});
     std::sort(largest_first.begin(), largest_first.end());
+    while (!largest_first.empty() && largest_first.back().first > faint * largest_first.front().first)
+        largest_first.pop_back();
 
     std::vector<int> parts;  // in order of importance
     for (const auto& entry : largest_first) parts.push_back(entry.second);

@@ -12,7 +12,7 @@ class LocalFunctions {
     explicit LocalFunctions(const SplineProblem& problem);
 
     /// The functions that reach the parts under the loads, through the solid, and the parts around these,
-    /// ascending: about `most` of them, those nearest to the largest loads first.
+    /// ascending: about `most` of them, those nearest to the largest loads first. Faint loads have none.
     std::vector<int> around(const std::vector<PointForce>& loads, int most) const;
 
   private:
