@@ -35,9 +35,9 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
                                     const ContactField& contact) -> Result<UnitResponse> {
         const AddedTime time(ms.solve);
         if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
-            const Result<double> energy = reduced.model.strainEnergy(loads, kept);
-            if (!energy) return Error{energy.error()};
-            return UnitResponse{energy.value(), reduced.model.struckModes(loads)};
+            Result<ReducedModel::Whole> whole = reduced.model.respondAsAWhole(loads, kept);
+            if (!whole) return Error{whole.error()};
+            return UnitResponse{whole.value().strain_energy_j, std::move(whole.value().modes)};
         }
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};

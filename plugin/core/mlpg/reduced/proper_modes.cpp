@@ -82,6 +82,12 @@ void multiplyRows(const std::int16_t* entries, const float* c, int count, long f
     }
 }
 
+/// sum += entries times scales times a force.
+SHERD_WIDE_VECTORS
+void addScaled(const std::int16_t* entries, const float* scales, float force, int count, float* sum) {
+    for (int m = 0; m < count; ++m) sum[m] += static_cast<float>(entries[m]) * scales[m] * force;
+}
+
 /// columns = the unit loads on a function, times their combinations: count x 3.
 SHERD_WIDE_VECTORS
 void setToUnitLoads(const ProperModes::UnitLoad* loads, int load_count, const ProperModes& modes,
@@ -138,8 +144,7 @@ Eigen::VectorXf ProperModes::displacement(const Eigen::VectorXf& coefficients) c
 }
 
 void ProperModes::addWork(int unknown, float force, Eigen::VectorXf& sum) const {
-    const std::int16_t* entry = entries.data() + static_cast<long>(unknown) * count;
-    for (int m = 0; m < count; ++m) sum[m] += static_cast<float>(entry[m]) * scales[m] * force;
+    addScaled(entries.data() + static_cast<long>(unknown) * count, scales.data(), force, count, sum.data());
 }
 
 void ProperModes::forcesOn(const SplineProblem& problem, int function, float* forces) const {

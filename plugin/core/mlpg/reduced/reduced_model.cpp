@@ -93,31 +93,48 @@ bool ReducedModel::coversAComponent(const std::vector<int>& functions) const {
     return false;
 }
 
-/// Adds the equations of functions that are joined. False if they are not definite.
-bool ReducedModel::addBlock(std::vector<int> functions, float stiffening, LocalSystem& system) const {
-    LocalSystem::Block block;
-    block.functions = std::move(functions);
+/// Factors the equations of functions that are joined. False if they are not definite.
+bool ReducedModel::factorBlock(LocalSystem::Block& block) const {
     block.factor = stiffness_.lowerPart(block.functions);
-    block.factor.diagonal() *= 1 + stiffening;
+    block.factor.diagonal() *= 1 + block.stiffening;
     const int size = block.size(), count = modes_.count;
     if (!choleskyInPlace(block.factor.data(), size, size)) return false;
     block.coupling.resize(count, size);
     for (int i = 0; i < size; i += 3)
         modes_.forcesOn(*problem_, block.functions[i / 3], &block.coupling(0, i));
     divideByTransposed(block.factor.data(), size, size, block.coupling.data(), count, count);
-    Eigen::MatrixXf taken(count, count);
-    setToSquare(block.coupling.data(), count, size, count, taken.data(), count);
-    system.modes_factor.triangularView<Eigen::Lower>() += taken;
-    system.blocks.push_back(std::move(block));
+    block.taken.resize(count, count);
+    setToSquare(block.coupling.data(), count, size, count, block.taken.data(), count);
+    return true;
+}
+
+/// Adds the equations of functions that are joined, as they were `before` if they were there. False if they
+/// are not definite.
+bool ReducedModel::addBlock(std::vector<int> functions, float stiffening, LocalSystem& before,
+                            LocalSystem& system) const {
+    const auto same =
+        std::find_if(before.blocks.begin(), before.blocks.end(), [&](const LocalSystem::Block& block) {
+            return block.functions == functions && block.stiffening == stiffening;
+        });
+    LocalSystem::Block& block = system.blocks.emplace_back();
+    if (same != before.blocks.end()) {
+        block = std::move(*same);
+        same->functions.clear();
+    } else {
+        block.functions = std::move(functions);
+        block.stiffening = stiffening;
+        if (!factorBlock(block)) return false;
+    }
+    system.modes_factor.triangularView<Eigen::Lower>() += block.taken;
     return true;
 }
 
 /// False if the equations are not definite.
-bool ReducedModel::factor(float stiffening, LocalSystem& system) const {
+bool ReducedModel::factor(float stiffening, LocalSystem& before, LocalSystem& system) const {
     system.blocks.clear();
     system.modes_factor.setIdentity(modes_.count, modes_.count);
     for (std::vector<int>& functions : stiffness_.joined(system.functions))
-        if (!addBlock(std::move(functions), stiffening, system)) return false;
+        if (!addBlock(std::move(functions), stiffening, before, system)) return false;
     return choleskyInPlace(system.modes_factor.data(), modes_.count, modes_.count);
 }
 
@@ -131,10 +148,11 @@ Status ReducedModel::prepareAbout(std::vector<int> functions, LocalSystem& kept)
     // Where the functions do nearly all that a mode can, what is left of that is rounding: a little more
     // stiffness takes that away, and leaves such motions to the modes.
     for (const float more : {0.0f, 1e-5f, 1e-4f}) {
-        if (!factor(more, system)) continue;
+        if (!factor(more, kept, system)) continue;
         kept = std::move(system);
         return success();
     }
+    kept = {};
     return Error{"The reduced equations are not definite where the loads act."};
 }
 
@@ -158,15 +176,16 @@ Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loa
     return responseOf(solution.value(), kept);
 }
 
-Result<double> ReducedModel::strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const {
+Result<ReducedModel::Whole> ReducedModel::respondAsAWhole(const std::vector<PointForce>& loads,
+                                                          LocalSystem& kept) const {
     if (isDirect()) {
         const auto response = respond(loads, kept);
         if (!response) return Error{response.error()};
-        return response.value().strain_energy_j;
+        return Whole{response.value().strain_energy_j, struckModes(loads)};
     }
     const auto solution = solve(loads, kept);
     if (!solution) return Error{solution.error()};
-    return solution.value().strain_energy_j;
+    return Whole{solution.value().strain_energy_j, struckModes(solution.value().work)};
 }
 
 Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
@@ -177,6 +196,15 @@ Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
     return responseOf(solution.value(), system);
 }
 
+/// V^T f: inertia does none on the modes.
+Eigen::VectorXf ReducedModel::workOnModes(const Eigen::VectorXd& forces) const {
+    Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);
+    for (Eigen::Index unknown = 0; unknown < forces.size(); ++unknown)
+        if (const auto force = static_cast<float>(forces[unknown]); force != 0)
+            modes_.addWork(static_cast<int>(unknown), force, work);
+    return work;
+}
+
 Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces,
                                                    const LocalSystem& system) const {
     if (system.modes_factor.size() == 0)
@@ -185,12 +213,8 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
     clearHeld(*problem_, resultants);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations =
         problem_->inertia.accelerationOf(resultants);
-    Eigen::VectorXf on_modes = Eigen::VectorXf::Zero(modes_.count);  // V^T f: inertia does none on the modes
-    for (Eigen::Index unknown = 0; unknown < forces.size(); ++unknown)
-        if (const auto force = static_cast<float>(forces[unknown]); force != 0)
-            modes_.addWork(static_cast<int>(unknown), force, on_modes);
-
-    Solution solution{on_modes, {}, 0};
+    Eigen::VectorXf on_modes = workOnModes(forces);
+    Solution solution{on_modes, {}, 0, {}};
     std::vector<Eigen::VectorXf> on_blocks;  // E^T f
     for (const LocalSystem::Block& block : system.blocks) {
         Eigen::VectorXf own(block.size());
@@ -217,6 +241,7 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
         solution.strain_energy_j += 0.5 * double(on_blocks[b].dot(local));
         is_finite = is_finite && local.allFinite();
     }
+    solution.work = std::move(on_modes);
     if (!is_finite) return Error{"The reduced equations have no finite solution where the loads act."};
     return solution;
 }
@@ -237,14 +262,14 @@ Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loa
 }
 
 StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads) const {
+    if (vibrations_.rates_rad_s.size() == 0) return {};
+    const auto forces = forcesAt(*problem_, loads);
+    return forces ? struckModes(workOnModes(forces.value())) : StruckModes();
+}
+
+StruckModes ReducedModel::struckModes(const Eigen::VectorXf& work) const {
     StruckModes struck;
     if (vibrations_.rates_rad_s.size() == 0) return struck;
-    const auto forces = forcesAt(*problem_, loads);
-    if (!forces) return struck;
-    Eigen::VectorXf work = Eigen::VectorXf::Zero(modes_.count);
-    for (int unknown = 0; unknown < forces.value().size(); ++unknown)
-        if (const auto force = static_cast<float>(forces.value()[unknown]); force != 0)
-            modes_.addWork(unknown, force, work);
     struck.rates_rad_s = vibrations_.rates_rad_s;
     struck.work = (vibrations_.shapes.transpose() * work).array().cast<double>();
     return struck;

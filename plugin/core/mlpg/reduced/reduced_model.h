@@ -59,6 +59,8 @@ class ReducedModel {
             std::vector<int> functions;  ///< ascending
             Eigen::MatrixXf factor;      ///< L, lower, of E^T K E
             Eigen::MatrixXf coupling;    ///< V^T K E L^-T
+            Eigen::MatrixXf taken;       ///< lower, what it takes from the modes: - coupling coupling^T
+            float stiffening = 0;        ///< of the diagonal of E^T K E
 
             int size() const { return 3 * static_cast<int>(functions.size()); }
         };
@@ -73,8 +75,12 @@ class ReducedModel {
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads) const;
     /// The same, with what is kept of the loads before.
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
-    /// Its strain energy alone, J.
-    Result<double> strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    /// What a unit of loads does to the body as a whole: its strain energy, J, and the vibrations.
+    struct Whole {
+        double strain_energy_j = 0;
+        StruckModes modes;
+    };
+    Result<Whole> respondAsAWhole(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     /// The displacement under forces at the unknowns (N), with the functions of a system that was made for
     /// some loads.
     Result<ReducedResponse> respond(const Eigen::VectorXd& forces, const LocalSystem& system) const;
@@ -97,15 +103,20 @@ class ReducedModel {
   private:
     bool coversAComponent(const std::vector<int>& functions) const;
     double roundingOfModes(const SparseMatrix& stiffness) const;
-    bool addBlock(std::vector<int> functions, float stiffening, LocalSystem& system) const;
-    bool factor(float stiffening, LocalSystem& system) const;
+    bool factorBlock(LocalSystem::Block& block) const;
+    bool addBlock(std::vector<int> functions, float stiffening, LocalSystem& before,
+                  LocalSystem& system) const;
+    bool factor(float stiffening, LocalSystem& before, LocalSystem& system) const;
     Status prepareAbout(std::vector<int> functions, LocalSystem& kept) const;
     /// What solves the equations.
     struct Solution {
         Eigen::VectorXf modes;               ///< c
         std::vector<Eigen::VectorXf> local;  ///< d, per block
         double strain_energy_j = 0;
+        Eigen::VectorXf work;  ///< V^T f
     };
+    Eigen::VectorXf workOnModes(const Eigen::VectorXd& forces) const;
+    StruckModes struckModes(const Eigen::VectorXf& work) const;
     Result<Solution> solve(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     Result<Solution> solve(const Eigen::VectorXd& forces, const LocalSystem& system) const;
     ReducedResponse responseOf(const Solution& solution, const LocalSystem& system) const;
