@@ -1,6 +1,7 @@
 #include "core/loads/convex_hull_2d.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace sherd {
@@ -37,16 +38,16 @@ std::vector<Vec2> convexHull(std::vector<Vec2> points) {
 }
 
 double distanceFromHull(const std::vector<Vec2>& hull, const Vec2& point) {
-    double nearest = std::numeric_limits<double>::infinity();
+    double nearest = std::numeric_limits<double>::infinity();  // squared
     bool inside = hull.size() > 2;
     for (std::size_t i = 0; i < hull.size(); ++i) {
-        const Vec2 &a = hull[i], edge = hull[(i + 1) % hull.size()] - a, to = point - a;
+        const Vec2 &a = hull[i], edge = hull[i + 1 < hull.size() ? i + 1 : 0] - a, to = point - a;
         if (cross(edge, to) < 0) inside = false;
         const double length = edge.squaredNorm();
         const double along = length > 0 ? std::clamp(to.dot(edge) / length, 0.0, 1.0) : 0;
-        nearest = std::min(nearest, (to - along * edge).norm());
+        nearest = std::min(nearest, (to - along * edge).squaredNorm());
     }
-    return inside ? 0 : nearest;
+    return inside ? 0 : std::sqrt(nearest);
 }
 
 double hullArea(const std::vector<Vec2>& hull) {

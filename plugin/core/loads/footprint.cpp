@@ -1,6 +1,7 @@
 #include "core/loads/footprint.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "core/loads/convex_hull_2d.h"
@@ -27,20 +28,57 @@ Vec3 longestAxis(const std::vector<Vec3>& contacts, const Vec3& push) {
 void collectParts(const TriangleCorners& t, const Footprint& footprint, const LengthOfParts& longest_of,
                   std::vector<FootprintPart>& parts) {
     const Vec3 centre = (t[0] + t[1] + t[2]) / 3;
+    const std::array<double, 3> lengths = {(t[1] - t[0]).norm(), (t[2] - t[1]).norm(), (t[0] - t[2]).norm()};
     int longest = 0;
-    const auto length = [&](int edge) { return (t[(edge + 1) % 3] - t[edge]).norm(); };
     for (int edge = 1; edge < 3; ++edge)
-        if (length(edge) > length(longest)) longest = edge;
-    if (footprint.outside(centre) > length(longest)) return;
-    if (length(longest) <= longest_of(footprint.project(centre), length(longest))) {
+        if (lengths[edge] > lengths[longest]) longest = edge;
+    const double length = lengths[longest], outside = footprint.outside(centre);
+    if (outside > length) return;
+    if (length <= longest_of(footprint.project(centre), length)) {
         const double area = -areaVector(t).dot(footprint.push());
-        if (area > 0 && footprint.outside(centre) == 0) parts.push_back({centre, area});
+        if (area > 0 && outside == 0) parts.push_back({centre, area});
         return;
     }
     const Vec3 &a = t[longest], &b = t[(longest + 1) % 3], &c = t[(longest + 2) % 3];
     const Vec3 half = 0.5 * (a + b);
     collectParts({a, half, c}, footprint, longest_of, parts);
     collectParts({half, b, c}, footprint, longest_of, parts);
+}
+
+/// A triangle that faces a push, and where it lies along it.
+struct Facing {
+    int triangle;
+    double lowest;
+};
+
+/// The triangles over a footprint that face its push, ascending, but those that lie deeper than `depth`
+/// inside of another one that is all over it: none of their parts is wanted.
+std::vector<int> outerTriangles(const SurfaceTree& tree, const Footprint& footprint, double depth) {
+    constexpr double grazing = 0.1;  // cosine
+    const Vec3& push = footprint.push();
+    const auto reaches = [&](const Eigen::AlignedBox3d& box) {
+        return footprint.isNear(box.center(), box.diagonal().norm() / 2);
+    };
+    double outermost = std::numeric_limits<double>::infinity();  // at most
+    std::vector<Facing> facing;
+    for (const int i : tree.unsortedWhere(reaches)) {
+        const TriangleCorners t = cornersOf(tree.surface(), i);
+        const Vec3 area = areaVector(t);
+        if (!(area.dot(push) < 0)) continue;
+        const Vec3 heights(t[0].dot(push), t[1].dot(push), t[2].dot(push));
+        const double lowest = heights.minCoeff(), highest = heights.maxCoeff();
+        if (lowest > outermost + depth) continue;
+        facing.push_back({i, lowest});
+        const auto isOver = [&](const Vec3& corner) { return footprint.outside(corner) == 0; };
+        if (highest < outermost && area.dot(push) < -grazing * area.norm() &&
+            std::all_of(t.begin(), t.end(), isOver))
+            outermost = highest;
+    }
+    std::vector<int> outer;
+    for (const Facing& one : facing)
+        if (!(one.lowest > outermost + depth)) outer.push_back(one.triangle);
+    std::sort(outer.begin(), outer.end());
+    return outer;
 }
 
 }  // namespace
@@ -50,12 +88,11 @@ Footprint::Footprint(const std::vector<Vec3>& contacts, const Vec3& push, double
     const Vec3 longest = longestAxis(contacts, push);
     axes_ << longest.transpose(), push.cross(longest).transpose();
     std::vector<Vec2> points;
-    Eigen::AlignedBox2d box;
     for (const Vec3& contact : contacts) {
         points.push_back(project(contact));
-        box.extend(points.back());
+        box_.extend(points.back());
     }
-    size_ = box.sizes() + Vec2::Constant(2 * margin_m);
+    size_ = box_.sizes() + Vec2::Constant(2 * margin_m);
     hull_ = convexHull(std::move(points));
 }
 
@@ -69,14 +106,9 @@ double Footprint::area() const {
 
 std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint,
                                      const LengthOfParts& longest, double depth) {
-    const auto reaches = [&](const Eigen::AlignedBox3d& box) {
-        return footprint.outside(box.center()) <= box.diagonal().norm() / 2;
-    };
     std::vector<FootprintPart> parts;
-    for (const int i : tree.trianglesWhere(reaches)) {
-        const TriangleCorners t = cornersOf(tree.surface(), i);
-        if (areaVector(t).dot(footprint.push()) < 0) collectParts(t, footprint, longest, parts);
-    }
+    for (const int i : outerTriangles(tree, footprint, depth))
+        collectParts(cornersOf(tree.surface(), i), footprint, longest, parts);
     double outermost = std::numeric_limits<double>::infinity();
     for (const FootprintPart& part : parts)
         outermost = std::min(outermost, part.centre.dot(footprint.push()));

@@ -21,6 +21,10 @@ class Footprint {
     const Vec3& push() const { return push_; }
     /// Distance outside of the margin, as seen along the push, m; 0 inside.
     double outside(const Vec3& x) const;
+    /// Whether some point within `reach` of x may be inside; looks at no more than the hull's box first.
+    bool isNear(const Vec3& x, double reach) const {
+        return box_.exteriorDistance(project(x)) <= margin_ + reach && outside(x) <= reach;
+    }
     double length() const { return size_.maxCoeff(); }  ///< m
     double width() const { return size_.minCoeff(); }   ///< m
     double area() const;                                ///< about, m^2
@@ -31,6 +35,7 @@ class Footprint {
     Eigen::Matrix<double, 2, 3> axes_;
     Vec2 size_;
     std::vector<Vec2> hull_;
+    Eigen::AlignedBox2d box_;  ///< of the hull
 };
 
 /// A part of a surface seen along the push of a footprint.
