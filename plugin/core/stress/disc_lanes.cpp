@@ -39,34 +39,65 @@ void toLocal(const PlaceLanes& at, const Vec3& centre, const Mat3& axes, double 
     }
 }
 
+SHERD_INLINED under_disc::Potentials either(bool first, const under_disc::Potentials& a,
+                                            const under_disc::Potentials& b) {
+    under_disc::Potentials h;
+    h.h_m2 = first ? a.h_m2 : b.h_m2;
+    h.h_m1 = first ? a.h_m1 : b.h_m1;
+    h.d_m1 = first ? a.d_m1 : b.d_m1;
+    h.d_0 = first ? a.d_0 : b.d_0;
+    h.dd_0 = first ? a.dd_0 : b.dd_0;
+    h.d_1 = first ? a.d_1 : b.d_1;
+    h.dd_1 = first ? a.dd_1 : b.dd_1;
+    h.ddd_1 = first ? a.ddd_1 : b.ddd_1;
+    h.dd_2 = first ? a.dd_2 : b.dd_2;
+    h.ddd_2 = first ? a.ddd_2 : b.ddd_2;
+    return h;
+}
+
+SHERD_INLINED void putInLane(const under_disc::LocalStress& local, int lane, Lane* stress) {
+    stress[0][lane] = local.xx;
+    stress[1][lane] = local.yy;
+    stress[2][lane] = local.zz;
+    stress[3][lane] = local.xy;
+    stress[4][lane] = local.yz;
+    stress[5][lane] = local.zx;
+}
+
+SHERD_INLINED double squaredDistance(const LocalLanes& at, const Lane& depth, int lane) {
+    return at.x[lane] * at.x[lane] + at.y[lane] * at.y[lane] + depth[lane] * depth[lane];
+}
+
+/// Where all lanes are so far away that the disc is a point.
 SHERD_WIDE_VECTORS
-void stressBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
+void stressFarBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
+    const DiscField::Traction traction = of;
+    for (int l = 0; l < lane_count; ++l) {
+        const double x = at.x[l], y = at.y[l], z = depth[l];
+        putInLane(under_disc::stressUnder(under_disc::underPoint(x * x + y * y, z), traction, x, y, z), l,
+                  stress);
+    }
+}
+
+SHERD_WIDE_VECTORS
+void stressAnywhereBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of,
+                          Lane* stress) {
     using namespace under_disc;
     const DiscField::Traction traction = of;
     for (int l = 0; l < lane_count; ++l) {
         const double x = at.x[l], y = at.y[l], z = depth[l], s = x * x + y * y;
         const auto angle_of = [](Complex a) { return pi / 2 - arcTangent(a.re / a.im); };
-        const Potentials close = underDisc(s, z, angle_of), away = underPoint(s, z);
-        const bool is_close = s + z * z < far * far;
-        Potentials h;
-        h.h_m2 = is_close ? close.h_m2 : away.h_m2;
-        h.h_m1 = is_close ? close.h_m1 : away.h_m1;
-        h.d_m1 = is_close ? close.d_m1 : away.d_m1;
-        h.d_0 = is_close ? close.d_0 : away.d_0;
-        h.dd_0 = is_close ? close.dd_0 : away.dd_0;
-        h.d_1 = is_close ? close.d_1 : away.d_1;
-        h.dd_1 = is_close ? close.dd_1 : away.dd_1;
-        h.ddd_1 = is_close ? close.ddd_1 : away.ddd_1;
-        h.dd_2 = is_close ? close.dd_2 : away.dd_2;
-        h.ddd_2 = is_close ? close.ddd_2 : away.ddd_2;
-        const LocalStress local = stressUnder(h, traction, x, y, z);
-        stress[0][l] = local.xx;
-        stress[1][l] = local.yy;
-        stress[2][l] = local.zz;
-        stress[3][l] = local.xy;
-        stress[4][l] = local.yz;
-        stress[5][l] = local.zx;
+        const bool is_close = squaredDistance(at, depth, l) < far * far;
+        const Potentials h = either(is_close, underDisc(s, z, angle_of), underPoint(s, z));
+        putInLane(stressUnder(h, traction, x, y, z), l, stress);
     }
+}
+
+void stressBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
+    bool any_close = false;
+    for (int l = 0; l < lane_count; ++l)
+        any_close |= squaredDistance(at, depth, l) < under_disc::far * under_disc::far;
+    any_close ? stressAnywhereBehind(at, depth, of, stress) : stressFarBehind(at, depth, of, stress);
 }
 
 /// Adds A^T local A times the share of each place.

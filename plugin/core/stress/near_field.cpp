@@ -19,6 +19,22 @@ void NearField::addStressAt(const PlaceLanes& at, StressLanes& sum) const {
     for (const DiscField& field : fields_) field.addStressAt(at, sum);
 }
 
+RowsOf3 NearField::forcesOn(const SurfacePieces& pieces) const {
+    constexpr int lanes = PlaceLanes::count;
+    const Eigen::Index count = pieces.places.rows();
+    RowsOf3 forces(count, 3);
+    for (Eigen::Index first = 0; first < count; first += lanes) {
+        PlaceLanes at;
+        for (int l = 0; l < lanes; ++l)
+            for (int d = 0; d < 3; ++d) at.x[d][l] = pieces.places(std::min(first + l, count - 1), d);
+        StressLanes stress = {};
+        addStressAt(at, stress);
+        for (int l = 0; l < std::min<Eigen::Index>(lanes, count - first); ++l)
+            forces.row(first + l) = pieces.areas.row(first + l) * toMatrix(stress.at(l));
+    }
+    return forces;
+}
+
 namespace {
 
 /// 1 close to the disc, 0 from `close_reach` on.

@@ -6,6 +6,14 @@
 
 namespace sherd {
 
+/// Numbers by threes, each coordinate by itself.
+using RowsOf3 = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+/// Pieces of a surface: their middles, m, and their area vectors, m^2, outward.
+struct SurfacePieces {
+    RowsOf3 places, areas;
+};
+
 /// The stress that contacts make in half-spaces, one for each disc, all of them together. Around a contact it
 /// is most of the stress of a body, and all of it that a grid is too coarse for: what is left changes slowly.
 class NearField {
@@ -23,6 +31,8 @@ class NearField {
     Mat3 stressAt(const Vec3& x) const;  ///< Pa
     /// Adds the same, but for the last digits, at several places.
     void addStressAt(const PlaceLanes& at, StressLanes& sum) const;
+    /// The stress times the area vectors, N.
+    RowsOf3 forcesOn(const SurfacePieces& pieces) const;
     /// What acts on the surface at x, Pa: the discs whose plane it lies on, or nearly so. `outward`: its
     /// normal.
     Vec3 tractionAt(const Vec3& x, const Vec3& outward) const;

@@ -43,6 +43,30 @@ TEST(NearField, IsNowhereMoreThanItsBound) {
     EXPECT_GT(closest, 0.8);
 }
 
+TEST(NearField, ActsOnManyPiecesAsOnEach) {
+    for (const bool hollow : {false, true}) {
+        const NearField field({{Vec3(0.1, 0, 0), direction(0.6, 0.4), 0.02, Vec3(3, -1, 7), hollow},
+                               {Vec3(0, 0.3, 0), direction(-0.2, 2), 0.05, Vec3(0, 2, 1), false}},
+                              0.25);
+        std::vector<Vec3> offsets;
+        for (const double far : {0.0, 0.02, 0.1, 0.17, 0.3, 2.0})
+            for (const double height : {-1.0, -0.6, -0.3, 0.0, 0.4, 1.0})
+                for (int i = 0; i < 5; ++i) offsets.push_back(Vec3(0.1, 0, 0) + far * direction(height, i));
+        const auto count = static_cast<Eigen::Index>(offsets.size());
+        SurfacePieces pieces{RowsOf3(count, 3), RowsOf3(count, 3)};
+        for (Eigen::Index i = 0; i < count; ++i) {
+            pieces.places.row(i) = offsets[i].transpose();
+            pieces.areas.row(i) = direction(0.3, 0.1 * double(i)).transpose();
+        }
+        const RowsOf3 forces = field.forcesOn(pieces);
+        for (Eigen::Index i = 0; i < count; ++i) {
+            const Vec3 one = field.stressAt(offsets[i]) * pieces.areas.row(i).transpose();
+            // The closed form of a disc loses digits with the distance.
+            EXPECT_NEAR((forces.row(i).transpose() - one).norm(), 0, 1e-10 * (1e-6 + one.norm())) << i;
+        }
+    }
+}
+
 TEST(NearField, IsNowhereMoreThanItsBoundBeforeAHollow) {
     for (const double nu : {0.0, 0.3, 0.499})
         for (const double tilt : {0.0, 0.5, 1.0}) {

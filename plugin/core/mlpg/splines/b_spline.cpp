@@ -35,10 +35,12 @@ void pieces(int degree, double t, Pieces& value, Pieces& slope) {
 void splineValues(int degree, const Vec3& xi, std::vector<double>& values) {
     std::array<Pieces, 3> value, slope;
     for (int d = 0; d < 3; ++d) pieces(degree, xi[d], value[d], slope[d]);
-    values.clear();
-    for (int k = 0; k <= degree; ++k)
-        for (int j = 0; j <= degree; ++j)
-            for (int i = 0; i <= degree; ++i) values.push_back(value[0][i] * value[1][j] * value[2][k]);
+    const int count = degree + 1;
+    values.resize(static_cast<std::size_t>(count * count * count));
+    double* next = values.data();
+    for (int k = 0; k < count; ++k)
+        for (int j = 0; j < count; ++j)
+            for (int i = 0; i < count; ++i) *next++ = value[0][i] * value[1][j] * value[2][k];
 }
 
 void splineGradients(int degree, const Vec3& xi, std::vector<Vec3>& gradients) {
