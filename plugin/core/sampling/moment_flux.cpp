@@ -15,25 +15,28 @@ constexpr int most_points = 64;  // that are summed up at a time
 constexpr int most_powers = 7;   // a direction
 constexpr int group = 8;         // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
 
-/// What quadrature points on the surface add, for N powers a direction.
+using Group = double __attribute__((vector_size(group * sizeof(double))));
+
+/// Quadrature points on the surface.
 struct FluxPoints {
-    double rows[most_points * most_powers * group];  // N groups a point
-    double weights[most_powers][most_points];        // z^c times the x component of the area
+    Group along_x[most_points];
+    double along_y[most_powers][most_points];  // y^b
+    double weights[most_powers][most_points];  // z^c times the x component of the area
     int count = 0;
 };
 
-/// sums[c] += sum over points of weights[c] rows.
+/// sums[c][b] += sum over points of weights[c] y^b along_x, with N powers a direction. The sums of one power
+/// of y stay in registers.
 template <int N>
 inline __attribute__((always_inline)) void sumUp(const FluxPoints& points, double* sums) {
-    constexpr int width = N * group;
-    for (int c = 0; c < N; ++c) {
-        double own[width] = {};
+    for (int b = 0; b < N; ++b) {
+        Group own[N] = {};
         for (int k = 0; k < points.count; ++k) {
-            const double weight = points.weights[c][k];
-            const double* row = points.rows + k * width;
-            for (int i = 0; i < width; ++i) own[i] += weight * row[i];
+            const Group row = points.along_y[b][k] * points.along_x[k];
+            for (int c = 0; c < N; ++c) own[c] += points.weights[c][k] * row;
         }
-        for (int i = 0; i < width; ++i) sums[c * width + i] += own[i];
+        for (int c = 0; c < N; ++c)
+            for (int a = 0; a < group; ++a) sums[(c * N + b) * group + a] += own[c][a];
     }
 }
 
@@ -104,13 +107,12 @@ class FluxSum {
 
   private:
     void addPoint(const Vec3& x, double weight, FluxPoints& points) const {
-        std::array<double, group> px{};
+        Group& along_x = points.along_x[points.count];
+        along_x = Group{};
         double power = x.x(), y = 1;
-        for (int a = 0; a < powers_; ++a, power *= x.x()) px[a] = power * inverse_[a];
-        px[powers_] = 1;
-        double* row = points.rows + points.count * powers_ * group;
-        for (int b = 0; b < powers_; ++b, row += group, y *= x.y())
-            for (int a = 0; a < group; ++a) row[a] = y * px[a];
+        for (int a = 0; a < powers_; ++a, power *= x.x()) along_x[a] = power * inverse_[a];
+        along_x[powers_] = 1;
+        for (int b = 0; b < powers_; ++b, y *= x.y()) points.along_y[b][points.count] = y;
         for (int c = 0; c < powers_; ++c, weight *= x.z()) points.weights[c][points.count] = weight;
         ++points.count;
     }
