@@ -103,7 +103,10 @@ const std::vector<Vec3>& BreakableSolid::wallAxes(const Discretisation& sampling
 
 BreakableSolid::Sampled BreakableSolid::sampled() const {
     const Stopwatch watch;
-    Result<Discretisation> sampled = sampleSolid(surface(), spacing_, settings_.sampling);
+    constexpr int quick_order = 4;  // of moments; cubic splines are for those who want all digits
+    const bool quick = is_fragment_ && settings_.sampling.moment_order <= quick_order;
+    Result<Discretisation> sampled =
+        sampleSolid(surface(), spacing_, settings_.sampling, quick ? MomentRule::quick : MomentRule::exact);
     const double ms = watch.milliseconds();
     if (!sampled) return {Error{sampled.error()}, ms};
     return {std::make_shared<const Discretisation>(std::move(sampled).value()), ms};

@@ -10,6 +10,7 @@
 #include "core/sampling/neighbour_lists.h"
 #include "core/sampling/sliver_links.h"
 #include "core/sampling/voxel_moments.h"
+#include "core/sampling/voxel_points.h"
 
 namespace sherd {
 namespace {
@@ -66,8 +67,10 @@ VoxelGroups groupVoxels(const SamplingGrid& grid, const SolidVoxels& solid, cons
     return groups;
 }
 
+/// The part that some voxels make; `add(voxel, position, sum)` adds the moments of one.
+template <class Add>
 CellPart measurePart(const SamplingGrid& grid, const SolidVoxels& solid, const std::vector<int>& voxels,
-                     const VoxelMoments& moments, int order) {
+                     const VoxelMoments& moments, const Add& add, int order) {
     const int per_cell = grid.cells_per_spacing, n = order + 1;
     CellPart part;
     part.cell = grid.voxelAt(solid.index[voxels[0]]) / per_cell;
@@ -78,7 +81,7 @@ CellPart measurePart(const SamplingGrid& grid, const SolidVoxels& solid, const s
     part.moments.assign(n * n * n, 0.0);
     for (const int v : voxels) {
         const Eigen::Vector3i position = grid.voxelAt(solid.index[v]);
-        moments.addTo(v, position, part.moments);
+        add(v, position, part.moments);
         part.voxels.push_back(position);
     }
     part.fill = part.moments[0];
@@ -121,27 +124,36 @@ std::vector<int> listParts(const VoxelGroups& groups, std::vector<CellPart> part
 
 std::vector<CellPart> measureParts(const TriangleMesh& surface, const SamplingGrid& grid,
                                    const CutSurface& cut, const SolidVoxels& solid, int order,
-                                   const CellColumns& columns, const VoxelGroups& groups) {
-    const VoxelMoments moments(grid, cut, solid, momentFlux(surface, grid, cut, columns, order), order);
+                                   MomentRule rule, const CellColumns& columns, const VoxelGroups& groups) {
+    const bool exact = rule == MomentRule::exact;
+    const VoxelMoments moments =
+        exact ? VoxelMoments(grid, cut, solid, momentFlux(surface, grid, cut, columns, order), order)
+              : VoxelMoments(grid, cut, solid, order);
+    const auto add = [&](int voxel, const Eigen::Vector3i& position, std::vector<double>& sum) {
+        const int per_cell = grid.cells_per_spacing;
+        if (exact || moments.isWhole(voxel)) return moments.addTo(voxel, position, sum);
+        const Eigen::Vector3i local = position - position / per_cell * per_cell;
+        addVoxelPoints(solid.moments[voxel], local, per_cell, order, sum);
+    };
     std::vector<CellPart> parts(groups.wanted.size());
     forEachChunk(chunk_count, [&](int chunk) {
         const int total = static_cast<int>(parts.size());
         const int end = chunkBegin(chunk + 1, chunk_count, total);
         for (int p = chunkBegin(chunk, chunk_count, total); p < end; ++p)
-            parts[p] = measurePart(grid, solid, groups.members[groups.wanted[p]], moments, order);
+            parts[p] = measurePart(grid, solid, groups.members[groups.wanted[p]], moments, add, order);
     });
     return parts;
 }
 
 CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
-                         const SolidVoxels& solid, int order, const CellColumns& columns) {
+                         const SolidVoxels& solid, int order, MomentRule rule, const CellColumns& columns) {
     CellParts cells = emptyCells(grid, order);
     const VoxelGroups groups = groupVoxels(grid, solid, cells, columns);
     std::vector<CellPart> parts;
     if (order == 0)
         for (const int root : groups.wanted) parts.push_back(fillPart(grid, solid, groups.members[root]));
     else
-        parts = measureParts(surface, grid, cut, solid, order, columns, groups);
+        parts = measureParts(surface, grid, cut, solid, order, rule, columns, groups);
     const std::vector<int> part_of_root = listParts(groups, std::move(parts), cells);
     std::vector<std::array<int, 2>> links;
     for (const VoxelFace& face : solid.faces) {
@@ -159,8 +171,8 @@ CellParts measureColumns(const TriangleMesh& surface, const SamplingGrid& grid, 
 }  // namespace
 
 CellParts measureCellParts(const TriangleMesh& surface, const SamplingGrid& grid, const CutSurface& cut,
-                           const SolidVoxels& solid, int order) {
-    return measureColumns(surface, grid, cut, solid, order, {0, grid.count.x()});
+                           const SolidVoxels& solid, int order, MomentRule rule) {
+    return measureColumns(surface, grid, cut, solid, order, rule, {0, grid.count.x()});
 }
 
 Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& coarse,
@@ -178,7 +190,7 @@ Result<CellParts> refineCellParts(const TriangleMesh& surface, const CellParts& 
     const CutSurface cut = cutSurface(surface, grid);
     const Result<SolidVoxels> solid = fillVoxels(grid, cut);
     if (!solid) return Error{solid.error()};
-    return measureColumns(surface, grid, cut, solid.value(), coarse.order,
+    return measureColumns(surface, grid, cut, solid.value(), coarse.order, MomentRule::exact,
                           {2 * (lower.x() - first), 2 * (upper.x() - first)});
 }
 

@@ -63,8 +63,8 @@ std::vector<Mat3> facingOf(const Discretisation& solid) {
     return facing;
 }
 
-Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
-                              const SamplingSettings& settings) {
+Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m, const SamplingSettings& settings,
+                              MomentRule rule) {
     const Status checked = checkInput(surface, spacing_m, settings);
     if (!checked) return Error{checked.error()};
     const Result<SamplingGrid> made = makeGrid(surface, spacing_m, settings.cells_per_spacing);
@@ -87,7 +87,7 @@ Result<Discretisation> sample(const TriangleMesh& surface, double spacing_m,
     result.grid_origin = grid.origin;
     const auto measure = [&] {
         if (settings.moment_order > 0)
-            result.parts = measureCellParts(surface, grid, cut, solid, settings.moment_order);
+            result.parts = measureCellParts(surface, grid, cut, solid, settings.moment_order, rule);
     };
     const auto placePoints = [&] {
         result.surface_points = surfacePoints(grid, cut, solid, cells);
@@ -114,21 +114,21 @@ Result<Sampled> errorIfThrown(const Sample& sampling) {
 
 }  // namespace
 
-Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing,
-                              int order) {
+Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing, int order,
+                              MomentRule rule) {
     return errorIfThrown<CellParts>([&]() -> Result<CellParts> {
         const Result<SamplingGrid> grid = makeGrid(surface, spacing_m, cells_per_spacing);
         if (!grid) return Error{grid.error()};
         const CutSurface cut = cutSurface(surface, grid.value());
         const Result<SolidVoxels> solid = fillVoxels(grid.value(), cut);
         if (!solid) return Error{solid.error()};
-        return measureCellParts(surface, grid.value(), cut, solid.value(), order);
+        return measureCellParts(surface, grid.value(), cut, solid.value(), order, rule);
     });
 }
 
 Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
-                                   const SamplingSettings& settings) {
-    return errorIfThrown<Discretisation>([&] { return sample(surface, spacing_m, settings); });
+                                   const SamplingSettings& settings, MomentRule rule) {
+    return errorIfThrown<Discretisation>([&] { return sample(surface, spacing_m, settings, rule); });
 }
 
 }  // namespace sherd

@@ -5,6 +5,7 @@
 #include <sherd/triangle_mesh.h>
 
 #include "core/sampling/discretisation.h"
+#include "core/sampling/moment_rule.h"
 
 namespace sherd {
 
@@ -16,11 +17,11 @@ namespace sherd {
 /// order of their grid cells (z, y, x); no part of the solid is lost. Fails with a sentence if the grid would
 /// be too large or the surface is not closed.
 Result<Discretisation> sampleSolid(const TriangleMesh& surface, double spacing_m,
-                                   const SamplingSettings& settings);
+                                   const SamplingSettings& settings, MomentRule rule = MomentRule::exact);
 
 /// The parts of the grid's cells alone, with moments up to `order`: all that a solve on splines needs, if
 /// nobody asks for its stress.
-Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing,
-                              int order);
+Result<CellParts> sampleParts(const TriangleMesh& surface, double spacing_m, int cells_per_spacing, int order,
+                              MomentRule rule);
 
 }  // namespace sherd

@@ -16,12 +16,18 @@ std::vector<double> intervalMoments(double lower, double upper, int n) {
 }  // namespace
 
 VoxelMoments::VoxelMoments(const SamplingGrid& grid, const CutSurface& cut, const SolidVoxels& solid,
-                           std::vector<MomentFlux> flux, int order)
-    : grid_(grid), n_(order + 1), cut_of_(solid.index.size(), -1), flux_(std::move(flux)) {
+                           int order)
+    : grid_(grid), n_(order + 1), cut_of_(solid.index.size(), -1) {
     for (size_t c = 0; c < cut.voxels.size(); ++c)
         if (solid.of_cut_voxel[c] >= 0) cut_of_[solid.of_cut_voxel[c]] = static_cast<int>(c);
     for (int k = 0; k < grid.cells_per_spacing; ++k)
         intervals_.push_back(intervalMoments(coordinate(k), coordinate(k + 1), n_));
+}
+
+VoxelMoments::VoxelMoments(const SamplingGrid& grid, const CutSurface& cut, const SolidVoxels& solid,
+                           std::vector<MomentFlux> flux, int order)
+    : VoxelMoments(grid, cut, solid, order) {
+    flux_ = std::move(flux);
     sweepRows(cut, solid);
 }
 

@@ -16,6 +16,9 @@ class VoxelMoments {
     VoxelMoments(const SamplingGrid& grid, const CutSurface& cut, const SolidVoxels& solid,
                  std::vector<MomentFlux> flux, int order);
 
+    /// Of whole voxels only.
+    VoxelMoments(const SamplingGrid& grid, const CutSurface& cut, const SolidVoxels& solid, int order);
+
     /// Whether no triangle cuts a voxel of the solid.
     bool isWhole(int voxel) const { return cut_of_[voxel] < 0; }
 

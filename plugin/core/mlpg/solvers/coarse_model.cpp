@@ -22,7 +22,7 @@ CoarseModel::CoarseModel(std::shared_ptr<const SplineProblem> problem, PinnedSys
 Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacing_m, const Material& material,
                                       const std::vector<SupportPoint>& supports) {
     const OnThisThreadAlone small_work;
-    Result<CellParts> parts = sampleParts(surface, spacing_m, cells_per_spacing, order);
+    Result<CellParts> parts = sampleParts(surface, spacing_m, cells_per_spacing, order, MomentRule::quick);
     if (!parts) return Error{parts.error()};
     const auto solid = std::make_shared<Discretisation>();
     solid->spacing = spacing_m;

@@ -20,7 +20,7 @@ constexpr double entries_power = 3, smallest_power = 2, largest_power = 4;
 
 Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree,
                                int cells_per_spacing) {
-    const Result<CellParts> parts = sampleParts(surface, spacing, cells_per_spacing, 0);
+    const Result<CellParts> parts = sampleParts(surface, spacing, cells_per_spacing, 0, MomentRule::quick);
     if (!parts) return Error{parts.error()};
     const SplineSpace space(parts.value(), degree);
     const Result<double> entries =
