@@ -188,10 +188,13 @@ Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>
 }
 
 Result<CoarseModel> BreakableSolid::makeCoarseModel() const {
-    constexpr double coarser = 2.5;  // than its own sampling
+    // Coarser than its own sampling, or than what a fragment of fine sampling would have: a look at an even
+    // coarser grid would decide less.
+    constexpr double coarser = 2.5, fine = 1.3;
     const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};
-    return CoarseModel::make(surface(), coarser * spacing_, material_, supports.value());
+    return CoarseModel::make(surface(), coarser * std::min(spacing_, fine * spacing_of_whole_), material_,
+                             supports.value());
 }
 
 void BreakableSolid::scatterOver(double length_m) {

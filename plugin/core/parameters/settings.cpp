@@ -61,6 +61,7 @@ Settings Settings::forQuality(Quality quality) {
         case Quality::preview:
             sampling.layers_across_wall = 2;
             sampling.smallest_count = 80;
+            sampling.fragment_coarsening = 1.3;
             sampling.largest_factor_millions = 1.85;
             sampling.largest_factor_if_thin_millions = 6;
             break;
