@@ -14,7 +14,7 @@ namespace demo {
 struct BudgetChoice {
     bool limited = false;
     float milliseconds_per_step = 4;
-    int solves_per_step = 4;
+    int solves_per_step = 3;
 
     bool operator!=(const BudgetChoice& other) const {
         return limited != other.limited || milliseconds_per_step != other.milliseconds_per_step ||

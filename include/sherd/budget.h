@@ -14,21 +14,24 @@ enum class Priority {
 
 /// What breaking may cost a step. A blow on a whole body is decided in its step, and so is every blow that
 /// something lighter than the body strikes, or that falls on a body that is held: what breaks there lets the
-/// striker through. Other blows on fragments wait, and those on whole bodies that strike each other, beyond
-/// `solves_per_step`: they are solved beside the steps that follow, by the world's executor; the body breaks
-/// steps later, where it is by then. How many follows from simulated time and the size of bodies, never from
-/// the clock: a run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts.
+/// striker through. Other blows on fragments wait. So do those on whole bodies that fragments strike, beyond
+/// `milliseconds_per_step`; and where more than `solves_per_step` are struck at once, those that breakable
+/// bodies strike, the ground, or what is 50 times as heavy. One blow a step is decided in any case. Blows
+/// that wait are solved beside the steps that follow, by the world's executor; the body breaks steps later,
+/// where it is by then. How many follows from simulated time and the size of bodies, never from the clock: a
+/// run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
     double shortest_wait_s = 0.05;
     /// A blow that would wait longer is dropped.
     double longest_wait_s = 0.5;
-    /// Computing time for the blows that wait, ms a step: of one core of about 2020, estimated from the size
-    /// of the bodies. At 0 it is half of the step's own length.
+    /// Computing time for blows that wait, and for crowds of those that do not, ms a step: of one core of
+    /// about 2020, estimated from the size of the bodies. At 0 it is half of the step's own length.
     double milliseconds_per_step = 0;
-    /// Blows that wait, decided a step at most; a blow takes its share of the step's computing time at least.
-    int solves_per_step = 4;
+    /// Blows of either kind, decided a step at most; one that waits takes its share of the step's computing
+    /// time at least.
+    int solves_per_step = 3;
     Priority priority = Priority::hardest;
     Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m
     /// Fragments that one step brings into the world, about: bodies that break at once share them, and are

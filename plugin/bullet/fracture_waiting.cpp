@@ -104,18 +104,45 @@ bool FractureWorld::Impl::lastsInACrowd(const StruckBreakable& struck) const {
     return true;
 }
 
-/// Where more bodies are struck at once than the budget has solves in a step, the least urgent wait.
-void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, Gated& gated) const {
-    const auto most = static_cast<std::size_t>(std::max(0, budget_.solves_per_step - decided_now_));
-    if (budget_.shortest_wait_s == 0 || gated.now.size() <= most) return;
-    const auto in_crowd = std::stable_partition(gated.now.begin(), gated.now.end(),
-                                                [&](std::size_t i) { return !lastsInACrowd(struck[i]); });
-    std::stable_sort(in_crowd, gated.now.end(), [&](std::size_t a, std::size_t b) {
+/// Whether fragments strike the body, and nothing else does.
+bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
+    bool is_struck = false;
+    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        if (!struck.blow.isStruckBy(static_cast<int>(p))) continue;
+        if (!isFragmentOfAny(*struck.partners[p])) return false;
+        is_struck = true;
+    }
+    return is_struck;
+}
+
+/// Where more bodies are struck at once than the budget has solves in a step, so many of them wait, the least
+/// urgent first, that the others take no longer than it has milliseconds; one is decided in any case. Those
+/// that nothing but fragments strikes wait for the same reason where they are fewer, too.
+void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
+                                  Gated& gated) const {
+    if (budget_.shortest_wait_s == 0) return;
+    const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
         return urgency(struck[a], budget_) > urgency(struck[b], budget_);
-    });
-    const auto first = std::max(in_crowd, gated.now.begin() + static_cast<long>(most));
-    gated.later.insert(gated.later.end(), first, gated.now.end());
-    gated.now.erase(first, gated.now.end());
+    };
+    const auto begin = gated.now.begin(), end = gated.now.end();
+    const auto in_crowd =
+        std::stable_partition(begin, end, [&](std::size_t i) { return !lastsInACrowd(struck[i]); });
+    const auto by_fragments = std::stable_partition(
+        in_crowd, end, [&](std::size_t i) { return !isStruckByFragmentsAlone(struck[i]); });
+    std::stable_sort(in_crowd, by_fragments, is_more_urgent);
+    std::stable_sort(by_fragments, end, is_more_urgent);
+    const bool is_crowd = decided_now_ + (by_fragments - begin) > budget_.solves_per_step;
+    const double most_ms = millisecondsPerStep(budget_, time_step_s);
+    double ms = decided_now_ms_;
+    int count = decided_now_;
+    auto first = begin;
+    for (; first != end; ++first, ++count) {
+        ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
+        const bool is_too_long = ms > most_ms && (is_crowd || first >= by_fragments);
+        if (first >= in_crowd && count > 0 && (is_too_long || count >= budget_.solves_per_step)) break;
+    }
+    gated.later.insert(gated.later.end(), first, end);
+    gated.now.erase(first, end);
     std::sort(gated.now.begin(), gated.now.end());
     std::sort(gated.later.begin(), gated.later.end());
 }

@@ -97,7 +97,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::vector<std::size_t> now, later;           // what the gate let through, ascending
     };
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
-    void thinOut(const std::vector<StruckBreakable>& struck, Gated& gated) const;
+    void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
@@ -107,6 +107,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsInACrowd(const StruckBreakable& struck) const;
+    bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
@@ -172,6 +173,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
     WaitingBlows waiting_;
     int new_fragments_ = 0, decided_now_ = 0;  // in this step
+    double decided_now_ms_ = 0;                // what these are estimated to take
     Stopwatch solve_watch_;                    // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end

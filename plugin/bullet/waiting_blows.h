@@ -26,6 +26,9 @@ struct WaitingBlow {
 /// What a blow on a solid that is not prepared takes about, ms of one core; of the solid's size alone.
 double estimatedMilliseconds(const BreakableSolid& solid);
 
+/// Computing time that a budget has for a step.
+double millisecondsPerStep(const Budget& budget, double time_step_s);
+
 /// The blows that wait, in the order of their turns. When it is a blow's turn follows from the estimates, as
 /// if one worker did the blows one after the other: so it is the same on every machine.
 class WaitingBlows {

@@ -169,7 +169,7 @@ TEST(Budget, ManyBlowsAtOnceAskTheAppForStrengthOnItsOwnThread) {
         ASSERT_TRUE(fracture.add(asset.value(), options).ok());
     }
     threads.clear();
-    scene.step(4, 1.0 / 60);
+    scene.step(12, 1.0 / 60);
     EXPECT_GT(fracture.counts().seen, 20);
     EXPECT_EQ(threads, std::set<std::thread::id>{std::this_thread::get_id()});
 }
