@@ -57,6 +57,7 @@ void CutComplex::split(int face, std::initializer_list<Triangle> parts) {
 }
 
 void CutComplex::refine(int face) {
+    if (faces_[face].first_child >= 0) return;
     const Triangle corners = faces_[face].corners;
     for (int i = 0; i < 3; ++i) {
         const int a = corners[i], b = corners[(i + 1) % 3], c = corners[(i + 2) % 3];
@@ -69,19 +70,20 @@ void CutComplex::refine(int face) {
 }
 
 void CutComplex::appendWhole(const FaceSide& at, std::vector<FaceSide>& whole) {
+    refine(at.face);
+    if (faces_[at.face].first_child < 0) return whole.push_back(at);
     front_.assign(1, at.face);
     while (!front_.empty()) {
         const int face = front_.back();
         front_.pop_back();
-        if (faces_[face].first_child < 0) refine(face);
+        refine(face);
         if (faces_[face].first_child < 0) whole.push_back({face, at.side});
         for (int k = 0; k < faces_[face].child_count; ++k) front_.push_back(faces_[face].first_child + k);
     }
 }
 
 void CutComplex::refineAll() {
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-        if (faces_[f].first_child < 0) refine(static_cast<int>(f));
+    for (std::size_t f = 0; f < faces_.size(); ++f) refine(static_cast<int>(f));
 }
 
 }  // namespace sherd

@@ -45,7 +45,7 @@ class CutComplex {
     /// where they bound other parts, by `refine`.
     int addPointOnEdge(int a, int b, const Vec3& x);
     void split(int face, std::initializer_list<Triangle> parts);
-    /// Splits a face at a point on one of its edges, if there is one; its parts may be refined further.
+    /// Splits a whole face at a point on one of its edges, if there is one; its parts may be refined further.
     void refine(int face);
     /// Says which part is on a side of a face that is whole.
     void setPart(const FaceSide& at, int part) { faces_[at.face].parts[at.side] = part; }

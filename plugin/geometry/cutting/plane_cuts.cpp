@@ -159,17 +159,22 @@ std::vector<int> labelsOfParts(const FragmentLabels& labels) {
     return of_part;
 }
 
-/// What a triangle of the body has become.
-void collectBody(const CutComplex& complex, int triangle, const std::vector<int>& label_of, CutFaces& cut) {
-    std::vector<int> front = {triangle};
-    while (!front.empty()) {
-        const CutComplex::Face& face = complex.faces()[front.back()];
-        front.pop_back();
-        for (int k = 0; k < face.child_count; ++k) front.push_back(face.first_child + k);
-        if (face.first_child >= 0) continue;
-        cut.body.push_back(face.corners);
-        cut.body_parent.push_back(triangle);
-        cut.body_label.push_back(label_of[face.parts[0]]);
+/// What the triangles of the body have become, in their order.
+void collectBody(const CutComplex& complex, int body_count, const std::vector<int>& label_of, CutFaces& cut) {
+    for (std::vector<int>* all : {&cut.body_parent, &cut.body_label}) all->reserve(complex.faces().size());
+    cut.body.reserve(complex.faces().size());
+    std::vector<int> front;
+    for (int triangle = 0; triangle < body_count; ++triangle) {
+        front.assign(1, triangle);
+        while (!front.empty()) {
+            const CutComplex::Face& face = complex.faces()[front.back()];
+            front.pop_back();
+            for (int k = 0; k < face.child_count; ++k) front.push_back(face.first_child + k);
+            if (face.first_child >= 0) continue;
+            cut.body.push_back(face.corners);
+            cut.body_parent.push_back(triangle);
+            cut.body_label.push_back(label_of[face.parts[0]]);
+        }
     }
 }
 
@@ -188,18 +193,23 @@ void joinAlongEdges(const CuttableSurface& surface, CutFaces& cut) {
     const EdgeTable& edges = surface.edges();
     UnionFind sets(cut.body.size());
     std::vector<int> first_at(edges.edges.size(), -1);
+    const auto join = [&](std::size_t f, int parent, int side) {
+        int& first = first_at[edges.of_triangle[parent][side]];
+        if (first < 0)
+            first = static_cast<int>(f);
+        else
+            sets.unite(first, static_cast<int>(f));
+    };
     for (std::size_t f = 0; f < cut.body.size(); ++f) {
         const int parent = cut.body_parent[f];
         const Triangle &own = cut.body[f], &whole = surface.mesh().triangles[parent];
+        if (own == whole) {
+            for (int side = 0; side < 3; ++side) join(f, parent, side);
+            continue;
+        }
         for (int i = 0; i < 3; ++i)
-            for (int k = 0; k < 3; ++k) {
-                if (own[i] != whole[k] || own[(i + 1) % 3] != whole[(k + 1) % 3]) continue;
-                int& first = first_at[edges.of_triangle[parent][k]];
-                if (first < 0)
-                    first = static_cast<int>(f);
-                else
-                    sets.unite(first, static_cast<int>(f));
-            }
+            for (int side = 0; side < 3; ++side)
+                if (own[i] == whole[side] && own[(i + 1) % 3] == whole[(side + 1) % 3]) join(f, parent, side);
     }
     cut.body_set = sets.roots();
     cut.body_set_count = static_cast<int>(cut.body.size());
@@ -217,8 +227,7 @@ std::optional<CutFaces> cutByPlanes(const CuttableSurface& surface, const Discre
     if (!complex) return std::nullopt;
     const std::vector<int> label_of = labelsOfParts(labels);
     CutFaces cut;
-    const int count = static_cast<int>(surface.mesh().triangles.size());
-    for (int t = 0; t < count; ++t) collectBody(*complex, t, label_of, cut);
+    collectBody(*complex, static_cast<int>(surface.mesh().triangles.size()), label_of, cut);
     collectCracks(*complex, label_of, cut);
     joinAlongEdges(surface, cut);
     cut.body_point_count = complex->bodyPointCount();
