@@ -4,7 +4,7 @@
 
 #include "core/damage/material_strength.h"
 #include "core/mlpg/reduced/damage_reading.h"
-#include "fracture/made_once.h"
+#include "core/numerics/made_once.h"
 
 namespace sherd {
 

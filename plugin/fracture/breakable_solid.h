@@ -16,10 +16,10 @@
 #include "core/mlpg/reduced/reduced_stress.h"
 #include "core/mlpg/solvers/coarse_model.h"
 #include "core/mlpg/stress_solver.h"
+#include "core/numerics/made_once.h"
 #include "core/sampling/discretisation.h"
 #include "fracture/baked_solid.h"
 #include "fracture/body_strength.h"
-#include "fracture/made_once.h"
 #include "geometry/cutting/cuttable_solid.h"
 
 namespace sherd {

@@ -68,8 +68,8 @@ std::optional<FragmentSurfaces> tryLattice(const CuttableSolid& cuttable, const 
                                            const FragmentLabels& labels, const LatticeChoice& choice,
                                            const CutSettings& settings, std::string& why) {
     const TriangleMesh& surface = cuttable.surface().mesh();
-    const LabelLattice lattice = buildLabelLattice(cuttable.layout(solid, choice.spacing_m), solid,
-                                                   cuttable.reach(), labels, choice.seed);
+    const LabelLattice lattice =
+        buildLabelLattice(cuttable.layout(choice.spacing_m), solid, cuttable.reach(), labels, choice.seed);
     CrackComplex crack = buildCrackComplex(lattice);
     smoothCracks(crack, lattice, smoothing_steps);
     if (settings.roughness > 0)
@@ -87,11 +87,11 @@ Result<FragmentSurfaces> cutOrThrow(const CuttableSolid& cuttable, const Discret
     if (const Status checked = checkInput(cuttable.surface(), solid, labels); !checked)
         return Error{checked.error()};
     const TriangleMesh& surface = cuttable.surface().mesh();
-    const double spacing = latticeSpacing(surface, spacingAtBorders(solid, labels), most_lattice_nodes);
     std::string why = "no lattice was tried";
     if (arePlanesEnough(labels) && settings.roughness == 0)
         if (const auto faces = cutByPlanes(cuttable.surface(), solid, labels))
             if (auto cut = piecesOf(surface, *faces, solid, labels, settings, why)) return std::move(*cut);
+    const double spacing = latticeSpacing(surface, spacingAtBorders(solid, labels), most_lattice_nodes);
     for (int k = 0; k < settings.lattices; ++k) {
         // Another jitter each time, and from the third lattice on a coarser one, whose faces are larger and
         // fewer.

@@ -21,9 +21,10 @@ struct CutSettings {
     PieceLimits pieces = {};  ///< what is beyond them becomes part of its neighbours
 };
 
-/// Cuts a closed surface along the faces between fragments. Cracks run where the smoothed densities of two
-/// fragments are equal, not along cells. Triangles that no crack crosses are kept as they are. Both sides of
-/// a crack have the same triangles, vertex for vertex.
+/// Cuts a closed surface along the faces between fragments. Cracks run along the planes of the labels' crack
+/// tree (see plane_cuts.h). Where there is none, where its parts touch elsewhere, and with roughness they run
+/// on a lattice, where the smoothed densities of two fragments are equal, not along cells. Triangles that no
+/// crack crosses are kept as they are. Both sides of a crack have the same triangles, vertex for vertex.
 ///
 /// If none of the lattices can be cut cleanly, pieces are made on a lattice on which the outside is one more
 /// fragment, and `notes` says so. They too are closed and free of self-intersection, but their outer faces

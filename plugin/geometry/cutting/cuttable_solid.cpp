@@ -5,16 +5,20 @@
 namespace sherd {
 
 CuttableSolid::CuttableSolid(const TriangleMesh& mesh, const Discretisation& solid)
-    : surface_(mesh), reach_(reachOfParticles(solid)) {
+    : surface_(mesh), solid_(solid), of_lattices_(std::make_unique<OfLattices>()) {
     if (solid.particles.empty() || mesh.triangles.empty()) return;
-    const double spacing = latticeSpacing(mesh, solid.particles.front().spacing, most_lattice_nodes);
-    usual_layout_ = std::make_shared<const LatticeLayout>(layLattice(mesh, solid, spacing));
+    usual_spacing_m_ = latticeSpacing(mesh, solid.particles.front().spacing, most_lattice_nodes);
 }
 
-std::shared_ptr<const LatticeLayout> CuttableSolid::layout(const Discretisation& solid,
-                                                           double spacing_m) const {
-    if (usual_layout_ && usual_layout_->grid.spacing == spacing_m) return usual_layout_;
-    return std::make_shared<const LatticeLayout>(layLattice(surface_.mesh(), solid, spacing_m));
+const ParticleReach& CuttableSolid::reach() const {
+    return of_lattices_->reach.get([&] { return reachOfParticles(solid_); });
+}
+
+std::shared_ptr<const LatticeLayout> CuttableSolid::layout(double spacing_m) const {
+    const auto make = [&] {
+        return std::make_shared<const LatticeLayout>(layLattice(surface_.mesh(), solid_, spacing_m));
+    };
+    return spacing_m == usual_spacing_m_ ? of_lattices_->usual_layout.get(make) : make();
 }
 
 }  // namespace sherd

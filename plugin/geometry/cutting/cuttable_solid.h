@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "core/numerics/made_once.h"
 #include "geometry/cutting/cuttable_surface.h"
 #include "geometry/cutting/lattice_layout.h"
 #include "geometry/cutting/particle_reach.h"
@@ -11,18 +12,25 @@ namespace sherd {
 /// A sampled solid with what every cut needs of it and none changes.
 class CuttableSolid {
   public:
-    /// The surface has to outlive this.
+    /// The surface and the solid have to outlive this.
     CuttableSolid(const TriangleMesh& mesh, const Discretisation& solid);
 
     const CuttableSurface& surface() const { return surface_; }
-    const ParticleReach& reach() const { return reach_; }
-    /// That of a lattice; kept for the spacing that nearly all cuts have. `solid` is the one it was made of.
-    std::shared_ptr<const LatticeLayout> layout(const Discretisation& solid, double spacing_m) const;
+    /// What only a lattice needs is made at the first call.
+    const ParticleReach& reach() const;
+    /// That of a lattice; kept for the spacing that nearly all cuts have.
+    std::shared_ptr<const LatticeLayout> layout(double spacing_m) const;
 
   private:
+    struct OfLattices {
+        MadeOnce<ParticleReach> reach;
+        MadeOnce<std::shared_ptr<const LatticeLayout>> usual_layout;
+    };
+
     CuttableSurface surface_;
-    ParticleReach reach_;
-    std::shared_ptr<const LatticeLayout> usual_layout_;
+    const Discretisation& solid_;
+    double usual_spacing_m_ = 0;
+    std::unique_ptr<OfLattices> of_lattices_;
 };
 
 }  // namespace sherd

@@ -1,4 +1,4 @@
-#include "fracture/made_once.h"
+#include "core/numerics/made_once.h"
 
 #include <gtest/gtest.h>
 
