@@ -72,7 +72,8 @@ class CapTriangulation {
             ->second;
     }
 
-    /// All at once, which CGAL does in an order that is fast. False if two points fall together.
+    /// All at once, which CGAL does in an order that is fast. False if two points fall together, or all lie
+    /// on a line.
     bool insertPoints(const std::vector<Vec3>& points, const Vec3& normal, const std::vector<int>& own) {
         std::vector<std::pair<Kernel::Point_2, int>> places;
         for (const int point : own) places.emplace_back(project(points[point], normal), point);
@@ -81,7 +82,8 @@ class CapTriangulation {
             vertices_.emplace_back(vertex->info(), vertex);
         std::sort(vertices_.begin(), vertices_.end(),
                   [](const auto& a, const auto& b) { return a.first < b.first; });
-        return vertices_.size() == own.size();
+        constexpr int plane = 2;  // less where all of them lie on one line
+        return vertices_.size() == own.size() && cdt_.dimension() == plane;
     }
 
     /// An edge that lies on another point would be split there. False if outlines touch or cross.
@@ -116,6 +118,7 @@ class CapTriangulation {
 
 std::optional<std::vector<Triangle>> closed(const std::vector<Vec3>& points, const Vec3& normal,
                                             const std::vector<std::pair<int, int>>& outlines) {
+    if (outlines.empty()) return std::vector<Triangle>();
     const auto own = pointsOf(outlines);
     if (!own) return std::nullopt;
     CapTriangulation cap;

@@ -121,5 +121,27 @@ INSTANTIATE_TEST_SUITE_P(Bodies, PlaneCutsOf,
                                          Body{"bowl", thinBowl, 0.005}),
                          [](const auto& info) { return info.param.name; });
 
+// The tree's second plane lies outside of the body: the part has particles on one side of it only.
+TEST(PlaneCuts, APlaneBesideABodyCutsNothing) {
+    const TriangleMesh mesh = shapes::slab({1, 1, 1}, 2, 2, 2);
+    const Discretisation solid = particlesOnly(mesh, 0.25);
+    auto tree = std::make_shared<CrackTree>();
+    const int below = tree->cut(tree->addRoot(), {Vec3::UnitX(), 0.03});
+    tree->cut(below, {Vec3::UnitX(), -5});
+    FragmentLabels labels;
+    labels.count = 2;
+    labels.cracks = tree;
+    for (const Particle& particle : solid.particles) {
+        const bool is_above = particle.position.x() > 0.03;
+        labels.of_particle.push_back(is_above);
+        labels.part.push_back(is_above ? below + 1 : tree->below(below) + 1);
+    }
+    const auto cut = cutFragments(mesh, solid, labels, {});
+    ASSERT_TRUE(cut) << cut.error();
+    EXPECT_EQ(faultOfCut(mesh, cut.value()), "");
+    EXPECT_EQ(cut.value().pieces.size(), 2u);
+    EXPECT_TRUE(cutByPlanes(CuttableSurface(mesh), solid, labels));
+}
+
 }  // namespace
 }  // namespace sherd
