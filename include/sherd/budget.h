@@ -18,19 +18,21 @@ enum class Priority {
 /// `milliseconds_per_step`; and where more than `solves_per_step` are struck at once, those that breakable
 /// bodies strike, the ground, or what is 50 times as heavy. One blow a step is decided in any case. Blows
 /// that wait are solved beside the steps that follow, by the world's executor; the body breaks steps later,
-/// where it is by then. How many follows from simulated time and the size of bodies, never from the clock: a
-/// run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts.
+/// where it is by then. How many follows from simulated time, the size of bodies, and whether they are
+/// prepared by then, never from the clock: a run repeats bit for bit. Events tell (BlowEvent::waited_s,
+/// Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame may have several.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
     double shortest_wait_s = 0.05;
-    /// A blow that would wait longer is dropped.
+    /// A blow that would wait longer is dropped. One that nothing has to wait for waits no longer either: the
+    /// step then takes what is left of it.
     double longest_wait_s = 0.5;
     /// Computing time for blows that wait, and for crowds of those that do not, ms a step: of one core of
     /// about 2020, estimated from the size of the bodies. At 0 it is half of the step's own length.
     double milliseconds_per_step = 0;
-    /// Blows of either kind, decided a step at most; one that waits takes its share of the step's computing
-    /// time at least.
+    /// So many blows that wait are decided a step at most, each with its share of the step's computing time
+    /// at least; and so many of those in a crowd.
     int solves_per_step = 3;
     Priority priority = Priority::hardest;
     Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m

@@ -15,11 +15,9 @@ struct ConvexHull {
     double outside = 0;  ///< how far some of the points that it is the hull of may lie outside it, about, m
 };
 
-/// The hull of points (btConvexHullComputer: exact in integers, so no input upsets it).
-ConvexHull convexHull(const std::vector<Vec3>& points);
-
 /// The hull of a few of the points: of those outermost in 26 directions, and then always the one furthest
-/// outside, until there are `most_vertices` or none lies further out than `tolerance_m`.
+/// outside, until there are `most_vertices` (or these 26 are more) or none lies further out than
+/// `tolerance_m`.
 ConvexHull simpleHull(const std::vector<Vec3>& points, int most_vertices, double tolerance_m);
 
 /// The same, from the rough hull of the points on.

@@ -172,7 +172,10 @@ int GrowingHull::makeFace(int a, int b, int c) {
     const double length = area.norm();
     Face face;
     face.corners = {a, b, c};
-    if (length * length > double(rounding_) * rounding_ * std::max(side.squaredNorm(), other.squaredNorm())) {
+    // The normal of a sliver is off by as much as rounding is of its height: far away it says nothing.
+    constexpr double least_height = 100;  // in what is rounded
+    const double least = least_height * rounding_;
+    if (length * length > least * least * std::max(side.squaredNorm(), other.squaredNorm())) {
         const Vec3 normal = area / length;
         face.normal = normal.cast<float>();
         face.height = static_cast<float>(normal.dot(at(a)));

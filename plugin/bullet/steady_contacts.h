@@ -12,7 +12,7 @@ namespace sherd {
 /// again, and one that has flown into the floor by more than its own size spins. So vertices that a manifold
 /// with a static body lacks, and that may be in that body by the end of the step, are added to it: the solver
 /// stops them there. And deep contacts count as less deep, such that nothing is pushed out of a fragment, or
-/// a fragment out of anything, at more than 0.1 m/s. To be called just before a solve; calling it twice has
+/// a fragment out of anything, at more than 0.05 m/s. To be called just before a solve; calling it twice has
 /// no further effect.
 void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables);
 

@@ -33,11 +33,13 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Bud
     const double steps =
         std::max(work_ms / millisecondsPerStep(budget, time_step_s), 1.0 / budget.solves_per_step);
     const bool is_alone = busy_until_s_ <= time_s;
-    const double done_s = std::max(busy_until_s_, time_s) + steps * time_step_s;
-    if (!is_alone && done_s > time_s + budget.longest_wait_s) return Fate::dropped;
-    busy_until_s_ = blow.worked_by_s = done_s;
+    const double done_s = std::max(busy_until_s_, time_s) + steps * time_step_s,
+                 last_s = time_s + budget.longest_wait_s;
+    if (!is_alone && done_s > last_s) return Fate::dropped;
+    busy_until_s_ = done_s;
+    blow.worked_by_s = std::min(done_s, last_s);
     blow.struck_at_s = time_s;
-    blow.due_s = std::max(done_s, time_s + budget.shortest_wait_s);
+    blow.due_s = std::max(blow.worked_by_s, time_s + budget.shortest_wait_s);
     if (!blows_.empty()) blow.due_s = std::max(blow.due_s, blows_.back().due_s);  // turns keep their order
     blows_.push_back(std::move(blow));
     return Fate::waits;

@@ -17,11 +17,15 @@ int CrackTree::cut(int part, const CrackPlane& plane) {
     return below;
 }
 
-std::vector<int> CrackTree::piecesOf(int part) const {
-    std::vector<int> pieces;
-    for (int n = 0; n < size(); ++n)
-        if (nodes_[n].parent == part && nodes_[n].side == 0) pieces.push_back(n);
-    return pieces;
+int CrackTree::addRoot() {
+    roots_.push_back(add(-1, 0));
+    return roots_.back();
+}
+
+int CrackTree::addPiece(int part) {
+    const int piece = add(part, 0);
+    nodes_[part].pieces.push_back(piece);
+    return piece;
 }
 
 double CrackTree::lead(int a, int b, const Vec3& x) const {

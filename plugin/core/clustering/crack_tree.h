@@ -19,14 +19,14 @@ struct CrackPlane {
 class CrackTree {
   public:
     /// Adds a part that no plane bounds; returns its number.
-    int addRoot() { return add(-1, 0); }
+    int addRoot();
 
     /// Splits a part by a plane; returns the number of the child at negative distances. The other's is the
     /// next.
     int cut(int part, const CrackPlane& plane);
 
     /// Adds a child to a part that is in several pieces, with gaps between them.
-    int addPiece(int part) { return add(part, 0); }
+    int addPiece(int part);
 
     /// Says that roots may touch: then no plane tells where they do.
     void letRootsTouch() { roots_touch_ = true; }
@@ -41,7 +41,7 @@ class CrackTree {
     /// Of a part that a plane splits: the child at negative distances. The other's is the next.
     int below(int part) const { return nodes_[part].below; }
     /// The pieces that a part is in, or the roots for -1; ascending, none of a part in one piece.
-    std::vector<int> piecesOf(int part) const;
+    const std::vector<int>& piecesOf(int part) const { return part < 0 ? roots_ : nodes_[part].pieces; }
 
     /// Signed distance of x from the plane that separates part a from part b, positive on the side of a, m;
     /// NaN if they lie in different pieces of one part.
@@ -53,11 +53,13 @@ class CrackTree {
         int side;            // of the parent's plane: -1, 1, or 0 if there is none
         int below = -1;      // the first of two children; -1 if no plane cuts the part
         CrackPlane plane{};  // that cuts the part, if one does
+        std::vector<int> pieces{};
     };
 
     int add(int parent, int side);
 
     std::vector<Node> nodes_;
+    std::vector<int> roots_;
     bool roots_touch_ = false;
 };
 

@@ -17,8 +17,8 @@ struct CellPart {
         voxels;  ///< on the integration grid; empty if it is the only part of its cell
 };
 
-/// The solid as parts of grid cells with their exact moments, and which parts touch. Products of trial
-/// functions that are polynomials on every cell are integrated exactly with these moments.
+/// The solid as parts of grid cells with their moments, and which parts touch. Products of trial functions
+/// that are polynomials on every cell are integrated exactly with exact moments (see MomentRule).
 struct CellParts {
     Vec3 origin = Vec3::Zero();  ///< lower corner of cell (0, 0, 0), m
     Vec3 edges = Vec3::Zero();   ///< of a cell, m

@@ -42,8 +42,8 @@ SHERD_INLINED void boundPrincipal(Scalar xx, Scalar yy, Scalar zz, Scalar xy, Sc
     const Scalar slack = rounding * (reach + 2 * size_of_mean);
     const Scalar highest = mean + reach * thirdOfAngle(cosine) + slack;
     const Scalar lowest = mean - reach * thirdOfAngle(-cosine) - slack;
-    largest = highest > 0 ? highest : 0;
-    smallest = lowest < 0 ? lowest : 0;
+    largest = highest <= 0 ? 0 : highest;  // what is no number stays so, and is looked at
+    smallest = lowest >= 0 ? 0 : lowest;
 }
 
 }  // namespace sherd

@@ -116,8 +116,8 @@ class CapTriangulation {
 
 }  // namespace
 
-std::optional<std::vector<Triangle>> closed(const std::vector<Vec3>& points, const Vec3& normal,
-                                            const std::vector<std::pair<int, int>>& outlines) {
+std::optional<std::vector<Triangle>> triangulateCap(const std::vector<Vec3>& points, const Vec3& normal,
+                                                    const std::vector<std::pair<int, int>>& outlines) {
     if (outlines.empty()) return std::vector<Triangle>();
     const auto own = pointsOf(outlines);
     if (!own) return std::nullopt;

@@ -14,7 +14,8 @@
 namespace sherd {
 
 struct CutSettings {
-    std::uint64_t seed = 1;  ///< of the small irregularity of the crack faces, and of their roughness
+    std::uint64_t seed =
+        1;  ///< of the small irregularity of crack faces on a lattice, and of their roughness
     /// How far crack faces are displaced at random, as a fraction of the particle spacing.
     double roughness = 0;
     int lattices = 6;         ///< tried before the fallback

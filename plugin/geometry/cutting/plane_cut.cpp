@@ -17,7 +17,6 @@ PlaneCutter::PlaneCutter(const CuttableSurface& surface, double particle_spacing
 
 PlaneCut PlaneCutter::cut(const PartBoundary& boundary, const CrackPlane& plane) {
     PlaneCut cut;
-    cut.first_point = complex_.pointCount();
     ++number_;
     whole_.clear();
     cut_edges_.clear();

@@ -21,7 +21,6 @@ struct PlaneCut {
     /// Directed edges along the cut; of the crack face that closes the lower side with its normal along the
     /// plane's.
     std::vector<std::pair<int, int>> outlines;
-    int first_point = 0;  ///< those of the outlines have numbers from there on
 };
 
 /// Cuts boundaries of parts by planes. Which faces are split, and into what, follows from the side of their

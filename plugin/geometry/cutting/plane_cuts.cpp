@@ -86,7 +86,8 @@ class TreeCutting {
         }
         std::vector<std::optional<std::vector<Triangle>>> caps(cuts.size());
         forEachChunk(static_cast<int>(cuts.size()), [&](int c) {
-            caps[c] = closed(complex_.points(), tree_.planeThrough(numbers[c])->normal, cuts[c].outlines);
+            caps[c] =
+                triangulateCap(complex_.points(), tree_.planeThrough(numbers[c])->normal, cuts[c].outlines);
         });
         for (std::size_t c = 0; c < cuts.size(); ++c) {
             if (!caps[c]) return false;
@@ -100,7 +101,7 @@ class TreeCutting {
         return true;
     }
 
-    /// Faces that touch go to the piece with most of the particles that are nearest to some of their corners.
+    /// Faces that touch go to one piece, see `pieceAt`.
     void giveToPieces(const std::vector<int>& pieces, const PartBoundary& boundary) {
         const std::vector<FaceSide> faces = facesOf(boundary);
         UnionFind touching(complex_.points().size());
@@ -120,17 +121,23 @@ class TreeCutting {
         for (auto& [piece, own] : of_piece) give(piece, std::move(own));
     }
 
+    /// The piece whose particles are nearest to some of the corners. Where the particles of several pieces
+    /// are, since the solid is joined at a neck that has none, it is the piece with most particles.
     int pieceAt(const std::vector<FaceSide>& component, const std::vector<int>& pieces) const {
-        constexpr std::size_t most_asked = 24;
+        constexpr std::size_t most_asked = 24;  // enough to see a piece that has a quarter of the surface
+        constexpr std::size_t least_share = 4;  // one in so many; fewer are near by chance
         const std::size_t asked = std::min(most_asked, component.size());
-        std::map<int, int> votes;
+        std::map<int, std::size_t> votes;
         for (std::size_t k = 0; k < asked; ++k) {
             const int face = component[k * component.size() / asked].face;
             ++votes[nearestPiece(complex_.points()[complex_.faces()[face].corners[0]], pieces)];
         }
-        return std::max_element(votes.begin(), votes.end(),
-                                [](const auto& a, const auto& b) { return a.second < b.second; })
-            ->first;
+        int best = -1;
+        for (const auto& [piece, count] : votes)
+            if (least_share * count >= asked &&
+                (best < 0 || particles_[piece].size() > particles_[best].size()))
+                best = piece;
+        return best >= 0 ? best : votes.begin()->first;
     }
 
     int nearestPiece(const Vec3& x, const std::vector<int>& pieces) const {

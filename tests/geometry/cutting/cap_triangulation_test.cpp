@@ -38,24 +38,24 @@ TEST(CapTriangulation, LeavesHolesOpenAndFillsWhatLiesInThem) {
     addLoop(0, false, edges);
     addLoop(4, true, edges);
     addLoop(8, false, edges);
-    const auto cap = closed(points, Vec3::UnitZ(), edges);
+    const auto cap = triangulateCap(points, Vec3::UnitZ(), edges);
     ASSERT_TRUE(cap);
     EXPECT_NEAR(areaAbout(Vec3::UnitZ(), points, *cap), 36 - 16 + 4, 1e-12);
     for (const Triangle& triangle : *cap) EXPECT_GT(areaAbout(Vec3::UnitZ(), points, {triangle}), 0);
 }
 
 TEST(CapTriangulation, HasNothingToCloseWithoutEdges) {
-    const auto cap = closed(squares({1}), Vec3::UnitZ(), {});
+    const auto cap = triangulateCap(squares({1}), Vec3::UnitZ(), {});
     ASSERT_TRUE(cap);
     EXPECT_TRUE(cap->empty());
 }
 
 TEST(CapTriangulation, RefusesWhatIsNoClosedLine) {
     const std::vector<Vec3> points = squares({1, 2});
-    EXPECT_FALSE(closed(points, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 3}}));          // open
-    EXPECT_FALSE(closed(points, Vec3::UnitZ(), {{0, 2}, {2, 1}, {1, 3}, {3, 0}}));  // crosses itself
-    EXPECT_FALSE(closed({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 0}}));
-    EXPECT_FALSE(closed({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 0}}));
+    EXPECT_FALSE(triangulateCap(points, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 3}}));          // open
+    EXPECT_FALSE(triangulateCap(points, Vec3::UnitZ(), {{0, 2}, {2, 1}, {1, 3}, {3, 0}}));  // crosses itself
+    EXPECT_FALSE(triangulateCap({{0, 0, 0}, {1, 0, 0}, {2, 0, 0}}, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 0}}));
+    EXPECT_FALSE(triangulateCap({{0, 0, 0}, {1, 0, 0}, {0, 0, 0}}, Vec3::UnitZ(), {{0, 1}, {1, 2}, {2, 0}}));
 }
 
 }  // namespace

@@ -140,10 +140,6 @@ void slopeOf(int width, const Lane* values, int step, int second, int third, con
     }
 }
 
-}  // namespace
-
-namespace {
-
 SHERD_WIDE_VECTORS
 void rangesOf(const GradientLanes& points, float lambda, float mu, float coupling,
               const GradientLanes::Lane& may_be_freed, StressBounds::RangeLanes& ranges) {
