@@ -35,8 +35,9 @@ struct BlowFigures {
     double impulse_n_s = 0;     ///< sum of the normal impulses of all contacts
     double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
     double contact_time_s = 0;  ///< duration of that pulse
-    /// Largest principal stress at any particle or surface point; 0 if nothing is under tension, and where
-    /// the gate or a coarse solve decided.
+    /// Largest principal stress at any particle or surface point of the body as if it held: where it breaks
+    /// that may be many times its strength. 0 if nothing is under tension, and where the gate or a coarse
+    /// solve decided.
     double largest_stress_pa = 0;
     double mass_error_rel = 0;    ///< of all fragments together, relative to the body
     double volume_error_rel = 0;  ///< the same of the volume

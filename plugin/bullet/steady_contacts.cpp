@@ -13,8 +13,8 @@ namespace sherd {
 namespace {
 
 constexpr btScalar fastest_push_m_s = btScalar(0.05);  // the solver adds its work to the energy
-constexpr btScalar largest_reach = btScalar(0.5);  // of the fragment's radius
-constexpr btScalar same_place = btScalar(0.01);    // of the breaking threshold
+constexpr btScalar largest_reach = btScalar(0.5);      // of the fragment's radius
+constexpr btScalar same_place = btScalar(0.01);        // of the breaking threshold
 
 bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
     const Breakable* breakable = breakables.of(object);
