@@ -5,8 +5,8 @@
 #include <numeric>
 #include <utility>
 
+#include "bullet/point_columns.h"
 #include "core/numerics/mesh_measures.h"
-#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 
@@ -15,63 +15,6 @@ namespace {
 constexpr double relative_rounding = 1e-6;  // of the diagonal of the box
 constexpr std::size_t usual_faces = 128;
 constexpr float one_plane = 1e-4f;  // angle between faces that lie in one plane, but for rounding
-
-constexpr long block = 64, lanes = 16;  // numbers looked at side by side
-
-/// How far points reach along a direction.
-SHERD_WIDE_VECTORS void findReach(const float* x, const float* y, const float* z, std::size_t count,
-                                  const float* way, float* reach) {
-    const float a = way[0], b = way[1], c = way[2];
-    for (std::size_t p = 0; p < count; ++p) reach[p] = a * x[p] + (b * y[p] + c * z[p]);
-}
-
-/// The highest and the lowest of some numbers.
-SHERD_WIDE_VECTORS void findExtremes(const float* numbers, long count, float* highest, float* lowest) {
-    float high[block], low[block];
-    for (long i = 0; i < block; ++i) high[i] = low[i] = numbers[0];
-    long first = 0;
-    for (; first + block <= count; first += block)
-        for (long i = 0; i < block; ++i) {
-            const float number = numbers[first + i];
-            high[i] = number > high[i] ? number : high[i];
-            low[i] = number < low[i] ? number : low[i];
-        }
-    for (long other = lanes; other < block; other += lanes)
-        for (long i = 0; i < lanes; ++i) {
-            high[i] = high[i + other] > high[i] ? high[i + other] : high[i];
-            low[i] = low[i + other] < low[i] ? low[i + other] : low[i];
-        }
-    *highest = *std::max_element(high, high + lanes);
-    *lowest = *std::min_element(low, low + lanes);
-    for (; first < count; ++first) {
-        *highest = std::max(*highest, numbers[first]);
-        *lowest = std::min(*lowest, numbers[first]);
-    }
-}
-
-/// The place of the first number that is `wanted`; one is.
-SHERD_WIDE_VECTORS int firstPlace(const float* numbers, long count, float wanted) {
-    long first = 0;
-    for (; first + block <= count; first += block) {
-        int found = 0;
-        for (long i = 0; i < block; ++i) found |= numbers[first + i] == wanted ? 1 : 0;
-        if (found) break;
-    }
-    while (numbers[first] != wanted) ++first;
-    return static_cast<int>(first);
-}
-
-/// Gives each of some points to a face where it is further outside that than outside all before.
-SHERD_WIDE_VECTORS void lookAt(const float* x, const float* y, const float* z, std::size_t count,
-                               const float* normal, float height, int own, float* furthest, int* face) {
-    const float a = normal[0], b = normal[1], c = normal[2];
-    for (std::size_t p = 0; p < count; ++p) {
-        const float distance = a * x[p] + (b * y[p] + (c * z[p] - height));
-        const bool is_further = distance > furthest[p];
-        furthest[p] = is_further ? distance : furthest[p];
-        face[p] = is_further ? own : face[p];
-    }
-}
 
 /// The point for which a measure is largest.
 template <class Measure>
@@ -276,8 +219,9 @@ void GrowingHull::shareOut() {
     points_.distance.assign(count, tolerance_);
     points_.face.assign(count, -1);
     for (const int face : new_faces_)
-        lookAt(points_.x.data(), points_.y.data(), points_.z.data(), count, faces_[face].normal.data(),
-               faces_[face].height, face, points_.distance.data(), points_.face.data());
+        giveWhereFurther(points_.x.data(), points_.y.data(), points_.z.data(), count,
+                         faces_[face].normal.data(), faces_[face].height, face, points_.distance.data(),
+                         points_.face.data());
     for (std::size_t p = 0; p < count; ++p) {
         if (points_.face[p] < 0) continue;
         Face& face = faces_[points_.face[p]];
