@@ -7,7 +7,7 @@
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
-#include "support/shapes.h"
+#include "geometry/cutting/swept_bodies.h"
 
 namespace sherd {
 namespace {
@@ -15,27 +15,6 @@ namespace {
 using namespace fragment_support;
 
 constexpr unsigned seeds = 20;
-
-struct SweptBody {
-    const char* name;
-    TriangleMesh (*mesh)();
-    double spacing;  // of the particles, m
-};
-
-TriangleMesh plate() {
-    return shapes::slab({1, 1, 0.09}, 24, 24, 3);
-}
-
-TriangleMesh coffeeCup() {
-    const auto cup = readObj(SHERD_ASSETS "/coffee_cup.obj");
-    EXPECT_TRUE(cup) << cup.error();
-    return cup ? cup.value() : TriangleMesh();
-}
-
-// Walls thinner than the particles are apart.
-TriangleMesh thinBowl() {
-    return shapes::bowl(0.08, 0.003, 48, 16);
-}
 
 class SweepOf : public testing::TestWithParam<SweptBody> {};
 

@@ -16,23 +16,13 @@
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/cut_fragments.h"
 #include "geometry/cutting/fragment_support.h"
+#include "geometry/cutting/swept_bodies.h"
 #include "geometry/surface_checks.h"
-#include "support/shapes.h"
 
 namespace sherd {
 namespace {
 
 using namespace fragment_support;
-
-struct Body {
-    const char* name;
-    TriangleMesh (*mesh)();
-    double spacing;  // of the particles, m
-};
-
-TriangleMesh plate() {
-    return shapes::slab({1, 1, 0.09}, 24, 24, 3);
-}
 
 TriangleMesh brick() {
     return shapes::slab({0.24, 0.11, 0.07});
@@ -48,17 +38,6 @@ TriangleMesh hollowBall() {
 
 TriangleMesh twoLegs() {
     return shapes::uShape(0.1, 0.03, 0.6, 0.4);
-}
-
-TriangleMesh coffeeCup() {
-    const auto cup = readObj(SHERD_ASSETS "/coffee_cup.obj");
-    EXPECT_TRUE(cup) << cup.error();
-    return cup ? cup.value() : TriangleMesh();
-}
-
-// Walls thinner than the particles are apart.
-TriangleMesh thinBowl() {
-    return shapes::bowl(0.08, 0.003, 48, 16);
 }
 
 /// Tension in random directions about a random particle, falling off with the distance from it.
@@ -87,7 +66,7 @@ FragmentLabels labelsOf(const TriangleMesh& mesh, const Discretisation& solid, i
                            wallThickness(mesh), seed);
 }
 
-class PlaneCutsOf : public testing::TestWithParam<Body> {};
+class PlaneCutsOf : public testing::TestWithParam<SweptBody> {};
 
 // Each piece is a closed surface without self-intersection, the volumes add up, and both sides of a crack
 // have the same triangles.
@@ -115,10 +94,12 @@ TEST_P(PlaneCutsOf, AreCleanOverManySeeds) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, PlaneCutsOf,
-                         testing::Values(Body{"plate", plate, 1 / 22.0}, Body{"brick", brick, 0.012},
-                                         Body{"ball", ball, 0.1}, Body{"hollow_ball", hollowBall, 0.08},
-                                         Body{"two_legs", twoLegs, 0.03}, Body{"cup", coffeeCup, 0.004},
-                                         Body{"bowl", thinBowl, 0.005}),
+                         testing::Values(SweptBody{"plate", plate, 1 / 22.0},
+                                         SweptBody{"brick", brick, 0.012}, SweptBody{"ball", ball, 0.1},
+                                         SweptBody{"hollow_ball", hollowBall, 0.08},
+                                         SweptBody{"two_legs", twoLegs, 0.03},
+                                         SweptBody{"cup", coffeeCup, 0.004},
+                                         SweptBody{"bowl", thinBowl, 0.005}),
                          [](const auto& info) { return info.param.name; });
 
 // The tree's second plane lies outside of the body: the part has particles on one side of it only.
