@@ -160,7 +160,7 @@ Left run(const Scene& scene, const Options& options, double rate_hz, unsigned se
             room.world.stepSimulation(btScalar(1 / rate_hz), 0);
             for (const BlowEvent& event : fracture.takeEvents()) {
                 if (event.outcome == Outcome::broke)
-                    ++(event.asset.solid() == scene.asset.solid() ? left.wholes_broken : left.pieces_broken);
+                    ++(event.generation == 0 ? left.wholes_broken : left.pieces_broken);
                 if (options.events) printEvent(event, step / rate_hz);
             }
             if (step == steps / 10) left.ball_m_s = ball.getLinearVelocity().length();
