@@ -63,7 +63,7 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     SupportAnswer answer;
     double pressed = 0;
     for (int round = 0; round < most_solves; ++round) {
-        answer = supportAnswer(body, foundations, {}, forces.pulse.duration_s, stack);
+        answer = supportAnswer(body, foundations, {}, forces.pulse.duration_s, stack, answer.pressed);
         const double before = pressed;
         pressed = forceAlong(stack.strike.push, answer.forces);
         if (!(pressed > least_share)) return BlowForces{};
@@ -169,7 +169,8 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
         brought_j = impact.energy();
         if (foundations.empty()) break;
         SupportAnswer next = timed(ms.loads, [&] {
-            return supportAnswer(body, foundations, forces.strike, forces.pulse.duration_s, blow.stack);
+            return supportAnswer(body, foundations, forces.strike, forces.pulse.duration_s, blow.stack,
+                                 answer.pressed);
         });
         if (std::abs(next.sum_n - answer.sum_n) < same_answer || solved == most_solves) break;
         answer = std::move(next);

@@ -3,8 +3,9 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-#include "core/linear_algebra/dense_kernels.h"
+#include "core/linear_algebra/lanczos.h"
 #include "core/loads/support_answer.h"
 #include "core/numerics/pi.h"
 
@@ -106,7 +107,7 @@ Eigen::MatrixXd stiffnessOf(const SpringSystem& system, const std::vector<char>&
         for (const SpringEnd& row : spring.ends) {
             if (!row.partner) continue;
             const long place = row.partner->place, count = row.of_motions.size();
-            const Eigen::VectorXd force = k * row.of_motions;
+            const Motions force = k * row.of_motions;
             if (spring.is_own) stiffness.block(place, 0, count, 6) += force * spring.own.transpose();
             for (const SpringEnd& column : spring.ends)
                 if (column.partner && column.partner->place <= place)
@@ -125,21 +126,15 @@ struct Rest {
 
 Rest restOn(const SpringSystem& system, const std::vector<char>& pressed, const Eigen::VectorXd& strike,
             double duration_s) {
-    Eigen::MatrixXd modes = stiffnessOf(system, pressed);
-    Eigen::VectorXd squared(system.size);
-    Rest rest{Eigen::VectorXd::Zero(system.size), 0};
-    if (!symmetricEigenvectors(modes.data(), static_cast<int>(system.size), squared.data())) return rest;
-    double free = 0, left = 0;
-    for (long k = 0; k < system.size; ++k) {
-        const double omega = std::sqrt(std::max(0.0, squared[k])), part = modes.col(k).dot(strike);
-        const double answered = springShare(omega, duration_s);
-        const double moved = answered > 0 ? answered / (omega * omega) : travel(duration_s);
-        rest.displacement += moved * part * modes.col(k);
-        free += part * part;
-        left += part * part * (1 - answered);
-    }
-    rest.held = free > 0 ? 1 - left / free : 0;
-    return rest;
+    const auto answered = [&](double squared_rate) {
+        return springShare(std::sqrt(std::max(0.0, squared_rate)), duration_s);
+    };
+    const auto moved = [&](double squared_rate) {
+        const double share = answered(squared_rate);
+        return share > 0 ? share / squared_rate : travel(duration_s);
+    };
+    FunctionProduct found = functionProduct(stiffnessOf(system, pressed), strike, moved);
+    return {std::move(found.product), (found.weights * found.values.unaryExpr(answered)).sum()};
 }
 
 }  // namespace
@@ -176,12 +171,14 @@ SpringSystem springSystemOf(const ContactBody& body, const std::vector<Foundatio
     return system;
 }
 
-Pressed pressedSprings(const SpringSystem& system, double duration_s) {
+Pressed pressedSprings(const SpringSystem& system, double duration_s,
+                       const std::vector<char>& pressed_before) {
     const Eigen::VectorXd strike = strikeOn(system);
     constexpr int most_rounds = 30;
     constexpr int free_rounds = 6;  // then springs only leave: those of a heap may come and go for ever
     const std::vector<Spring>& springs = system.springs;
-    std::vector<char> pressed(springs.size(), 1), next(springs.size());
+    std::vector<char> pressed = pressed_before, next(springs.size());
+    if (pressed.size() != springs.size()) pressed.assign(springs.size(), 1);
     Rest rest;
     for (int round = 0; round < most_rounds; ++round) {
         rest = restOn(system, pressed, strike, duration_s);
@@ -191,11 +188,12 @@ Pressed pressedSprings(const SpringSystem& system, double duration_s) {
         if (next == pressed) break;
         pressed = next;
     }
-    Pressed found{std::vector<double>(springs.size()), rest.held};
+    Pressed found{std::vector<double>(springs.size()), rest.held, {}};
     for (std::size_t i = 0; i < springs.size(); ++i)
         if (pressed[i])
             found.forces_n[i] =
                 std::max(0.0, -springs[i].stiffness_n_m * system.stretch(springs[i], rest.displacement));
+    found.pressed = std::move(pressed);
     return found;
 }
 

@@ -18,11 +18,14 @@ struct Partner {
     long place = 0;  ///< of the first of them in the system
 };
 
+/// By a partner's motions, of which there are six at most.
+using Motions = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, 6, 1>;
+
 /// What a spring does to a partner, in coordinates in which all masses are 1.
 struct SpringEnd {
     const Partner* partner = nullptr;  ///< none: it does not give way
     Wrench stretch = Wrench::Zero();
-    Eigen::VectorXd of_motions = {};  ///< stretch by the partner's `motions`
+    Motions of_motions = {};  ///< stretch by the partner's `motions`
 };
 
 /// A spring between the struck body and a partner, or between two partners.
@@ -61,11 +64,14 @@ SpringSystem springSystemOf(const ContactBody& body, const std::vector<Foundatio
 /// What the springs do when those that would pull have let go.
 struct Pressed {
     std::vector<double> forces_n;  ///< of the springs
-    double held = 0;  ///< share of the struck body's mobility under the strike that they take away
+    double held = 0;            ///< share of the struck body's mobility under the strike that they take away
+    std::vector<char> pressed;  ///< which of them are
 };
 
 /// Springs that would pull let go, and those that are pressed after all come back, until it stays so. The
-/// bound is for the few arrangements that go round in circles.
-Pressed pressedSprings(const SpringSystem& system, double duration_s);
+/// bound is for the few arrangements that go round in circles. It starts with all of them, or with those that
+/// are pressed under much the same strike.
+Pressed pressedSprings(const SpringSystem& system, double duration_s,
+                       const std::vector<char>& pressed_before = {});
 
 }  // namespace sherd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/loads/spring_system.h"
 #include "core/numerics/pi.h"
@@ -52,12 +53,12 @@ double movingShare(const ContactBody& body, double duration_s) {
 }
 
 SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundation>& foundations,
-                            const std::vector<PointForce>& unit_strike, double duration_s,
-                            const Stack& stack) {
+                            const std::vector<PointForce>& unit_strike, double duration_s, const Stack& stack,
+                            const std::vector<char>& pressed_before) {
     SupportAnswer answer;
     const SpringSystem system = springSystemOf(body, foundations, unit_strike, duration_s, stack);
     if (system.springs.empty()) return answer;
-    const Pressed rest = pressedSprings(system, duration_s);
+    Pressed rest = pressedSprings(system, duration_s, pressed_before);
     answer.held = rest.held;
     for (std::size_t i = 0; i < system.springs.size(); ++i) {
         const Spring& spring = system.springs[i];
@@ -66,6 +67,7 @@ SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundatio
         answer.sum_n += rest.forces_n[i];
     }
     answer.others_energy_j = othersEnergy(system, rest, stack);
+    answer.pressed = std::move(rest.pressed);
     return answer;
 }
 

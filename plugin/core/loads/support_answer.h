@@ -13,6 +13,7 @@ struct SupportAnswer {
     double held = 0;  ///< share of the struck body's mobility under the strike that they take away
     /// Strain energy of the other bodies that the strike goes through, J at 1 N, each as a rod.
     double others_energy_j = 0;
+    std::vector<char> pressed = {};  ///< which of the springs are, see pressedSprings
 };
 
 /// The share of its static answer that a spring has given when a half sine wave of `duration_s` presses
@@ -42,6 +43,6 @@ double movingShare(const ContactBody& body, double duration_s);
 /// own strike, on another body, that presses with 1 N.
 SupportAnswer supportAnswer(const ContactBody& body, const std::vector<Foundation>& foundations,
                             const std::vector<PointForce>& unit_strike, double duration_s,
-                            const Stack& stack = {});
+                            const Stack& stack = {}, const std::vector<char>& pressed_before = {});
 
 }  // namespace sherd
