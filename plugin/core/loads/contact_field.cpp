@@ -103,20 +103,44 @@ Lie lieOf(const SurfaceTree& surface, const ContactDisc& disc) {
     return lie;
 }
 
+/// A piece of the surface that belongs to those about a disc.
+struct ClosePiece {
+    Vec3 centre, area;
+    double share;
+};
+
+std::vector<ClosePiece> piecesAbout(const SurfaceTree& surface, const NearField& near, std::size_t disc) {
+    constexpr double size = 0.25;  // of a radius
+    const ContactDisc& about = near.discs()[disc];
+    std::vector<ClosePiece> pieces;
+    for (const PieceNearby& piece : surfaceAround(surface, about.centre, close_reach * about.radius,
+                                                  about.radius, size * about.radius)) {
+        const double share = near.closeShare(piece.centre, disc);
+        if (share * piece.area.squaredNorm() > 0) pieces.push_back({piece.centre, piece.area, share});
+    }
+    return pieces;
+}
+
 /// t - sigma n about the discs.
 std::vector<PointForce> closeRemainder(const SurfaceTree& surface, const NearField& near) {
-    constexpr double size = 0.25;  // of a radius
-    std::vector<PointForce> forces;
+    std::vector<ClosePiece> pieces;
     for (std::size_t i = 0; i < near.discs().size(); ++i) {
-        const ContactDisc& disc = near.discs()[i];
-        for (const PieceNearby& piece : surfaceAround(surface, disc.centre, close_reach * disc.radius,
-                                                      disc.radius, size * disc.radius)) {
-            const double share = near.closeShare(piece.centre, i), area = piece.area.norm();
-            if (!(share * area > 0)) continue;
-            const Vec3 force = area * near.tractionAt(piece.centre, piece.area / area) -
-                               near.stressAt(piece.centre) * piece.area;
-            forces.push_back({piece.centre, share * force});
-        }
+        const auto own = piecesAbout(surface, near, i);
+        pieces.insert(pieces.end(), own.begin(), own.end());
+    }
+    const auto count = static_cast<Eigen::Index>(pieces.size());
+    SurfacePieces rows{RowsOf3(count, 3), RowsOf3(count, 3)};
+    for (Eigen::Index i = 0; i < count; ++i) {
+        rows.places.row(i) = pieces[i].centre;
+        rows.areas.row(i) = pieces[i].area;
+    }
+    const RowsOf3 of_stress = near.forcesOn(rows);
+    std::vector<PointForce> forces;
+    for (Eigen::Index i = 0; i < count; ++i) {
+        const auto& [centre, vector, share] = pieces[i];
+        const double area = vector.norm();
+        const Vec3 force = area * near.tractionAt(centre, vector / area) - of_stress.row(i).transpose();
+        forces.push_back({centre, share * force});
     }
     return forces;
 }
