@@ -17,7 +17,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double near_to_failure = 0.5;  // overstress from which it steers cracks
+constexpr double near_to_failure = 0.5;            // overstress from which it steers cracks
+constexpr double far_beyond = 3, much_more = 1.5;  // overstress to which it does, and what matters beyond
 
 PrincipalRange widened(PrincipalRange range, double by_pa) {
     range.smallest -= static_cast<float>(by_pa);
@@ -87,6 +88,14 @@ class DamageReading::Reader {
           per_edge_(of.problem_->parts().edges.cwiseInverse().cast<float>()),
           overstress_(before.overstress),
           tension_(scale > 0 ? before.largest_stress_pa / scale : 0) {}
+
+    /// Whether an overstress in a part of up to `bound` may be one that matters.
+    bool mayFindMore(int part, double bound, double wanted) const {
+        if (bound < wanted) return false;
+        for (int at = of_.points_.starts[part]; at < of_.points_.starts[part + 1]; ++at)
+            if (bound >= leastThatMatters(of_.points_.points[at].particle, wanted)) return true;
+        return false;
+    }
 
     /// Reads the points of a part that may be as near to failure as the overstress `wanted`, or under the
     /// largest tension.
@@ -233,9 +242,14 @@ class DamageReading::Reader {
         tension_ = std::max(tension_, principal.largest);
     }
 
+    double leastThatMatters(int particle, double wanted) const {
+        const double known = overstress_[particle];
+        return std::max(wanted, known > far_beyond ? much_more * known : known);
+    }
+
     /// `smallest_pa`, `largest_pa`: no principal stress is beyond these.
     bool doesNotMatter(double smallest_pa, double largest_pa, double wanted, int point) const {
-        const double least = std::max(wanted, overstress_[of_.points_.points[point].particle]);
+        const double least = leastThatMatters(of_.points_.points[point].particle, wanted);
         return largest_pa <= tension_ &&
                scale_ * bound_(smallest_pa, largest_pa) < least * strength_.at_points[point];
     }
@@ -330,7 +344,8 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
         forEachChunk(chunk_count, [&](int chunk) {
             Reader& own = readers[chunk].emplace(reader());
             for (int i = chunk; i < part_count; i += chunk_count)
-                if (bounds.tension[order[i]] > own.tension() || bounds.overstress[order[i]] >= wanted)
+                if (bounds.tension[order[i]] > own.tension() ||
+                    own.mayFindMore(order[i], bounds.overstress[order[i]], wanted))
                     own.read(order[i], wanted);
             own.finish();
         });
