@@ -61,7 +61,7 @@ void forEachCrackFace(const FirstBreak& first, const Visit& visit) {
         }
 }
 
-constexpr int seeds = 5;
+constexpr int seeds = 10;
 
 std::vector<double> ranks(const std::vector<double>& values) {
     std::vector<int> order(values.size());

@@ -337,7 +337,7 @@ TEST(Strike, FurtherWavesOnlyAddDamage) {
 
 TEST(Strike, DebrisIsKeptMergedOrDropped) {
     Settings settings;
-    settings.fracture.fragment_count = 30;
+    settings.fracture.fragment_count = settings.fracture.largest_fragment_count = 30;
     settings.fracture.smallest_fragment_m3 = 1e-4;  // of 4.8e-3
     const auto struck = [&](Debris debris) {
         settings.fracture.debris = debris;
