@@ -12,15 +12,16 @@ enum class Priority {
     largest,  ///< the largest body
 };
 
-/// What breaking may cost a step. A blow on a whole body is decided in its step, and so is every blow that
-/// something lighter than the body strikes, or that falls on a body that is held: what breaks there lets the
-/// striker through. Other blows on fragments wait. So do those on whole bodies that fragments strike, beyond
-/// `milliseconds_per_step`; and where more than `solves_per_step` are struck at once, those that breakable
-/// bodies strike, the ground, or what is 50 times as heavy. One blow a step is decided in any case. Blows
-/// that wait are solved beside the steps that follow, by the world's executor; the body breaks steps later,
-/// where it is by then. How many follows from simulated time, the size of bodies, and whether they are
-/// prepared by then, never from the clock: a run repeats bit for bit. Events tell (BlowEvent::waited_s,
-/// Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame may have several.
+/// What breaking may cost a step. A blow on a whole body is decided in its step, and so is every blow on a
+/// fragment that something lighter than it strikes, or that falls on one that is held: what breaks there lets
+/// the striker through. Other blows on fragments wait. So do, beyond `milliseconds_per_step`, blows on whole
+/// bodies that fragments strike; all slower than 0.5 m/s; and where a ball breaks others in the step, or more
+/// than `solves_per_step` are struck at once, all by breakable bodies, the ground, or what is 50 times as
+/// heavy. Blows that wait are solved beside the steps that follow, by the world's executor; the body breaks
+/// steps later, where it is by then. How many follows from simulated time, the size of bodies, and whether
+/// they are prepared by then, never from the clock: a run repeats bit for bit. Events tell
+/// (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame may have
+/// several.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
@@ -28,11 +29,11 @@ struct Budget {
     /// A blow that would wait longer is dropped. One that nothing has to wait for waits no longer either: the
     /// step then takes what is left of it.
     double longest_wait_s = 0.5;
-    /// Computing time for blows that wait, and for crowds of those that do not, ms a step: of one core of
-    /// about 2020, estimated from the size of the bodies. At 0 it is half of the step's own length.
+    /// Computing time for blows that wait or may wait, ms a step: of one core of about 2020, estimated from
+    /// the size of the bodies. At 0 it is half of the step's own length.
     double milliseconds_per_step = 0;
     /// So many blows that wait are decided a step at most, each with its share of the step's computing time
-    /// at least; and so many of those in a crowd.
+    /// at least; and so many of those that may wait.
     int solves_per_step = 3;
     Priority priority = Priority::hardest;
     Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m

@@ -106,8 +106,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     bool mayWait(const StruckBreakable& struck) const;
-    bool lastsInACrowd(const StruckBreakable& struck) const;
+    bool lastsWhileItWaits(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
+    bool isStruckSlowly(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;

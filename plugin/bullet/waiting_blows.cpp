@@ -26,15 +26,35 @@ double millisecondsPerStep(const Budget& budget, double time_step_s) {
     return budget.milliseconds_per_step > 0 ? budget.milliseconds_per_step : 1e3 * time_step_s / 2;
 }
 
+namespace {
+
+/// Whether a worker may have the blow already: a little ahead of the plan, so that nothing waits for it where
+/// it is slower. Of simulated time alone, since what a solid keeps of a blow serves its next one.
+bool isWorkedOn(const WaitingBlow& blow, double time_s) {
+    constexpr double ahead_s = 0.1;
+    return blow.begun_s <= time_s + ahead_s;
+}
+
+}  // namespace
+
 WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s,
                                      double time_step_s) {
-    for (const WaitingBlow& other : blows_)
-        if (other.serial == blow.serial && other.impulse_n_s >= blow.impulse_n_s) return Fate::merged;
+    for (WaitingBlow& other : blows_) {
+        if (other.serial != blow.serial) continue;
+        if (other.impulse_n_s >= blow.impulse_n_s) return Fate::merged;
+        if (isWorkedOn(other, time_s) || other.due_s < time_s + budget.shortest_wait_s) continue;
+        blow.struck_at_s = time_s;
+        blow.begun_s = other.begun_s;
+        blow.worked_by_s = other.worked_by_s;
+        blow.due_s = other.due_s;
+        other = std::move(blow);
+        return Fate::merged;
+    }
     const double steps =
         std::max(work_ms / millisecondsPerStep(budget, time_step_s), 1.0 / budget.solves_per_step);
     const bool is_alone = busy_until_s_ <= time_s;
-    const double done_s = std::max(busy_until_s_, time_s) + steps * time_step_s,
-                 last_s = time_s + budget.longest_wait_s;
+    blow.begun_s = std::max(busy_until_s_, time_s);
+    const double done_s = blow.begun_s + steps * time_step_s, last_s = time_s + budget.longest_wait_s;
     if (!is_alone && done_s > last_s) return Fate::dropped;
     busy_until_s_ = done_s;
     blow.worked_by_s = std::min(done_s, last_s);
@@ -45,14 +65,20 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Bud
     return Fate::waits;
 }
 
+bool WaitingBlows::hasOneOn(std::uint64_t serial) const {
+    return std::any_of(blows_.begin(), blows_.end(),
+                       [&](const WaitingBlow& blow) { return blow.serial == serial; });
+}
+
 bool WaitingBlows::isFirstOfItsBody(std::size_t number) const {
     return std::none_of(blows_.begin(), blows_.begin() + static_cast<long>(number),
                         [&](const WaitingBlow& other) { return other.serial == blows_[number].serial; });
 }
 
-void WaitingBlows::submit(const Executor& executor) {
+void WaitingBlows::submit(const Executor& executor, double time_s) {
     for (std::size_t i = 0; i < blows_.size(); ++i)
-        if (!blows_[i].decided->isSubmitted() && isFirstOfItsBody(i)) blows_[i].decided->submit(executor);
+        if (!blows_[i].decided->isSubmitted() && isWorkedOn(blows_[i], time_s) && isFirstOfItsBody(i))
+            blows_[i].decided->submit(executor);
 }
 
 void WaitingBlows::workUntil(double time_s) {

@@ -19,7 +19,7 @@ struct WaitingBlow {
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
     const btCollisionObject* striker = nullptr;           ///< may be dead: compared with its token
     BodyToken striker_token = no_token;
-    double struck_at_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
+    double struck_at_s = 0, begun_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
     std::shared_ptr<DecidedBlow> decided;
 };
 
@@ -36,12 +36,14 @@ class WaitingBlows {
     enum class Fate { waits, merged, dropped };
 
     bool empty() const { return blows_.empty(); }
+    bool hasOneOn(std::uint64_t serial) const;  ///< the body
 
-    /// `work_ms`: what the blow is estimated to take; `time_step_s`: of the step in which it fell. Merged is
-    /// a blow on a body for which a harder one waits.
+    /// `work_ms`: what the blow is estimated to take; `time_step_s`: of the step in which it fell. Of two
+    /// blows on a body the harder one waits, in the place of the other if that is not begun; the weaker one
+    /// is merged.
     Fate add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s, double time_step_s);
-    /// Has blows worked on: those of bodies that have no earlier one.
-    void submit(const Executor& executor);
+    /// Has blows worked on whose turn comes next: those of bodies that have no earlier one.
+    void submit(const Executor& executor, double time_s);
     /// Does here what the one worker would have done by then: for worlds without an executor.
     void workUntil(double time_s);
     /// The next blow, if it is its turn.

@@ -103,6 +103,70 @@ TEST(Budget, BlowsOnFragmentsAreDecidedLater) {
     EXPECT_NEAR(fall.massInWorld(), fall.mass_kg, 1e-4 * fall.mass_kg);
 }
 
+/// Plates over a floor, in a row; the budget has no room for one in a step.
+struct RowOfPlates {
+    explicit RowOfPlates(int count, btScalar speed) {
+        scene.addFloor();
+        fracture = std::make_unique<FractureWorld>(scene.world.get());
+        Budget budget;
+        budget.milliseconds_per_step = 1;  // a plate takes 19
+        EXPECT_TRUE(fracture->setBudget(budget).ok());
+        const auto asset = BreakableAsset::fromMesh(
+            shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), likeSand(), coarse(0.06));
+        for (int i = 0; i < count; ++i) {
+            BodyOptions options;
+            options.start = at(btScalar(i), 0, 0.031f);
+            options.velocity = btVector3(0, 0, -speed);
+            plates.push_back(fracture->add(asset.value(), options).value());
+        }
+    }
+    ~RowOfPlates() { fracture.reset(); }
+
+    static Material likeSand() {
+        Material material = crumbly();
+        material.tensile_strength_pa = 1e3;
+        material.fracture_energy_j_m2 = 1e-4;
+        return material;
+    }
+
+    /// How long the blow waited that broke a plate; -1 if none did.
+    std::vector<double> waitedToBreak() {
+        std::vector<double> waited(plates.size(), -1);
+        for (int i = 0; i < 200; ++i) {
+            scene.step();
+            for (const BlowEvent& event : fracture->takeEvents())
+                for (std::size_t p = 0; p < plates.size(); ++p)
+                    if (event.body == plates[p] && event.outcome == Outcome::broke)
+                        waited[p] = event.waited_s;
+        }
+        return waited;
+    }
+
+    TestWorld scene;
+    std::unique_ptr<FractureWorld> fracture;
+    std::vector<btRigidBody*> plates;
+};
+
+TEST(Budget, WhatFallsBreaksAtOnceAndWhatIsSetDownALittleLater) {
+    EXPECT_EQ(RowOfPlates(1, 3).waitedToBreak().front(), 0);
+    EXPECT_GE(RowOfPlates(1, 0.4f).waitedToBreak().front(), Budget().shortest_wait_s - 1e-9);
+}
+
+TEST(Budget, ManyThatFallAtOnceWaitAndFewDoNot) {
+    const std::size_t few = static_cast<std::size_t>(Budget().solves_per_step);
+    for (const double waited : RowOfPlates(static_cast<int>(few), 3).waitedToBreak()) EXPECT_EQ(waited, 0);
+    for (const double waited : RowOfPlates(static_cast<int>(few) + 1, 3).waitedToBreak())
+        EXPECT_GE(waited, Budget().shortest_wait_s - 1e-9);
+}
+
+TEST(Budget, WhatABallBreaksGoesBeforeWhatFalls) {
+    RowOfPlates row(2, 3);
+    row.scene.addBall(5, 0.1, btVector3(0, 0, 0.162f), btVector3(0, 0, -8));
+    const auto waited = row.waitedToBreak();
+    EXPECT_EQ(waited[0], 0);
+    EXPECT_GE(waited[1], Budget().shortest_wait_s - 1e-9);
+}
+
 TEST(Budget, NoBlowWaitsWithoutOne) {
     FallingPlate fall(Budget::none());
     const auto events = fall.run(20);
