@@ -146,6 +146,7 @@ Status BreakableSolid::prepare(const Progress& progress) const {
     if (!reduced || fracture.check_with_full_solve)
         if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
     prepareSurface();
+    if (reduced) (void)strength().weakest(reducedStress()->reading);  // of bodies without a seed of their own
     tell(1);
     return success();
 }

@@ -26,6 +26,9 @@ class MaterialStrength {
     /// std::invalid_argument where the field is not positive, or below its minimum.
     double at(const Vec3& x) const;
 
+    /// Whether `at` calls the app: then it is not to be asked on several threads.
+    bool hasField() const { return static_cast<bool>(settings_.field); }
+
     /// Nowhere is it less, Pa; 0 if that is not known of the settings' field.
     double least() const;
 

@@ -42,12 +42,16 @@ DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem, Readi
       bounds_(std::move(bounds)) {}
 
 std::vector<double> DamageReading::strengths(const MaterialStrength& strength) const {
-    std::vector<double> at_points;
-    at_points.reserve(points_.points.size());
-    for (std::size_t part = 0; part + 1 < points_.starts.size(); ++part)
-        for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
-            at_points.push_back(strength.at(
-                ReadingPoints::position(problem_->parts(), static_cast<int>(part), points_.points[at])));
+    std::vector<double> at_points(points_.points.size());
+    const auto part_count = static_cast<int>(points_.starts.size()) - 1;
+    const int chunk_count = strength.hasField() ? 1 : 16;
+    forEachChunk(chunk_count, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunk_count, part_count);
+        for (int part = chunkBegin(chunk, chunk_count, part_count); part < end; ++part)
+            for (int at = points_.starts[part]; at < points_.starts[part + 1]; ++at)
+                at_points[at] =
+                    strength.at(ReadingPoints::position(problem_->parts(), part, points_.points[at]));
+    });
     return at_points;
 }
 
