@@ -1,7 +1,6 @@
 // Blows that wait for their turn, as the budget has it.
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "bullet/contact_motion.h"
@@ -17,19 +16,6 @@ namespace {
 constexpr const char* too_long_a_queue =
     "it would have waited for longer than Budget::longest_wait_s; raise that, or milliseconds_per_step and "
     "solves_per_step";
-
-/// The larger, the sooner.
-double urgency(const StruckBreakable& struck, const Budget& budget) {
-    switch (budget.priority) {
-        case Priority::nearest:
-            return -(struck.position - budget.viewpoint).norm();
-        case Priority::largest:
-            return struck.breakable->asset.mass();
-        case Priority::hardest:
-            break;
-    }
-    return normalImpulse(struck.blow);
-}
 
 }  // namespace
 
@@ -75,100 +61,9 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
     return true;
 }
 
-/// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
-/// back by what is broken in truth.
-bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
-    const Breakable& breakable = *struck.breakable;
-    if (budget_.shortest_wait_s == 0 || !breakable.isFragment()) return false;
-    const double mass =
-        breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
-        if (!partner || partner->getInvMass() == 0 || isFragmentOfAny(*partner)) continue;
-        if (struck.blow.isStruckBy(static_cast<int>(p)) && 1 / partner->getInvMass() < mass) return false;
-    }
-    return true;
-}
-
-/// Whether the blow on a whole body may be decided later: nothing flies through the body, it is struck by
-/// other breakable bodies, by what does not move, or by what it cannot slow down.
-bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck) const {
-    constexpr btScalar much_heavier = 50;  // whole or broken, the body takes a few percent of its speed
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        if (struck.partners[p]->isStaticObject() || breakables_.of(*struck.partners[p])) continue;
-        const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
-        const bool is_slowed =
-            !partner || much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();
-        if (is_slowed && struck.blow.isStruckBy(static_cast<int>(p))) return false;
-    }
-    return true;
-}
-
-/// Whether the body is set down, or pressed: how fast it rebounds until it breaks is not seen.
-bool FractureWorld::Impl::isStruckSlowly(const StruckBreakable& struck) const {
-    constexpr double slow_m_s = 0.5;  // a fall of 1.3 cm
-    if (struck.blow.isSqueezed()) return struck.blow.stack.strike.speed_m_s < slow_m_s;
-    const auto is_slow = [&](const ContactImpulse& contact) { return contact.approach_m_s < slow_m_s; };
-    return std::all_of(struck.blow.contacts.begin(), struck.blow.contacts.end(), is_slow);
-}
-
-/// Whether fragments strike the body, and nothing else does.
-bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
-    bool is_struck = false;
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        if (!struck.blow.isStruckBy(static_cast<int>(p))) continue;
-        if (!isFragmentOfAny(*struck.partners[p])) return false;
-        is_struck = true;
-    }
-    return is_struck;
-}
-
-/// Lets blows on whole bodies wait, the least urgent first, until the others take no longer than the budget
-/// has milliseconds: those that nothing flies through, where there is more to be decided in the step, where
-/// an earlier one waits, or where fragments strike, or anything slowly. One that fragments strike is decided
-/// in any case if the step has no more.
-void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
-                                  Gated& gated) const {
-    if (budget_.shortest_wait_s == 0) return;
-    const auto begin = gated.now.begin(), end = gated.now.end();
-    const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i]); };
-    const bool are_many = decided_now_ + (end - begin) > budget_.solves_per_step;
-    const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
-    const auto waits_alone = [&](std::size_t i) {
-        return isStruckSlowly(struck[i]) || waiting_.hasOneOn(struck[i].breakable->serial);
-    };
-    const auto must_not_wait = [&](std::size_t i) {
-        if (!lasts(i)) return true;
-        if (waits_alone(i) || isStruckByFragmentsAlone(struck[i])) return false;
-        // What stands under or behind the body that is struck breaks with it.
-        return struck[i].blow.isSqueezed() ? !are_many : !is_crowd;
-    };
-    const auto may_wait = std::stable_partition(begin, end, must_not_wait);
-    const auto all_may_wait =
-        std::stable_partition(may_wait, end, [&](std::size_t i) { return !is_crowd && !waits_alone(i); });
-    const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
-        return urgency(struck[a], budget_) > urgency(struck[b], budget_);
-    };
-    std::stable_sort(may_wait, all_may_wait, is_more_urgent);
-    std::stable_sort(all_may_wait, end, is_more_urgent);
-    const double most_ms = millisecondsPerStep(budget_, time_step_s);
-    double ms = decided_now_ms_;
-    int count = decided_now_;
-    auto first = begin;
-    for (; first != end; ++first, ++count) {
-        ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
-        const bool has_no_room = ms > most_ms || count >= budget_.solves_per_step;
-        if (first >= may_wait && has_no_room && (count > 0 || first >= all_may_wait)) break;
-    }
-    gated.later.insert(gated.later.end(), first, end);
-    gated.now.erase(first, end);
-    std::sort(gated.now.begin(), gated.now.end());
-    std::sort(gated.later.begin(), gated.later.end());
-}
-
 void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
-        return urgency(*a, budget_) > urgency(*b, budget_);
+        return urgency(*a) > urgency(*b);
     });
     const int room = roomForFragments();
     for (const StruckBreakable* struck : blows) {

@@ -105,6 +105,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                               const std::shared_ptr<DecidedBlow>& decided);
     void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
+    double urgency(const StruckBreakable& struck) const;
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsWhileItWaits(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
