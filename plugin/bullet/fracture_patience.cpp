@@ -49,14 +49,6 @@ bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck) const
     return true;
 }
 
-/// Whether the body is set down, or pressed: how fast it rebounds until it breaks is not seen.
-bool FractureWorld::Impl::isStruckSlowly(const StruckBreakable& struck) const {
-    constexpr double slow_m_s = 0.5;  // a fall of 1.3 cm
-    if (struck.blow.isSqueezed()) return struck.blow.stack.strike.speed_m_s < slow_m_s;
-    const auto is_slow = [&](const ContactImpulse& contact) { return contact.approach_m_s < slow_m_s; };
-    return std::all_of(struck.blow.contacts.begin(), struck.blow.contacts.end(), is_slow);
-}
-
 /// Whether fragments strike the body, and nothing else does.
 bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
     bool is_struck = false;
@@ -69,9 +61,9 @@ bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck
 }
 
 /// Lets blows on whole bodies wait, the least urgent first, until the others take no longer than the budget
-/// has milliseconds: those that nothing flies through, where there is more to be decided in the step, where
-/// an earlier one waits, or where fragments strike, or anything slowly. One that fragments strike is decided
-/// in any case if the step has no more.
+/// has milliseconds: those that nothing flies through, where there is more to be decided in the step than it
+/// has solves, or where a ball breaks others, and those that fragments strike. Of the last, one is decided in
+/// any case if the step has no more.
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
                                   Gated& gated) const {
     if (budget_.shortest_wait_s == 0) return;
@@ -79,23 +71,15 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i]); };
     const bool are_many = decided_now_ + (end - begin) > budget_.solves_per_step;
     const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
-    const auto waits_alone = [&](std::size_t i) {
-        return isStruckSlowly(struck[i]) || waiting_.hasOneOn(struck[i].breakable->serial);
-    };
     const auto must_not_wait = [&](std::size_t i) {
         if (!lasts(i)) return true;
-        if (waits_alone(i) || isStruckByFragmentsAlone(struck[i])) return false;
+        if (isStruckByFragmentsAlone(struck[i])) return false;
         // What stands under or behind the body that is struck breaks with it.
         return struck[i].blow.isSqueezed() ? !are_many : !is_crowd;
     };
     const auto may_wait = std::stable_partition(begin, end, must_not_wait);
-    const auto all_may_wait =
-        std::stable_partition(may_wait, end, [&](std::size_t i) { return !is_crowd && !waits_alone(i); });
-    const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
-        return urgency(struck[a]) > urgency(struck[b]);
-    };
-    std::stable_sort(may_wait, all_may_wait, is_more_urgent);
-    std::stable_sort(all_may_wait, end, is_more_urgent);
+    std::stable_sort(may_wait, end,
+                     [&](std::size_t a, std::size_t b) { return urgency(struck[a]) > urgency(struck[b]); });
     const double most_ms = millisecondsPerStep(budget_, time_step_s);
     double ms = decided_now_ms_;
     int count = decided_now_;
@@ -103,7 +87,7 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     for (; first != end; ++first, ++count) {
         ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
         const bool has_no_room = ms > most_ms || count >= budget_.solves_per_step;
-        if (first >= may_wait && has_no_room && (count > 0 || first >= all_may_wait)) break;
+        if (first >= may_wait && has_no_room && (count > 0 || is_crowd)) break;
     }
     gated.later.insert(gated.later.end(), first, end);
     gated.now.erase(first, end);

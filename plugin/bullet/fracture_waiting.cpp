@@ -8,6 +8,7 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/world_internals.h"
 #include "core/numerics/parallel_chunks.h"
+#include "fracture/blow_stress.h"
 
 namespace sherd {
 
@@ -22,6 +23,7 @@ constexpr const char* too_long_a_queue =
 Status FractureWorld::Impl::setBudget(const Budget& budget) {
     if (const Status valid = budget.validate(); !valid) return valid;
     budget_ = budget;
+    waiting_.keepTo(budget, time_s_);
     return success();
 }
 
@@ -76,7 +78,10 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
         const btTransform from_world = breakable.placed(struck->before.transform).inverse();
         WaitingBlow blow;
         blow.serial = breakable.serial;
+        blow.is_on_fragment = breakable.isFragment();
         blow.impulse_n_s = normalImpulse(struck->blow);
+        const BreakableSolid& solid = *breakable.asset.solid();
+        blow.energy_j = blowEnergy(struck->blow, solid.mass(), isHeld(solid, struck->blow));
         blow.position = fromBullet(from_world * toBullet(struck->position));
         blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
         if (struck->striker) {
@@ -84,7 +89,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
             blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
         }
         blow.decided = DecidedBlow::make(toDecide(*struck, most_fragments));
-        const double work_ms = estimatedMilliseconds(*breakable.asset.solid());
+        const double work_ms = estimatedMilliseconds(solid);
         switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
             case WaitingBlows::Fate::waits:
                 break;

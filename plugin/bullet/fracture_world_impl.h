@@ -109,7 +109,6 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool mayWait(const StruckBreakable& struck) const;
     bool lastsWhileItWaits(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
-    bool isStruckSlowly(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;

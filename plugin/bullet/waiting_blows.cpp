@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace sherd {
@@ -41,7 +42,7 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Bud
                                      double time_step_s) {
     for (WaitingBlow& other : blows_) {
         if (other.serial != blow.serial) continue;
-        if (other.impulse_n_s >= blow.impulse_n_s) return Fate::merged;
+        if (other.energy_j >= blow.energy_j) return Fate::merged;
         if (isWorkedOn(other, time_s) || other.due_s < time_s + budget.shortest_wait_s) continue;
         blow.struck_at_s = time_s;
         blow.begun_s = other.begun_s;
@@ -52,22 +53,35 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Bud
     }
     const double steps =
         std::max(work_ms / millisecondsPerStep(budget, time_step_s), 1.0 / budget.solves_per_step);
+    const double length_s = steps * time_step_s, last_s = time_s + budget.longest_wait_s;
+    const auto place = std::find_if(blows_.begin(), blows_.end(), [&](const WaitingBlow& other) {
+        return !blow.is_on_fragment && other.is_on_fragment && !isWorkedOn(other, time_s);
+    });
     const bool is_alone = busy_until_s_ <= time_s;
-    blow.begun_s = std::max(busy_until_s_, time_s);
-    const double done_s = blow.begun_s + steps * time_step_s, last_s = time_s + budget.longest_wait_s;
+    blow.begun_s = place == blows_.end() ? std::max(busy_until_s_, time_s) : place->begun_s;
+    const double done_s = blow.begun_s + length_s;
     if (!is_alone && done_s > last_s) return Fate::dropped;
-    busy_until_s_ = done_s;
+    busy_until_s_ = is_alone ? std::min(done_s, last_s) : busy_until_s_ + length_s;
+    for (auto later = place; later != blows_.end(); ++later)
+        for (double* moment : {&later->begun_s, &later->worked_by_s, &later->due_s}) *moment += length_s;
     blow.worked_by_s = std::min(done_s, last_s);
     blow.struck_at_s = time_s;
     blow.due_s = std::max(blow.worked_by_s, time_s + budget.shortest_wait_s);
-    if (!blows_.empty()) blow.due_s = std::max(blow.due_s, blows_.back().due_s);  // turns keep their order
-    blows_.push_back(std::move(blow));
+    if (place != blows_.begin()) blow.due_s = std::max(blow.due_s, std::prev(place)->due_s);
+    // Turns keep their order.
+    double due_s = blow.due_s;
+    for (auto later = blows_.insert(place, std::move(blow)); later != blows_.end(); ++later)
+        due_s = later->due_s = std::max(later->due_s, due_s);
     return Fate::waits;
 }
 
-bool WaitingBlows::hasOneOn(std::uint64_t serial) const {
-    return std::any_of(blows_.begin(), blows_.end(),
-                       [&](const WaitingBlow& blow) { return blow.serial == serial; });
+void WaitingBlows::keepTo(const Budget& budget, double time_s) {
+    for (WaitingBlow& blow : blows_)
+        for (double* moment : {&blow.worked_by_s, &blow.due_s})
+            *moment = std::min(*moment, std::max(time_s, blow.struck_at_s + budget.longest_wait_s));
+    for (std::size_t i = 1; i < blows_.size(); ++i)
+        blows_[i].due_s = std::max(blows_[i].due_s, blows_[i - 1].due_s);
+    busy_until_s_ = std::min(busy_until_s_, time_s + budget.longest_wait_s);
 }
 
 bool WaitingBlows::isFirstOfItsBody(std::size_t number) const {

@@ -15,7 +15,9 @@ namespace sherd {
 /// A blow that is decided some time after it fell.
 struct WaitingBlow {
     std::uint64_t serial = 0;  ///< of the body
+    bool is_on_fragment = true;
     double impulse_n_s = 0;
+    double energy_j = 0;  ///< that it brings at most: of two, the one with more is the harder
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
     const btCollisionObject* striker = nullptr;           ///< may be dead: compared with its token
     BodyToken striker_token = no_token;
@@ -30,18 +32,20 @@ double estimatedMilliseconds(const BreakableSolid& solid);
 double millisecondsPerStep(const Budget& budget, double time_step_s);
 
 /// The blows that wait, in the order of their turns. When it is a blow's turn follows from the estimates, as
-/// if one worker did the blows one after the other: so it is the same on every machine.
+/// if one worker did the blows one after the other: so it is the same on every machine. A whole body that
+/// breaks long after it was struck is seen to, so those on whole bodies go before those on fragments.
 class WaitingBlows {
   public:
     enum class Fate { waits, merged, dropped };
 
     bool empty() const { return blows_.empty(); }
-    bool hasOneOn(std::uint64_t serial) const;  ///< the body
 
     /// `work_ms`: what the blow is estimated to take; `time_step_s`: of the step in which it fell. Of two
     /// blows on a body the harder one waits, in the place of the other if that is not begun; the weaker one
     /// is merged.
     Fate add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s, double time_step_s);
+    /// For another budget: none waits for longer than it says.
+    void keepTo(const Budget& budget, double time_s);
     /// Has blows worked on whose turn comes next: those of bodies that have no earlier one.
     void submit(const Executor& executor, double time_s);
     /// Does here what the one worker would have done by then: for worlds without an executor.

@@ -2,13 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <vector>
+
 namespace sherd {
 namespace {
 
 WaitingBlow blowOn(std::uint64_t serial) {
     WaitingBlow blow;
     blow.serial = serial;
-    blow.impulse_n_s = 1;
+    blow.energy_j = 1;
     return blow;
 }
 
@@ -39,17 +41,53 @@ TEST(WaitingBlows, AHarderBlowTakesThePlaceOfOneThatIsNotBegun) {
     for (const int body : {1, 2})
         ASSERT_EQ(waiting.add(blowOn(body), work_ms, budget, 2, step_s), WaitingBlows::Fate::waits);
     WaitingBlow harder = blowOn(2);
-    harder.impulse_n_s = 5;
+    harder.energy_j = 5;
     harder.position = Vec3::UnitX();
     EXPECT_EQ(waiting.add(harder, work_ms, budget, 2 + step_s, step_s), WaitingBlows::Fate::merged);
     EXPECT_EQ(waiting.add(blowOn(2), work_ms, budget, 2 + step_s, step_s), WaitingBlows::Fate::merged);
     ASSERT_EQ(waiting.takeFirst().serial, 1);
     const WaitingBlow second = waiting.takeFirst();
-    EXPECT_EQ(second.impulse_n_s, 5);
+    EXPECT_EQ(second.energy_j, 5);
     EXPECT_EQ(second.position, Vec3::UnitX());
     EXPECT_EQ(second.struck_at_s, 2 + step_s);
     EXPECT_NEAR(second.due_s, 2 + 0.4, 1e-9) << "the turn of the first";
     EXPECT_TRUE(waiting.empty());
+}
+
+TEST(WaitingBlows, AnotherBudgetHoldsForWhatWaits) {
+    Budget patient;
+    patient.shortest_wait_s = 5;
+    patient.longest_wait_s = 6;
+    WaitingBlows waiting;
+    waiting.add(blowOn(1), ages_ms, patient, 2, step_s);
+    const Budget usual;
+    waiting.keepTo(usual, 3);
+    EXPECT_NE(waiting.due(3), nullptr);
+    ASSERT_EQ(waiting.add(blowOn(2), 1, usual, 3.5, step_s), WaitingBlows::Fate::waits);
+    waiting.takeFirst();
+    EXPECT_NE(waiting.due(3.5 + usual.longest_wait_s), nullptr);
+}
+
+TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
+    const Budget budget;
+    WaitingBlows waiting;
+    constexpr double work_ms = 50;  // a tenth of a second
+    for (const int body : {1, 2, 3}) waiting.add(blowOn(body), work_ms, budget, 2, step_s);
+    for (const int body : {4, 5}) {
+        WaitingBlow whole = blowOn(body);
+        whole.is_on_fragment = false;
+        ASSERT_EQ(waiting.add(whole, work_ms / 5, budget, 2, step_s), WaitingBlows::Fate::waits);
+    }
+    std::vector<std::uint64_t> order;
+    std::vector<double> due_s;
+    while (!waiting.empty()) {
+        const WaitingBlow blow = waiting.takeFirst();
+        order.push_back(blow.serial);
+        due_s.push_back(blow.due_s - 2);
+    }
+    EXPECT_EQ(order, (std::vector<std::uint64_t>{1, 2, 4, 5, 3})) << "the first two are begun, or nearly so";
+    const std::vector<double> expected{0.1, 0.2, 0.22, 0.24, 0.34};
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(due_s[i], expected[i], 1e-9);
 }
 
 TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
@@ -57,10 +95,10 @@ TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     WaitingBlows waiting;
     ASSERT_EQ(waiting.add(blowOn(1), 50, budget, 2, step_s), WaitingBlows::Fate::waits);
     WaitingBlow harder = blowOn(1);
-    harder.impulse_n_s = 5;
+    harder.energy_j = 5;
     EXPECT_EQ(waiting.add(harder, 50, budget, 2, step_s), WaitingBlows::Fate::waits);
-    EXPECT_EQ(waiting.takeFirst().impulse_n_s, 1);
-    EXPECT_EQ(waiting.takeFirst().impulse_n_s, 5);
+    EXPECT_EQ(waiting.takeFirst().energy_j, 1);
+    EXPECT_EQ(waiting.takeFirst().energy_j, 5);
 }
 
 }  // namespace

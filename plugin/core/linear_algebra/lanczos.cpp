@@ -3,14 +3,13 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace sherd {
 
 FunctionProduct functionProduct(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                 const std::function<double(double)>& f) {
-    constexpr double left_out = 1e-7, broken_down = 1e-13;
-    constexpr long first_look = 8;
+    constexpr double left_out = 1e-5, broken_down = 1e-13;
+    constexpr long first_look = 8;  // and a quarter more each time
     const long size = b.size();
     const double length = b.norm();
     FunctionProduct found;
@@ -20,6 +19,7 @@ FunctionProduct functionProduct(const Eigen::MatrixXd& a, const Eigen::VectorXd&
     }
     Eigen::MatrixXd basis(size, size);
     Eigen::VectorXd diagonal(size), beside(size), next = b / length;
+    Eigen::VectorXd before;  // what was found at the last look
     double largest = 0;
     long look = first_look;
     for (long count = 1;; ++count) {
@@ -41,14 +41,18 @@ FunctionProduct functionProduct(const Eigen::MatrixXd& a, const Eigen::VectorXd&
         const Eigen::ArrayXd parts = solver.eigenvectors().row(0).transpose().array();
         const Eigen::VectorXd in_basis =
             solver.eigenvectors() * (solver.eigenvalues().array().unaryExpr(f) * parts).matrix();
-        const double ends = last > 0 ? in_basis.tail<2>().norm() : 0;
-        if (is_complete || ends < left_out * in_basis.norm()) {
+        // Small last parts alone may be chance.
+        const double change = before.size() == 0 ? in_basis.norm()
+                                                 : std::max((in_basis.head(before.size()) - before).norm(),
+                                                            in_basis.tail(count - before.size()).norm());
+        if (is_complete || change < left_out * in_basis.norm()) {
             found.product = length * (all * in_basis);
             found.values = solver.eigenvalues().array();
             found.weights = parts.square();
             return found;
         }
-        look = count + count / 2;
+        before = in_basis;
+        look = count + count / 4 + 1;
         next /= beside[last];
     }
 }

@@ -14,9 +14,9 @@ struct FunctionProduct {
 };
 
 /// f(A) b for a symmetric matrix of which the lower triangle is read: the Lanczos process with full
-/// orthogonalisation (Y. Saad, SIAM J. Numer. Anal. 29 (1992) 209), until what it leaves out is about 1e-7
-/// of the product, or A is known as far as b reaches. The values are those of Gauss' quadrature (G. Golub,
-/// G. Meurant, Matrices, Moments and Quadrature, 2010).
+/// orthogonalisation (Y. Saad, SIAM J. Numer. Anal. 29 (1992) 209), until a quarter more steps change the
+/// product by less than 1e-5, or A is known as far as b reaches. The values are those of Gauss' quadrature
+/// (G. Golub, G. Meurant, Matrices, Moments and Quadrature, 2010).
 FunctionProduct functionProduct(const Eigen::MatrixXd& a, const Eigen::VectorXd& b,
                                 const std::function<double(double)>& f);
 

@@ -70,7 +70,8 @@ struct Pressed {
 
 /// Springs that would pull let go, and those that are pressed after all come back, until it stays so. The
 /// bound is for the few arrangements that go round in circles. It starts with all of them, or with those that
-/// are pressed under much the same strike.
+/// are pressed under much the same strike; of heaps in which springs come and go, the answers differ by up to
+/// 2 % of the strike then.
 Pressed pressedSprings(const SpringSystem& system, double duration_s,
                        const std::vector<char>& pressed_before = {});
 
