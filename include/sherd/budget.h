@@ -13,16 +13,16 @@ enum class Priority {
 };
 
 /// What breaking may cost a step; not what a step may take: what must not wait takes its time, and a whole
-/// body that is not prepared takes most. In its step is decided every blow on a whole body, and every blow on a
-/// fragment that something lighter than it strikes, or that falls on one that is held: what breaks there lets
-/// the striker through. Other blows on fragments wait. So do, beyond `milliseconds_per_step`, blows on whole
-/// bodies that fragments strike; and where more than `solves_per_step` bodies are struck at once, or a ball
-/// breaks another one in the step, those that breakable bodies strike, the ground, or what is 50 times as
-/// heavy. Blows that wait are solved beside the steps that follow, by the world's executor; the body breaks
-/// steps later, where it is by then, a whole one before fragments. How many follows from simulated time, the
-/// size of bodies, and whether they are prepared by then, never from the clock: a run repeats bit for bit.
-/// Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame
-/// may have several.
+/// body that is not prepared takes most. In its step is decided every blow on a whole body, and every blow on
+/// a fragment that something lighter than it strikes, or that falls on one that is held: what breaks there
+/// lets the striker through. Other blows on fragments wait. So do, beyond `milliseconds_per_step`, blows on
+/// whole bodies that fragments strike; and where more than `solves_per_step` bodies are struck at once, or a
+/// ball breaks another one in the step, those that breakable bodies strike, the ground, or what is 50 times
+/// as heavy. Blows that wait are solved beside the steps that follow, by the world's executor; the body
+/// breaks steps later, where it is by then, a whole one before fragments. How many follows from simulated
+/// time, the size of bodies, and whether they are prepared by then, never from the clock: a run repeats bit
+/// for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's
+/// own: a frame may have several.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.

@@ -24,8 +24,9 @@ void checkTogether(RangeChecks& checks, const GuideField& g) {
 }
 
 void checkTogether(RangeChecks& checks, const FractureSettings& s) {
-    checks.require(s.fragment_count <= s.largest_fragment_count, "fragment_count", s.fragment_count,
-                   "at most largest_fragment_count (" + std::to_string(s.largest_fragment_count) + "): raise that");
+    checks.require(
+        s.fragment_count <= s.largest_fragment_count, "fragment_count", s.fragment_count,
+        "at most largest_fragment_count (" + std::to_string(s.largest_fragment_count) + "): raise that");
 }
 
 }  // namespace sherd
