@@ -35,6 +35,12 @@ struct TriangleMesh {
     std::vector<Vec3> colours;                 ///< V, red, green and blue from 0 to 1
 };
 
+/// A box about the origin, 12 triangles: how fine a body is sampled does not depend on its surface.
+TriangleMesh boxMesh(const Vec3& size_m);
+
+/// An upright cylinder about the origin, with so many sides, 3 at least.
+TriangleMesh cylinderMesh(double radius_m, double height_m, int sides = 32);
+
 /// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`,
 /// `f`, `usemtl` and the group `crack`. Polygons are split into triangles. Vertices at the same position
 /// become one, which has their mean colour; texture coordinates and normals belong to corners, so seams stay.

@@ -27,17 +27,6 @@ struct DrawnObject : btMotionState {
     void setWorldTransform(const btTransform& centre_of_mass) override { place = centre_of_mass; }
 };
 
-/// A tile of 0.3 x 0.3 x 0.02 m, lying about its own origin.
-sherd::TriangleMesh tile() {
-    sherd::TriangleMesh mesh;
-    for (const double z : {-0.01, 0.01})
-        for (const double y : {-0.15, 0.15})
-            for (const double x : {-0.15, 0.15}) mesh.vertices.emplace_back(x, y, z);
-    mesh.triangles = {{0, 2, 1}, {1, 2, 3}, {4, 5, 6}, {5, 7, 6}, {0, 1, 4}, {1, 5, 4},
-                      {2, 6, 3}, {3, 6, 7}, {0, 4, 2}, {2, 4, 6}, {1, 3, 5}, {3, 7, 5}};
-    return mesh;
-}
-
 btTransform at(btScalar x, btScalar y, btScalar z) {
     return btTransform(btQuaternion::getIdentity(), btVector3(x, y, z));
 }
@@ -73,7 +62,8 @@ int main() {
     settings.strength.seed = 3;
     settings.strength.field = [](const sherd::Vec3& x) { return x.x() > 0 ? 1.0 : 0.8; };
     settings.fracture.debris = sherd::Debris::merged;
-    const auto made = sherd::BreakableAsset::fromMesh(tile(), sherd::Material::ceramic(), settings);
+    const auto made = sherd::BreakableAsset::fromMesh(sherd::boxMesh({0.3, 0.3, 0.02}),
+                                                      sherd::Material::ceramic(), settings);
     check(made.ok(), made.error().c_str());
     const sherd::BreakableAsset asset = made.value();
     std::thread worker([&] { check(asset.prepare().ok(), "an asset is prepared on another thread"); });
