@@ -1,11 +1,11 @@
 #include <gtest/gtest.h>
-#include <sherd/breakable_asset.h>
 #include <sherd/triangle_mesh.h>
 
 #include <cmath>
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
+#include "geometry/surface_checks.h"
 
 namespace sherd {
 namespace {
@@ -21,14 +21,14 @@ TEST(SimpleMeshes, AreClosedAndTurnedOutward) {
     const TriangleMesh cylinder = cylinderMesh(0.1, 0.5, sides);
     EXPECT_NEAR(volumeOf(cylinder), 0.5 * sides / 2 * std::sin(2 * pi / sides) * 0.01, 1e-12);
     for (const TriangleMesh& mesh : {box, cylinder}) {
-        const auto asset = BreakableAsset::fromMesh(mesh, Material::brick());
-        EXPECT_TRUE(asset.ok()) << asset.error();
+        const Status closed = checkSurface(mesh);
+        EXPECT_TRUE(closed.ok()) << closed.error();
     }
 }
 
 TEST(SimpleMeshes, WithoutASizeAreRefused) {
     for (const TriangleMesh& mesh : {boxMesh(Vec3(1, 0, 1)), boxMesh(Vec3(1, -1, 1)), cylinderMesh(0, 1)})
-        EXPECT_FALSE(BreakableAsset::fromMesh(mesh, Material::brick()).ok());
+        EXPECT_FALSE(checkSurface(mesh).ok());
 }
 
 }  // namespace
