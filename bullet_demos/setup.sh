@@ -77,8 +77,7 @@ build_targets() {
     local steps
     steps=$(ninja -C "$build" -n "$@" 2>/dev/null | sed -n 's#^\[[0-9]*/\([0-9]*\)\].*#\1#p' | tail -n 1) || true
     # What has never been built may plan no more than to look for its files once more.
-    # What is to be configured anew shows no steps yet.
-    if [ ! -s "$build/.ninja_log" ] || [ "${steps:-0}" -ge 20 ] || ninja -C "$build" -n "$@" 2>/dev/null | grep -q CMake; then
+    if [ ! -s "$build/.ninja_log" ] || [ "${steps:-0}" -ge 20 ]; then
       say "building on $(nproc) cores; this takes minutes"
     fi
   fi

@@ -11,6 +11,13 @@ namespace {
 
 constexpr double rounding_s = 1e-9;  // of the simulated time
 
+/// Whether a worker may have the blow already: a little ahead of the plan, so that nothing waits for it where
+/// it is slower. Of simulated time alone, since what a solid keeps of a blow serves its next one.
+bool isWorkedOn(const WaitingBlow& blow, double time_s) {
+    constexpr double ahead_s = 0.1;
+    return blow.begun_s <= time_s + ahead_s;
+}
+
 }  // namespace
 
 // About as first blows on fragments of 64 to 400 particles and up to 20,000 triangles at `game`, from 4 to
@@ -26,17 +33,6 @@ double estimatedMilliseconds(const BreakableSolid& solid) {
 double millisecondsPerStep(const Budget& budget, double time_step_s) {
     return budget.milliseconds_per_step > 0 ? budget.milliseconds_per_step : 1e3 * time_step_s / 2;
 }
-
-namespace {
-
-/// Whether a worker may have the blow already: a little ahead of the plan, so that nothing waits for it where
-/// it is slower. Of simulated time alone, since what a solid keeps of a blow serves its next one.
-bool isWorkedOn(const WaitingBlow& blow, double time_s) {
-    constexpr double ahead_s = 0.1;
-    return blow.begun_s <= time_s + ahead_s;
-}
-
-}  // namespace
 
 WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s,
                                      double time_step_s) {

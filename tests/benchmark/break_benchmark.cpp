@@ -16,17 +16,12 @@
 #include "benchmark/floor_world.h"
 #include "benchmark/quantile.h"
 #include "benchmark/value_or_exit.h"
+#include "core/numerics/pi.h"
 
 namespace {
 
 using namespace sherd;
 using namespace sherd::benchmarks;
-
-double totalOf(const StageTimes& ms) {
-    double sum = 0;
-    for (const auto& field : time_fields<StageTimes>) sum += ms.*field.value;
-    return sum;
-}
 
 /// Blows that were solved.
 struct Blows {
@@ -35,7 +30,7 @@ struct Blows {
 
     void add(const BlowEvent& event) {
         ms.push_back(event.ms);
-        totals.push_back(totalOf(event.ms));
+        totals.push_back(event.ms.total());
         pieces.push_back(static_cast<double>(event.fragments.size()));
     }
     void print(const char* what) const {
@@ -70,7 +65,7 @@ int main(int count, char** arguments) {
     Blows broken, held, of_fragments;
     for (int side = 0; side < sides; ++side) {
         FloorWorld room;
-        const double radius = std::cbrt(3 * 2.0 / (4 * 3.14159265358979 * 7800));
+        const double radius = std::cbrt(3 * 2.0 / (4 * pi * 7800));
         btSphereShape ball_shape{static_cast<btScalar>(radius)};
         btVector3 inertia;
         ball_shape.calculateLocalInertia(2, inertia);

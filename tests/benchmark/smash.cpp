@@ -63,9 +63,7 @@ struct Blows {
         ++(event.outcome == Outcome::broke ? broke : event.outcome == Outcome::held ? held : failed);
         missed += event.outcome == Outcome::held && event.full_solve_outcome == Outcome::broke;
         falsely += event.outcome == Outcome::broke && event.full_solve_outcome == Outcome::held;
-        double sum = 0;
-        for (const auto& field : time_fields<StageTimes>) sum += event.ms.*field.value;
-        ms.push_back(sum);
+        ms.push_back(event.ms.total());
     }
     void print(const char* what) const {
         std::printf(
