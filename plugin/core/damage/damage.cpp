@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/damage/equivalent_bound.h"
+#include "core/stress/principal_bound.h"
 #include "core/stress/principal_stresses.h"
 
 namespace sherd {
@@ -28,7 +30,16 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     damage.overstress.resize(n);
     damage.stress.assign(n, SymmetricTensor::Zero());
     double tension = 0;
+    const EquivalentBound bound(strength.criterion, strength.material);
+    const auto matters = [&](std::size_t particle, std::size_t point, const SymmetricTensor& s) {
+        constexpr double rounding = 1e-12;
+        double smallest, largest;
+        boundPrincipal(s[0], s[1], s[2], s[3], s[4], s[5], rounding, smallest, largest);
+        return !(largest <= tension &&
+                 scale * bound(smallest, largest) < damage.overstress[particle] * strength.at_points[point]);
+    };
     const auto include = [&](std::size_t particle, std::size_t point, const SymmetricTensor& s) {
+        if (!matters(particle, point, s)) return;  // the principal stresses of all take long
         const PrincipalStresses principal = principalStresses(s);
         const double equivalent = strength.criterion.equivalent_stress_pa(principal, strength.material);
         const double overstress = scale / strength.at_points[point] * equivalent;
