@@ -12,7 +12,7 @@ namespace sherd {
 namespace {
 
 #ifdef __linux__
-constexpr std::size_t worth_own_pages = 1 << 20;  // bytes
+constexpr std::size_t worth_own_pages = 8 << 20;  // bytes; below, the heap has places that are warm
 
 bool hasOwnPages(std::size_t bytes) {
     return bytes >= worth_own_pages;
