@@ -17,6 +17,10 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int 
     return c;
 }
 
+/// Numbers between pairs of functions in two directions and the powers of the third, of cubic splines: the
+/// most that is contracted.
+constexpr long largest_array = 16 * 16 * 7;
+
 /// out(r, i) = sum over k of factor(k, i) in(r, k), with r fastest, then k or i.
 template <int Terms>
 inline __attribute__((always_inline)) void contractLast(const double* factor, long count, const double* in,
@@ -42,14 +46,21 @@ SHERD_WIDE_VECTORS void contractLast7(const double* factor, long count, const do
     contractLast<7>(factor, count, in, rest, out);
 }
 
-/// Contracts the first index of an array with the first of `factor` (powers x count), and moves it to the
-/// end.
-Eigen::VectorXd contractFirst(const Eigen::MatrixXd& factor, const Eigen::VectorXd& array) {
-    const long terms = factor.rows(), count = factor.cols(), rest = array.size() / terms;
-    Eigen::MatrixXd turned = Eigen::Map<const Eigen::MatrixXd>(array.data(), terms, rest).transpose();
-    Eigen::VectorXd result(rest * count);
+/// Contracts the first index of an array of `size` numbers with the first of `factor` (powers x count), and
+/// moves it to the end of `result`. Returns the size of that.
+long contractFirst(const Eigen::MatrixXd& factor, const double* array, long size, double* result) {
+    const long terms = factor.rows(), count = factor.cols(), rest = size / terms;
+    double turned[largest_array];
+    Eigen::Map<Eigen::MatrixXd>(turned, rest, terms) =
+        Eigen::Map<const Eigen::MatrixXd>(array, terms, rest).transpose();
     const auto contract = terms == 3 ? contractLast3 : terms == 5 ? contractLast5 : contractLast7;
-    contract(factor.data(), count, turned.data(), rest, result.data());
+    contract(factor.data(), count, turned, rest, result);
+    return rest * count;
+}
+
+Eigen::VectorXd contractFirst(const Eigen::MatrixXd& factor, const Eigen::VectorXd& array) {
+    Eigen::VectorXd result(array.size() / factor.rows() * factor.cols());
+    contractFirst(factor, array.data(), array.size(), result.data());
     return result;
 }
 
@@ -73,14 +84,26 @@ PartIntegrals::PartIntegrals(int degree, const Vec3& edges)
     Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(width_, width_);
     for (int k = 1; k < width_; ++k) slope.row(k - 1) = k * value.row(k);
     for (int kind = 0; kind < 4; ++kind) {
-        pairs_[kind].resize(powers_, width_ * width_);
+        const Eigen::MatrixXd &of_a = kind & 1 ? slope : value, &of_b = kind & 2 ? slope : value;
+        const bool is_symmetric = kind == 0 || kind == 3;
+        Pairs& pairs = pairs_[kind];
+        pairs.powers.resize(powers_, is_symmetric ? width_ * (width_ + 1) / 2 : width_ * width_);
+        pairs.numbers.resize(static_cast<std::size_t>(width_ * width_));
+        int count = 0;
         for (int b = 0; b < width_; ++b)
-            for (int a = 0; a < width_; ++a)
-                pairs_[kind].col(b * width_ + a) =
-                    product((kind & 1 ? slope : value).col(a), (kind & 2 ? slope : value).col(b), powers_);
+            for (int a = 0; a < width_; ++a) {
+                int& number = pairs.numbers[b * width_ + a];
+                if (is_symmetric && a < b) {
+                    number = pairs.numbers[a * width_ + b];
+                    continue;
+                }
+                number = count++;
+                pairs.powers.col(number) = product(of_a.col(a), of_b.col(b), powers_);
+            }
     }
     squares_.resize(powers_, width_);
-    for (int a = 0; a < width_; ++a) squares_.col(a) = pairs_[0].col(a * width_ + a);
+    for (int a = 0; a < width_; ++a)
+        squares_.col(a) = pairs_[0].powers.col(pairs_[0].numbers[a * width_ + a]);
     for (int shift = 0; shift < std::max(2, degree); ++shift) {
         functions_.emplace_back(Eigen::MatrixXd::Zero(powers_, width_));
         functions_.back().middleRows(shift, width_) = value;
@@ -104,16 +127,20 @@ Eigen::VectorXd PartIntegrals::momentsOf(const CellPart& part) const {
 }
 
 /// From pairs in each direction to pairs of functions.
-Eigen::MatrixXd PartIntegrals::betweenFunctions(const Eigen::VectorXd& pairs, double scale) const {
+Eigen::MatrixXd PartIntegrals::betweenFunctions(const double* pairs, const std::array<const Pairs*, 3>& of,
+                                                double scale) const {
     const int functions = width_ * width_ * width_, square = width_ * width_;
     Eigen::MatrixXd matrix(functions, functions);
+    const long y_stride = of[0]->powers.cols(), z_stride = y_stride * of[1]->powers.cols();
     for (int b = 0; b < functions; ++b) {
-        const int bx = b % width_ * width_, by = b / width_ % width_ * width_, bz = b / square * width_;
+        const int* x = of[0]->numbers.data() + b % width_ * width_;
+        const int* y = of[1]->numbers.data() + b / width_ % width_ * width_;
+        const int* z = of[2]->numbers.data() + b / square * width_;
         double* entry = matrix.data() + static_cast<long>(b) * functions;
         for (int az = 0; az < width_; ++az)
             for (int ay = 0; ay < width_; ++ay) {
-                const double* source = pairs.data() + ((bz + az) * square + by + ay) * square + bx;
-                for (int ax = 0; ax < width_; ++ax) *entry++ = scale * source[ax];
+                const double* source = pairs + z[az] * z_stride + y[ay] * y_stride;
+                for (int ax = 0; ax < width_; ++ax) *entry++ = scale * source[x[ax]];
             }
     }
     return matrix;
@@ -121,19 +148,28 @@ Eigen::MatrixXd PartIntegrals::betweenFunctions(const Eigen::VectorXd& pairs, do
 
 PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) const {
     Gram gram;
-    for (int j = 0; j < 3; ++j)
-        for (int i = 0; i <= j; ++i) {
-            const auto factor = [&](int d) -> const Eigen::MatrixXd& {
-                return pairs_[(d == i ? 1 : 0) + (d == j ? 2 : 0)];
-            };
-            gram[3 * i + j] = betweenFunctions(contract(factor(0), factor(1), factor(2), moments),
-                                               edges_.prod() / (edges_[i] * edges_[j]));
-        }
+    double along_x[largest_array], along_xy[largest_array], along_xyz[16 * 16 * 16];
+    // What the x-direction has is the same for up to three pairs (i, j): they follow each other.
+    constexpr std::array<std::array<int, 2>, 6> directions = {
+        {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
+    const Pairs* last = nullptr;
+    long size = 0;
+    for (const auto& [i, j] : directions) {
+        std::array<const Pairs*, 3> of;
+        for (int d = 0; d < 3; ++d) of[d] = &pairs_[(d == i ? 1 : 0) + (d == j ? 2 : 0)];
+        if (of[0] != last) size = contractFirst(of[0]->powers, moments.data(), moments.size(), along_x);
+        last = of[0];
+        const long flat = contractFirst(of[1]->powers, along_x, size, along_xy);
+        contractFirst(of[2]->powers, along_xy, flat, along_xyz);
+        gram[3 * i + j] = betweenFunctions(along_xyz, of, edges_.prod() / (edges_[i] * edges_[j]));
+    }
     return gram;
 }
 
 Eigen::MatrixXd PartIntegrals::products(const CellPart& part) const {
-    return betweenFunctions(contract(pairs_[0], pairs_[0], pairs_[0], momentsOf(part)), edges_.prod());
+    const Eigen::MatrixXd& powers = pairs_[0].powers;
+    return betweenFunctions(contract(powers, powers, powers, momentsOf(part)).data(),
+                            {&pairs_[0], &pairs_[0], &pairs_[0]}, edges_.prod());
 }
 
 Eigen::MatrixXd PartIntegrals::divergences(const CellPart& part,

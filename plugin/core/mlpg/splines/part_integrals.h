@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <array>
+#include <vector>
 
 #include "core/sampling/cell_parts.h"
 
@@ -39,14 +40,18 @@ class PartIntegrals {
   private:
     Eigen::VectorXd momentsOf(const CellPart& part) const;
     Gram contracted(const Eigen::VectorXd& moments) const;
-    Eigen::MatrixXd betweenFunctions(const Eigen::VectorXd& pairs, double scale) const;
+    /// Products of the functions in one direction.
+    struct Pairs {
+        Eigen::MatrixXd powers;    ///< a column for each pair; where (a, b) and (b, a) are the same, for both
+        std::vector<int> numbers;  ///< columns of the pairs a + width b
+    };
+    Eigen::MatrixXd betweenFunctions(const double* pairs, const std::array<const Pairs*, 3>& of,
+                                     double scale) const;
 
     int width_, powers_;  // functions and moments in one direction
     Vec3 edges_;
     Eigen::VectorXd whole_moments_;
-    /// Powers of phi_a phi_b, one column for every pair a + width b; [1 of a, 2 of b]: with the slope of a,
-    /// of b.
-    std::array<Eigen::MatrixXd, 4> pairs_;
+    std::array<Pairs, 4> pairs_;              // of phi_a phi_b; [1 of a, 2 of b]: with the slope of a, of b
     std::vector<Eigen::MatrixXd> functions_;  // powers of xi^k phi_a, k up to 1 or below the degree
     std::vector<Eigen::MatrixXd> slopes_;     // and of xi^k phi_a'
     Eigen::MatrixXd squares_;                 // powers of phi_a^2

@@ -7,11 +7,12 @@
 #include "core/mlpg/splines/part_ties.h"
 #include "core/mlpg/splines/stiffness_pattern.h"
 #include "core/numerics/parallel_chunks.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 namespace {
 
-constexpr int batch_size = 128;  // sets of functions whose matrices are held at a time
+constexpr int batch_size = 32;  // sets of functions whose matrices are held at a time
 constexpr int chunk_count = 16;
 constexpr int scatter_count = 4;
 
@@ -55,26 +56,47 @@ void blocksOf(const Gram& gram, const Eigen::MatrixXd& springs, int count, const
         }
 }
 
+/// Functions that follow each other in a set, and in a column of K.
+struct Run {
+    int first, count;  ///< in the set
+    int row;           ///< of the first, in the column
+};
+
+/// Where the functions of a set from `b` on are in the column of b.
+void findRuns(const std::vector<int>& functions, int b, const std::vector<int>& rows,
+              std::vector<Run>& runs) {
+    runs.clear();
+    int row = 0;
+    for (int a = b; a < static_cast<int>(functions.size()); ++a, ++row) {
+        const int before = row;
+        while (rows[row] != functions[a]) ++row;
+        if (a > b && row == before)
+            ++runs.back().count;
+        else
+            runs.push_back({a, 1, row});
+    }
+}
+
+SHERD_WIDE_VECTORS void addRuns(const std::vector<Run>& runs, const double* source, double* column) {
+    for (const Run& run : runs) {
+        const double* from = source + 3L * run.first;
+        double* to = column + 3L * run.row;
+        for (int i = 0; i < 3 * run.count; ++i) to[i] += from[i];
+    }
+}
+
 /// Adds a part's blocks to those of K that belong to `functions`, in every `stride`-th column of blocks from
 /// `first` on.
 void scatter(const std::vector<double>& blocks, const std::vector<int>& functions,
              const StiffnessPattern& pattern, int first, int stride, SparseMatrix& matrix) {
     const int count = static_cast<int>(functions.size());
-    std::vector<int> places(count);
+    std::vector<Run> runs;
     for (int b = 0; b < count; ++b) {
         if (functions[b] % stride != first) continue;
-        const std::vector<int>& rows = pattern.rows_of_column[functions[b]];
-        auto row = rows.begin();
-        for (int a = b; a < count; ++a) {
-            row = std::find(row, rows.end(), functions[a]);
-            places[a] = 3 * static_cast<int>(row - rows.begin());
-        }
-        for (int j = 0; j < 3; ++j) {
-            double* column = matrix.values.data() + matrix.starts[3 * functions[b] + j];
-            const double* source = blocks.data() + (3 * b + j) * count * 3;
-            for (int a = b; a < count; ++a)
-                for (int i = 0; i < 3; ++i) column[places[a] + i] += source[3 * a + i];
-        }
+        findRuns(functions, b, pattern.rows_of_column[functions[b]], runs);
+        for (int j = 0; j < 3; ++j)
+            addRuns(runs, blocks.data() + (3 * b + j) * count * 3,
+                    matrix.values.data() + matrix.starts[3 * functions[b] + j]);
     }
 }
 
