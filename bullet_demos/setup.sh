@@ -68,20 +68,21 @@ add_option() {
   in_turn cmake "$@" "$build" >"$build/configure.log" 2>&1 || die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
 }
 
-# build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal.
+# build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal; elsewhere
+# a line that it builds, once that takes longer than a look at what is there.
 build_targets() {
-  local quiet=(--quiet)
-  if [ -t 2 ]; then
-    quiet=()
-  else
-    local steps
-    steps=$(ninja -C "$build" -n "$@" 2>/dev/null | sed -n 's#^\[[0-9]*/\([0-9]*\)\].*#\1#p' | tail -n 1) || true
-    # What has never been built may plan no more than to look for its files once more.
-    if [ ! -s "$build/.ninja_log" ] || [ "${steps:-0}" -ge 20 ]; then
-      say "building on $(nproc) cores; this takes minutes"
-    fi
+  local quiet=() notice= status=0
+  if [ ! -t 2 ]; then
+    quiet=(--quiet)
+    (
+      sleep 5 >/dev/null 2>&1
+      say "building on $(nproc) cores; the first time this takes minutes"
+    ) &
+    notice=$!
   fi
-  in_turn ninja -C "$build" "${quiet[@]}" "$@" >&2 || die "The build in $build failed (see above)."
+  in_turn ninja -C "$build" "${quiet[@]}" "$@" >&2 || status=$?
+  if [ "$notice" ]; then { kill "$notice" && wait "$notice"; } 2>/dev/null || true; fi
+  [ "$status" -eq 0 ] || die "The build in $build failed (see above)."
 }
 
 # OpenBLAS takes its oldest kernels on a processor that is newer than itself; these are right for all with AVX2.
