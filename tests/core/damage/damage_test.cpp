@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
+#include "core/stress/principal_stresses.h"
+
 namespace {
 
 using namespace sherd;
@@ -61,6 +66,58 @@ TEST(Damage, IsWhatTheCriterionSays) {
     EXPECT_EQ(sheared.count, 1);
     EXPECT_NEAR(sheared.overstress[0], 1.2, 1e-12);
     EXPECT_NEAR(sheared.largest_stress_pa, 0.6, 1e-12);
+}
+
+TEST(Damage, IsThatOfTheWorstPointOfEachParticle) {
+    constexpr int particles = 3, points = 600;
+    Discretisation sampling;
+    sampling.particles.resize(particles);
+    sampling.cells.resize(particles);
+    sampling.surface_points.resize(points);
+    StressField stress;
+    stress.particles.assign(particles, SymmetricTensor::Zero());
+    std::mt19937 random(5);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int i = 0; i < particles; ++i) sampling.cells[i].particle = i;
+    for (int q = 0; q < points; ++q) {
+        sampling.surface_points[q].cell = q % particles;
+        SymmetricTensor s = SymmetricTensor::NullaryExpr([&] { return any(random); });
+        if (q % 5 == 0) s.tail<3>().setZero();
+        if (q % 15 == 0) s.head<3>().setConstant(s[0]);
+        stress.surface.push_back(s);
+    }
+    for (const char* name : {"largest_principal_stress", "mohr_coulomb"}) {
+        Material material;
+        material.compressive_strength_pa = 3 * material.tensile_strength_pa;
+        std::vector<double> worst(particles, 0.0);
+        double tension = 0;
+        for (int q = 0; q < points; ++q) {
+            const PrincipalStresses principal = principalStresses(stress.surface[q]);
+            double& own = worst[q % particles];
+            own = std::max(own, 1 / 0.7 * failureCriterion(name)->equivalent_stress_pa(principal, material));
+            tension = std::max(tension, principal.largest);
+        }
+        const Damage damage = damageOf(stress, 1, sampling, 0.7, 3, {}, name);
+        EXPECT_EQ(damage.overstress, worst) << name;
+        EXPECT_EQ(damage.largest_stress_pa, tension) << name;
+    }
+}
+
+TEST(Damage, TellsTheLargestTensionAlsoWhereCompressionIsNearerToFailure) {
+    Discretisation sampling;
+    sampling.particles.resize(1);
+    sampling.cells.resize(1);
+    sampling.cells[0].particle = 0;
+    sampling.surface_points.resize(1);
+    sampling.surface_points[0].cell = 0;
+    StressField stress;
+    stress.particles.assign(1, SymmetricTensor::Zero());
+    stress.surface.assign(1, SymmetricTensor::Zero());
+    stress.particles[0] << -90, 0, 0, 0, 0, 0;
+    stress.surface[0] << 2, 0, 0, 0, 0, 0;
+    const Damage damage = damageOf(stress, 1, sampling, 1, 3);
+    EXPECT_NEAR(damage.overstress[0], 30, 1e-12);
+    EXPECT_NEAR(damage.largest_stress_pa, 2, 1e-12);
 }
 
 TEST(Damage, WhatIsDamagedStaysSo) {

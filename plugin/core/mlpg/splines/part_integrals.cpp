@@ -17,9 +17,10 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int 
     return c;
 }
 
-/// Numbers between pairs of functions in two directions and the powers of the third, of cubic splines: the
-/// most that is contracted.
-constexpr long largest_array = 16 * 16 * 7;
+// Of cubic splines, in one direction.
+constexpr long most_powers = 7, most_pairs = 16;
+/// The most numbers that are contracted: the last direction is there by its powers still.
+constexpr long largest_array = most_pairs * most_pairs * most_powers;
 
 /// out(r, i) = sum over k of factor(k, i) in(r, k), with r fastest, then k or i.
 template <int Terms>
@@ -58,16 +59,15 @@ long contractFirst(const Eigen::MatrixXd& factor, const double* array, long size
     return rest * count;
 }
 
-Eigen::VectorXd contractFirst(const Eigen::MatrixXd& factor, const Eigen::VectorXd& array) {
-    Eigen::VectorXd result(array.size() / factor.rows() * factor.cols());
-    contractFirst(factor, array.data(), array.size(), result.data());
-    return result;
-}
-
 /// sum over (a, b, c) of x(a, i) y(b, j) z(c, k) moments[a, b, c], i fastest.
 Eigen::VectorXd contract(const Eigen::MatrixXd& x, const Eigen::MatrixXd& y, const Eigen::MatrixXd& z,
                          const Eigen::VectorXd& moments) {
-    return contractFirst(z, contractFirst(y, contractFirst(x, moments)));
+    double along_x[largest_array], along_xy[largest_array];
+    const long line = contractFirst(x, moments.data(), moments.size(), along_x);
+    const long flat = contractFirst(y, along_x, line, along_xy);
+    Eigen::VectorXd result(flat / z.rows() * z.cols());
+    contractFirst(z, along_xy, flat, result.data());
+    return result;
 }
 
 }  // namespace
@@ -148,7 +148,7 @@ Eigen::MatrixXd PartIntegrals::betweenFunctions(const double* pairs, const std::
 
 PartIntegrals::Gram PartIntegrals::contracted(const Eigen::VectorXd& moments) const {
     Gram gram;
-    double along_x[largest_array], along_xy[largest_array], along_xyz[16 * 16 * 16];
+    double along_x[largest_array], along_xy[largest_array], along_xyz[most_pairs * most_pairs * most_pairs];
     // What the x-direction has is the same for up to three pairs (i, j): they follow each other.
     constexpr std::array<std::array<int, 2>, 6> directions = {
         {{0, 0}, {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}}};
