@@ -1,7 +1,7 @@
 // How long the step stands still in which a prepared body breaks: break_benchmark [FILE.obj [COUNT [SPEED
-// [SECONDS]]]]. The body stands on a floor, a steel ball of 2 kg strikes it from COUNT sides, at 240 Hz; what
+// [SECONDS [QUALITY]]]]]. The body stands on a floor, a steel ball of 2 kg strikes it from COUNT sides, at 240 Hz; what
 // breaks of it breaks on for SECONDS. Prints the stages of the breaks, medians in milliseconds, and the blows
-// on its fragments; without a file the cup, 20 sides, 12 m/s and 0.5 s.
+// on its fragments; without a file the cup, 20 sides, 12 m/s, 0.5 s and `game`.
 
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>
@@ -52,7 +52,12 @@ int main(int count, char** arguments) {
     const int sides = count > 2 ? std::atoi(arguments[2]) : 20;
     const double speed = count > 3 ? std::atof(arguments[3]) : 12;
     const double seconds = count > 4 ? std::atof(arguments[4]) : 0.5;
-    const BreakableAsset asset = valueOrExit(BreakableAsset::fromObj(file, Material::ceramic()));
+    Quality quality = Quality::game;
+    if (count > 5)
+        for (const auto& named : enum_names<Quality>)
+            if (named.name == std::string(arguments[5])) quality = named.value;
+    const BreakableAsset asset =
+        valueOrExit(BreakableAsset::fromObj(file, Material::ceramic(), Settings::forQuality(quality)));
     succeedOrExit(asset.prepare());
     Vec3 low = asset.surface().vertices.front(), high = low;
     for (const Vec3& vertex : asset.surface().vertices) {

@@ -55,8 +55,9 @@ std::vector<int> LocalFunctions::around(const std::vector<PointForce>& loads, in
 
     std::vector<char> is_chosen(static_cast<std::size_t>(function_count_), 0);
     std::vector<int> chosen;
-    for (const int part : parts) {
-        if (static_cast<int>(chosen.size()) >= most) break;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const int part = parts[i];
+        if (static_cast<int>(chosen.size()) >= (i < under_loads ? most : most / 2)) break;
         for (int at = starts_[part]; at < starts_[part + 1]; ++at)
             if (!std::exchange(is_chosen[of_part_[at]], 1)) chosen.push_back(of_part_[at]);
     }
