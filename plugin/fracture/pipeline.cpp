@@ -60,7 +60,6 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     out.impulse_n_s = normalImpulse(blow);
     const Discretisation& sampling = samplingOf(solid, out.ms);
     const StrikeContext struck{solid, sampling, fracture, seed, earlier};
-    if (!solid.prepared()) solverOf(solid, out.ms);
     BlowDamage found = blowDamage(struck, blow, solid.strength(), out.ms);
     out.level = found.level;
     const BlowForces& forces = found.forces;
