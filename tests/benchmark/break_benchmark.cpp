@@ -1,7 +1,7 @@
 // How long the step stands still in which a prepared body breaks: break_benchmark [FILE.obj [COUNT [SPEED
-// [SECONDS [QUALITY]]]]]. The body stands on a floor, a steel ball of 2 kg strikes it from COUNT sides, at 240 Hz; what
-// breaks of it breaks on for SECONDS. Prints the stages of the breaks, medians in milliseconds, and the blows
-// on its fragments; without a file the cup, 20 sides, 12 m/s, 0.5 s and `game`.
+// [SECONDS [QUALITY]]]]]. The body stands on a floor, a steel ball of 2 kg strikes it from COUNT sides, at
+// 240 Hz; what breaks of it breaks on for SECONDS. Prints the stages of the breaks, medians in milliseconds,
+// and the blows on its fragments; without a file the cup, 20 sides, 12 m/s, 0.5 s and `game`.
 
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>
