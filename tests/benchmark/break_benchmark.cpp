@@ -52,12 +52,9 @@ int main(int count, char** arguments) {
     const int sides = count > 2 ? std::atoi(arguments[2]) : 20;
     const double speed = count > 3 ? std::atof(arguments[3]) : 12;
     const double seconds = count > 4 ? std::atof(arguments[4]) : 0.5;
-    Quality quality = Quality::game;
-    if (count > 5)
-        for (const auto& named : enum_names<Quality>)
-            if (named.name == std::string(arguments[5])) quality = named.value;
-    const BreakableAsset asset =
-        valueOrExit(BreakableAsset::fromObj(file, Material::ceramic(), Settings::forQuality(quality)));
+    const std::string quality = count > 5 ? arguments[5] : "game";
+    const Settings settings = valueOrExit(Settings::fromJson("{\"quality\": \"" + quality + "\"}"));
+    const BreakableAsset asset = valueOrExit(BreakableAsset::fromObj(file, Material::ceramic(), settings));
     succeedOrExit(asset.prepare());
     Vec3 low = asset.surface().vertices.front(), high = low;
     for (const Vec3& vertex : asset.surface().vertices) {
