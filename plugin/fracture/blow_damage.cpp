@@ -81,25 +81,10 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     return success();
 }
 
-/// Whether nothing presses on a body of a stack that is struck elsewhere: there is no stress to be solved.
-bool isLeftAlone(const StrikeContext& struck, const Blow& blow, StageTimes& ms) {
-    if (!blow.isSqueezed()) return false;
-    const StressOfLoads ask = [](const std::vector<PointForce>&, const ContactField&) {
-        return Result<UnitResponse>(Error{"It is not solved yet."});
-    };
-    const auto forces =
-        blowForces(struck.solid, struck.fracture.contact, blow, ask, {struck.solid.spacing(), false}, ms);
-    return forces && forces.value().strike.empty();
-}
-
 void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength, StageTimes& ms,
                 BlowDamage& found) {
-    if (!struck.solid.isFactored() && isLeftAlone(struck, blow, ms)) {
-        found.level = Level::gate;
-        return;
-    }
-    BlowStress stress = valueOrFail(blowStress(struck, solverOf(struck.solid, ms), blow, ms));
-    found.level = Level::full;
+    BlowStress stress = valueOrFail(blowStress(struck, blow, ms));
+    found.level = stress.strike.empty() ? Level::gate : Level::full;  // nothing presses: nothing was solved
     found.residual_rel = stress.unit.residual_rel;
     found.warnings = stress.unit.warnings;
     if (!stress.strike.empty()) {

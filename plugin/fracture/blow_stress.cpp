@@ -8,6 +8,7 @@
 #include "core/numerics/stopwatch.h"
 #include "core/stress/elasticity.h"
 #include "core/stress/surface_traction.h"
+#include "fracture/blow_damage.h"
 
 namespace sherd {
 
@@ -197,8 +198,8 @@ Result<StressField> stressAt(const BlowStress& stress, const VibrationState& sta
     return sum;
 }
 
-Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
-                              StageTimes& ms) {
+Result<BlowStress> blowStress(const StrikeContext& struck, const Blow& blow, StageTimes& ms) {
+    const auto solver = [&]() -> const StressSolver& { return solverOf(struck.solid, ms); };
     BlowStress stress;
     const ReducedStress* reduced = struck.solid.reducedStress();  // knows the vibrations
     const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
@@ -206,13 +207,14 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& s
         UnitResponse response;
         if (reduced) response.modes = reduced->model.struckModes(loads);
         if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
+            const StressSolver& factored = solver();  // whose making has times of its own
             const AddedTime time(ms.solve);
-            const Result<double> energy = solver.strainEnergy(loads);
+            const Result<double> energy = factored.strainEnergy(loads);
             if (!energy) return Error{energy.error()};
             response.strain_energy_j = energy.value();
             return response;
         }
-        Result<StressField> unit = unitStress(struck, solver, loads, ms);
+        Result<StressField> unit = unitStress(struck, solver(), loads, ms);
         if (!unit) return Error{unit.error()};
         stress.unit = std::move(unit).value();
         response.strain_energy_j = stress.unit.strain_energy_j;
@@ -223,7 +225,7 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& s
     if (!forces) return Error{forces.error()};
     static_cast<BlowForces&>(stress) = std::move(forces).value();
     if (stress.contact.near.empty()) return stress;
-    Result<StressField> unit = solver.solveContact(stress.contact);
+    Result<StressField> unit = solver().solveContact(stress.contact);
     if (!unit) return Error{unit.error()};
     stress.unit = std::move(unit).value();
     ms.solve += stress.unit.solve_ms;

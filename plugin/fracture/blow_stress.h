@@ -80,9 +80,8 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
                               const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms);
 
-/// The same with the stress of a full solve.
-Result<BlowStress> blowStress(const StrikeContext& struck, const StressSolver& solver, const Blow& blow,
-                              StageTimes& ms);
+/// The same with the stress of a full solve. What nothing presses on is not factored.
+Result<BlowStress> blowStress(const StrikeContext& struck, const Blow& blow, StageTimes& ms);
 
 /// The stress at a moment of a blow whose vibrations are known to `model`, Pa.
 Result<StressField> stressAt(const BlowStress& stress, const VibrationState& state,

@@ -70,9 +70,8 @@ struct Scene {
         for (const StruckBreakable& one : struck) {
             if (one.breakable->body != bricks[number]) continue;
             StageTimes ms;
-            const auto stress =
-                blowStress({solid, *solid.discretisation().value(), solid.settings().fracture, 1},
-                           *solid.stressSolver().value(), one.blow, ms);
+            const auto stress = blowStress(
+                {solid, *solid.discretisation().value(), solid.settings().fracture, 1}, one.blow, ms);
             EXPECT_TRUE(stress.ok()) << stress.error();
             for (const PointForce& load : stress.value().loads) {
                 const double along = stress.value().pulse.peak_force_n * load.force.dot(push);

@@ -172,9 +172,8 @@ TEST(Standing, ABrickStruckFromAboveIsSqueezedOnAFloor) {
         for (const double rate : rates) {
             const StruckBrick struck(stands, rate, speed);
             StageTimes ms;
-            const auto stress =
-                blowStress({brick, *brick.discretisation().value(), brick.settings().fracture, 1},
-                           *brick.stressSolver().value(), struck.blow, ms);
+            const auto stress = blowStress(
+                {brick, *brick.discretisation().value(), brick.settings().fracture, 1}, struck.blow, ms);
             ASSERT_TRUE(stress.ok()) << stress.error();
             const double force = stands ? standing : floating;
             std::printf("%s, %g Hz: %.0f N, closed form %.0f N, %.3g s;", stands ? "standing" : "floating",

@@ -39,7 +39,7 @@ double fullEnergy(const BreakableSolid& solid, const Blow& blow) {
     StageTimes ms;
     const auto sampling = solid.discretisation();
     const StrikeContext struck{solid, *sampling.value(), solid.settings().fracture, 1};
-    return blowStress(struck, *solid.stressSolver().value(), blow, ms).value().strain_energy_j;
+    return blowStress(struck, blow, ms).value().strain_energy_j;
 }
 
 double coarseEnergy(const BreakableSolid& solid, const Blow& blow) {

@@ -55,7 +55,7 @@ class NearFieldBlow : public ::testing::Test {
         const StrikeContext struck{solid, sampling, solid.settings().fracture, 1};
         const StressSolver& solver = *solid.stressSolver().value();
         StageTimes ms;
-        const auto loads = blowStress(struck, solver, blow, ms).value().loads;
+        const auto loads = blowStress(struck, blow, ms).value().loads;
         const StressField stress = unitStress(struck, solver, loads, ms).value();
         double largest = 0;
         for (const auto* all : {&stress.particles, &stress.surface})
@@ -89,8 +89,7 @@ TEST_F(NearFieldBlow, WhatIsLeftForTheGridHasTheForceOfTheContact) {
     for (const Blow* blow : {&on_a_face, &over_an_edge}) {
         StageTimes ms;
         const auto stress =
-            blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1},
-                       *solid->stressSolver().value(), *blow, ms);
+            blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1}, *blow, ms);
         ASSERT_TRUE(stress);
         const auto forces = contactRemainder(reduced.model.problem(), reduced.reading.points(),
                                              reduced.reading.faces(), stress.value().contact);
@@ -117,9 +116,8 @@ TEST_F(NearFieldBlow, FarFromTheContactsFacesStandForTheirPoints) {
     const ReadingPoints& points = reduced.reading.points();
     EXPECT_LT(3 * reduced.reading.faces().faces.size(), points.points.size());
     StageTimes ms;
-    const auto stress =
-        blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1},
-                   *solid->stressSolver().value(), strikeAt(Vec3(0.02, 0.01, 0.01), -Vec3::UnitZ()), ms);
+    const auto stress = blowStress({*solid, *solid->discretisation().value(), solid->settings().fracture, 1},
+                                   strikeAt(Vec3(0.02, 0.01, 0.01), -Vec3::UnitZ()), ms);
     ASSERT_TRUE(stress);
     const auto remainder = [&](const SurfaceFaces& faces) {
         auto forces = contactRemainder(reduced.model.problem(), points, faces, stress.value().contact);
