@@ -74,9 +74,13 @@ struct Breakable {
     InnerBall inner_ball;            ///< of a fragment
     btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
     btTransform moved_to = btTransform::getIdentity();    ///< and after it
-    btTransform settled_at = btTransform::getIdentity();  ///< near which a fragment has been
-    double settled_for_s = 0;                             ///< for so long
-    bool being_born = false;                              ///< a fragment that is about to enter the world
+    /// How long a fragment has been near a place.
+    struct Stay {
+        btTransform at = btTransform::getIdentity();
+        double time_s = 0;
+    };
+    Stay settled, rocking;
+    bool being_born = false;  ///< a fragment that is about to enter the world
 
     bool ownedHere() const { return owned.body != nullptr; }
     bool isFragment() const { return generation > 0; }

@@ -11,11 +11,11 @@
 
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
+#include "bullet/extra_contacts.h"
 #include "bullet/missed_vertices.h"
 #include "bullet/piles.h"
 #include "bullet/same_blow.h"
 #include "bullet/shapes.h"
-#include "bullet/world_internals.h"
 
 namespace sherd {
 
@@ -78,10 +78,11 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
     const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
                                              -1);
     const bool rests = !predictive && !collector.mayStrike(manifold);
-    std::vector<btManifoldPoint> vertices =
-        rests ? missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
-                               btScalar(largestRestingGap()))
-              : landedVertices(manifold, collector);
+    std::vector<btManifoldPoint> vertices;
+    if (!isExtra(manifold))  // else Bullet's own manifold of the pair lacks the same ones
+        vertices = rests ? missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
+                                          btScalar(largestRestingGap()))
+                         : landedVertices(manifold, collector);
     std::vector<btManifoldPoint> points;
     points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -279,13 +280,11 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
     }
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
-    const auto& predictive = WorldInternals::predictiveManifolds(world);
-    std::vector<const btPersistentManifold*> foreseen;
-    for (int i = 0; i < predictive.size(); ++i) foreseen.push_back(predictive[i]);
+    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
-        const bool is_foreseen = predictive.findLinearSearch(manifold) != predictive.size();
+        const bool is_foreseen = std::find(foreseen.begin(), foreseen.end(), manifold) != foreseen.end();
         feedManifold(*manifold, is_foreseen, collector);
     }
 }

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 
+#include "bullet/extra_contacts.h"
 #include "bullet/pair_filter.h"
 #include "bullet/world_internals.h"
 
@@ -99,7 +100,7 @@ void releasePredictiveContactsOf(btDiscreteDynamicsWorld& world, const btRigidBo
     auto& manifolds = WorldInternals::predictiveManifolds(world);
     for (int i = manifolds.size() - 1; i >= 0; --i) {
         btPersistentManifold* manifold = manifolds[i];
-        if (manifold->getBody0() != &body) continue;
+        if (manifold->getBody0() != &body || isExtra(*manifold)) continue;
         manifolds.removeAtIndex(i);
         world.getDispatcher()->releaseManifold(manifold);
     }
@@ -112,6 +113,7 @@ std::vector<btRigidBody*> sweptInto(btDiscreteDynamicsWorld& world,
     std::vector<btRigidBody*> bodies;
     const auto& manifolds = WorldInternals::predictiveManifolds(world);
     for (int i = 0; i < manifolds.size(); ++i) {
+        if (isExtra(*manifolds[i])) continue;
         btRigidBody* body = btRigidBody::upcast(const_cast<btCollisionObject*>(manifolds[i]->getBody0()));
         const bool is_new = std::find(bodies.begin(), bodies.end(), body) == bodies.end();
         if (body && body->isInWorld() && is_new && is_hit(*manifolds[i]->getBody1())) bodies.push_back(body);

@@ -103,7 +103,7 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.overlaps, [&] {
         birth_overlaps_.applyAllowances(world_);
         steadyContacts(world_, breakables_);
-        settlePieces(breakables_, world_.getSolverInfo().m_timeStep);
+        settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
     const AddedTime time(ms.snapshot);

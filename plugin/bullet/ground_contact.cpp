@@ -6,8 +6,8 @@
 
 #include <unordered_map>
 
+#include "bullet/extra_contacts.h"
 #include "bullet/ground_surface.h"
-#include "bullet/world_internals.h"
 
 namespace sherd {
 
@@ -44,8 +44,6 @@ void addBallContact(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     const btScalar radius = fragment.inner_ball.radius;
     const auto ground = groundNear(world, body, ballCentre(fragment), radius);
     if (!ground) return;
-    btPersistentManifold* manifold = world.getDispatcher()->getNewManifold(&body, ground->ground);
-    WorldInternals::predictiveManifolds(world).push_back(manifold);
     const btVector3 lowest = ballCentre(fragment) - ground->normal * radius;
     btManifoldPoint point(body.getWorldTransform().inverse() * lowest,
                           ground->ground->getWorldTransform().inverse() * ground->point, ground->normal,
@@ -53,7 +51,7 @@ void addBallContact(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     point.m_positionWorldOnA = lowest;
     point.m_positionWorldOnB = ground->point;
     point.m_combinedFriction = gCalculateCombinedFrictionCallback(&body, ground->ground);
-    manifold->addManifoldPoint(point, true);
+    addExtraManifold(world, body, *ground->ground).addManifoldPoint(point, true);
 }
 
 /// Whether a contact with a surface pushes the ball towards it, with nothing between the two. Where other

@@ -1,53 +1,16 @@
 #include "bullet/missed_vertices.h"
 
-#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
-#include <BulletCollision/CollisionShapes/btConvexHullShape.h>
 
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
+#include "bullet/convex_part.h"
+
 namespace sherd {
 
 namespace {
-
-/// A convex part of a body, placed in the world; no shape if it has no vertices that Bullet knows.
-struct ConvexPart {
-    const btPolyhedralConvexShape* shape = nullptr;
-    btTransform transform;
-};
-
-ConvexPart partOf(const btCollisionObject& object, btTransform transform, int child) {
-    const btCollisionShape* shape = object.getCollisionShape();
-    if (shape->isCompound()) {
-        const auto& compound = static_cast<const btCompoundShape&>(*shape);
-        if (child < 0 || child >= compound.getNumChildShapes()) return {};
-        shape = compound.getChildShape(child);
-        transform = transform * compound.getChildTransform(child);
-    }
-    if (!shape->isPolyhedral()) return {};
-    return {static_cast<const btPolyhedralConvexShape*>(shape), transform};
-}
-
-/// How far the surface that collides lies outside the vertices, m. Those of a box include the margin.
-btScalar marginAround(const btPolyhedralConvexShape& shape) {
-    return shape.getShapeType() == BOX_SHAPE_PROXYTYPE ? 0 : shape.getMargin();
-}
-
-template <class Visit>
-void forEachVertex(const btPolyhedralConvexShape& shape, const Visit& visit) {
-    if (shape.getShapeType() == CONVEX_HULL_SHAPE_PROXYTYPE) {  // without a virtual call for each
-        const auto& hull = static_cast<const btConvexHullShape&>(shape);
-        for (int i = 0; i < hull.getNumPoints(); ++i) visit(hull.getScaledPoint(i));
-        return;
-    }
-    for (int i = 0; i < shape.getNumVertices(); ++i) {
-        btVector3 vertex;
-        shape.getVertex(i, vertex);
-        visit(vertex);
-    }
-}
 
 /// The vertices of one of the two bodies.
 class VerticesOf {

@@ -6,7 +6,10 @@
 #include <cmath>
 #include <optional>
 
+#include "bullet/extra_contacts.h"
+#include "bullet/flat_ground.h"
 #include "bullet/missed_vertices.h"
+#include "bullet/world_internals.h"
 
 namespace sherd {
 
@@ -15,6 +18,8 @@ namespace {
 constexpr btScalar fastest_push_m_s = btScalar(0.05);  // the solver adds its work to the energy
 constexpr btScalar largest_reach = btScalar(0.5);      // of the fragment's radius
 constexpr btScalar same_place = btScalar(0.01);        // of the breaking threshold
+// Of the height that a body falls by in a step: what a base is uneven by.
+constexpr btScalar even = btScalar(0.125);
 
 bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
     const Breakable* breakable = breakables.of(object);
@@ -92,21 +97,36 @@ void limitDepth(btPersistentManifold& manifold, btScalar deepest) {
     }
 }
 
+void standOnGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
+    const btScalar time_step_s = world.getSolverInfo().m_timeStep;
+    btDispatcher& dispatcher = *world.getDispatcher();
+    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
+    const bool again = WorldInternals::predictiveManifolds(world).size() > static_cast<int>(foreseen.size());
+    const int count = dispatcher.getNumManifolds();  // without those that are added here
+    for (int i = 0; i < count; ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
+        const btRigidBody* fragment = fragmentOnGround(manifold, breakables);
+        if (!fragment || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
+        const btScalar radius = radiusOf(*fragment);
+        const btScalar speed =
+            fragment->getLinearVelocity().length() + radius * fragment->getAngularVelocity().length();
+        const btScalar fall = fragment->getGravity().length() * time_step_s * time_step_s;
+        const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius);
+        if (!standOnFlatGround(world, manifold, fragment == manifold.getBody0(), reach, even * fall, again))
+            addMissedVertices(manifold, reach);
+    }
+}
+
 }  // namespace
 
 void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
     const btContactSolverInfo& info = world.getSolverInfo();
     const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
+    standOnGround(world, breakables);
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0) continue;
-        if (const btRigidBody* fragment = fragmentOnGround(manifold, breakables)) {
-            const btScalar radius = radiusOf(*fragment);
-            const btScalar speed =
-                fragment->getLinearVelocity().length() + radius * fragment->getAngularVelocity().length();
-            addMissedVertices(manifold, std::min(speed * info.m_timeStep, largest_reach * radius));
-        }
         if (isDeeperThan(deepest, manifold) &&
             (isFragment(*manifold.getBody0(), breakables) || isFragment(*manifold.getBody1(), breakables)))
             limitDepth(manifold, deepest);

@@ -38,6 +38,20 @@ class SettledPieces : public testing::Test {
         }
     }
 
+    /// Turns to and fro on one spot; returns the speed of 5 rad/s after one step more, rad/s.
+    double rock(btRigidBody& piece, const btVector3& gravity) {
+        piece.setGravity(gravity);
+        const auto turn = [&](btScalar speed) {
+            piece.applyCentralForce(-gravity / piece.getInvMass());
+            piece.setLinearVelocity(btVector3(0, 0, 0));
+            piece.setAngularVelocity(btVector3(0, 0, speed));
+            scene_.step(1, 1.0 / 60);
+        };
+        for (int step = 0; step < 40; ++step) turn(step % 2 ? 5.f : -5.f);
+        turn(5);
+        return piece.getAngularVelocity().z();
+    }
+
     TestWorld scene_;
     FractureWorld fracture_;
     std::vector<btRigidBody*> pieces_;
@@ -74,6 +88,18 @@ TEST_F(SettledPieces, StayAwakeWhereTheAppWantsIt) {
     pieces_[0]->setActivationState(DISABLE_DEACTIVATION);
     move(*pieces_[0], true, 3);
     EXPECT_TRUE(pieces_[0]->isActive());
+}
+
+TEST_F(SettledPieces, SpinLessAndLessWhereTheyRockOnASpot) {
+    btRigidBody &piece = *pieces_[0], &swings = *pieces_[1];
+    EXPECT_NEAR(rock(piece, btVector3(0, 0, 0)), 5, 1e-3) << "without gravity nothing rests";
+    const double speed = rock(piece, btVector3(0, 0, -200));  // the pieces are large
+    EXPECT_LT(speed, 4.9);
+    EXPECT_GT(speed, 3);
+    btPoint2PointConstraint joint(swings, btVector3(0, 0, 0));
+    scene_.world->addConstraint(&joint);
+    EXPECT_NEAR(rock(swings, btVector3(0, 0, -200)), 5, 1e-3) << "a pendulum swings on";
+    scene_.world->removeConstraint(&joint);
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#include "bullet/extra_contacts.h"
+
+#include "bullet/world_internals.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr int mark = 0x53686572;  // in a field of Bullet's that nothing of it uses
+
+}  // namespace
+
+btPersistentManifold& addExtraManifold(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
+                                       const btCollisionObject& b) {
+    btPersistentManifold* manifold = world.getDispatcher()->getNewManifold(&a, &b);
+    manifold->m_companionIdA = mark;
+    WorldInternals::predictiveManifolds(world).push_back(manifold);
+    return *manifold;
+}
+
+bool isExtra(const btPersistentManifold& manifold) {
+    return manifold.m_companionIdA == mark;
+}
+
+std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world) {
+    const auto& predictive = WorldInternals::predictiveManifolds(world);
+    std::vector<const btPersistentManifold*> foreseen;
+    for (int i = 0; i < predictive.size(); ++i)
+        if (!isExtra(*predictive[i])) foreseen.push_back(predictive[i]);
+    return foreseen;
+}
+
+}  // namespace sherd
