@@ -6,6 +6,7 @@
 
 #include <unordered_map>
 
+#include "bullet/body_travel.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_surface.h"
 
@@ -16,6 +17,7 @@ namespace {
 constexpr btScalar far_away = 1000;  // m; the solver does nothing about a contact of that distance
 constexpr btScalar least_height = btScalar(0.25);   // of the ball's radius: clear of rounding
 constexpr btScalar nearly_there = btScalar(0.999);  // of the way to a point of the ground
+constexpr btScalar deepest_birth = btScalar(0.5);   // of the radius of the whole
 constexpr int most_shifts = 4;  // each out of the ground where fragments are deepest in it
 
 /// Fragments by their bodies; for look-up only.
@@ -91,6 +93,43 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
         shiftBy(*fragment.body, back);
 }
 
+/// The last ground on the way from a point that is on its right side, if the end of the way is on the wrong
+/// one: beyond an odd number of surfaces.
+std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const btRigidBody& body,
+                                        const btVector3& right, const btVector3& to) {
+    constexpr int most_surfaces = 16;
+    const btVector3 clear = (to - right) * btScalar(1e-4);
+    std::optional<GroundPoint> last;
+    btVector3 from = right;
+    for (int count = 0; count < most_surfaces; ++count) {
+        const auto next = groundBetween(world, body, from, to);
+        if (!next) return count % 2 == 1 ? last : std::nullopt;
+        last = next;
+        from = next->point + clear;
+    }
+    return std::nullopt;
+}
+
+/// What sets a fragment back that is beyond the ground. The ball of what it was part of tells the side; a
+/// body that was no fragment has none, but was not in the ground before the last step.
+btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
+                         const btVector3& shift) {
+    const btVector3 centre = ballCentre(fragment), to = centre + shift;
+    const btScalar radius = fragment.inner_ball.radius;
+    if (!whole.isFragment()) {
+        const btVector3 from = whole.moved_from * whole.moved_to.inverse() * centre;
+        const auto crossed = groundBetween(world, *whole.body, from, to);
+        return crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
+    }
+    const btVector3 right = ballCentre(whole);
+    const auto crossed = groundBefore(world, *whole.body, right, to);
+    if (!crossed) return btVector3(0, 0, 0);
+    const btVector3 back = wayBack(*crossed, right, to, radius);
+    // What stands astride of a wall without an inside is on both sides of it by right.
+    const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(*whole.body);
+    return is_astride ? btVector3(0, 0, 0) : back;
+}
+
 }  // namespace
 
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
@@ -98,15 +137,11 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     if (!(whole.body->getWorldTransform() == whole.moved_to)) return;  // the app has put it elsewhere
     for (const auto& fragment : fragments)
         if (!fragment->isDynamic()) return;  // what is held stays where it is, and what it carries with it
-    const btTransform back_in_time = whole.moved_from * whole.moved_to.inverse();
     btVector3 shift(0, 0, 0);
     for (int round = 0; round < most_shifts; ++round) {
         btVector3 furthest(0, 0, 0);
         for (const auto& fragment : fragments) {
-            const btVector3 centre = ballCentre(*fragment), from = back_in_time * centre, to = centre + shift;
-            const auto crossed = groundBetween(world, *whole.body, from, to);
-            if (!crossed) continue;
-            const btVector3 back = wayBack(*crossed, from, to, fragment->inner_ball.radius);
+            const btVector3 back = wayBackAtBirth(world, whole, *fragment, shift);
             if (back.length2() > furthest.length2()) furthest = back;
         }
         if (furthest.isZero()) break;

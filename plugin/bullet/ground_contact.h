@@ -15,8 +15,8 @@ namespace sherd {
 /// small or thin fragment falls through as soon as it is more than half beyond. And fragments are born in the
 /// ground: a body that breaks there has moved into it in the step before. A ball inside the fragment tells
 /// its side:
-/// - what breaks is set back, by no more than it moved in the step before, until the centre of no ball is
-///   beyond the ground;
+/// - what breaks is set back until the centre of no ball is beyond the ground, as seen from where it was a
+///   step ago and from its own ball;
 /// - the ball touches the ground as well, with a contact that knows the side, and contacts that push the
 ///   fragment to the other side are left out;
 /// - the centre of the ball does not cross the ground in a step.

@@ -147,40 +147,64 @@ TEST_P(Drops, NoFragmentFallsThroughTheGround) {
     EXPECT_EQ(lost, 0);
 }
 
-class Sunk : public testing::TestWithParam<CollisionShape> {};
+/// Tilted pieces with their centres just above the ground: about half of each is below, some boxes as a
+/// whole.
+class Sunk : public testing::TestWithParam<CollisionShape> {
+  protected:
+    /// `rest_s`: nothing breaks for so long after a break.
+    void sinkPieces(double rest_s) {
+        BodyOptions options(at(0, 0, 3));
+        const BreakableAsset asset = thinPlate(GetParam());
+        options.fracture = asset.settings().fracture;
+        options.fracture->rest_after_break_s = options.fracture->same_blow_s = rest_s;
+        options.fracture->smallest_fragment_m3 = 1e-5;
+        btRigidBody* body = fracture_.add(asset, options).value();
+        Push push;
+        push.point = btVector3(0, 0, 3.02f);
+        push.impulse_n_s = btVector3(0, 0, -1);
+        push.speed_m_s = 1;
+        ASSERT_TRUE(fracture_.applyBlow(body, push).ok());
+        pieces_ = fracture_.bodies();
+        ASSERT_GE(pieces_.size(), 4u);
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const btQuaternion tilt(btVector3(btScalar(i % 3), 1, 0).normalized(),
+                                    btScalar(0.3 + 0.1 * (i % 4)));
+            pieces_[i]->setWorldTransform(btTransform(tilt, btVector3(btScalar(i) - 5, 0.4f, 0.001f)));
+            pieces_[i]->setInterpolationWorldTransform(pieces_[i]->getWorldTransform());
+            pieces_[i]->setLinearVelocity(btVector3(0, 0, 0));
+            pieces_[i]->setAngularVelocity(btVector3(0, 0, 0));
+            pieces_[i]->setGravity(btVector3(0, 0, -10));
+            pieces_[i]->activate(true);
+        }
+    }
 
-// Tilted pieces with their centres just above the ground: about half of each is below, some boxes as a whole.
+    TestWorld scene_;
+    const Ground ground_{scene_, Surface::two_triangles};
+    FractureWorld fracture_{scene_.world.get()};
+    std::vector<btRigidBody*> pieces_;
+};
+
 // Bullet pushes these down, and half of a hull may go either way. The inner ball comes out in any case.
 TEST_P(Sunk, FragmentsComeOutOnTheSideOfTheirCentres) {
-    TestWorld scene;
-    const Ground ground(scene, Surface::two_triangles);
-    FractureWorld fracture(scene.world.get());
-    BodyOptions options(at(0, 0, 3));
-    const BreakableAsset asset = thinPlate(GetParam());
-    options.fracture = asset.settings().fracture;
-    options.fracture->rest_after_break_s = 10;
-    btRigidBody* body = fracture.add(asset, options).value();
-    Push push;
-    push.point = btVector3(0, 0, 3.02f);
-    push.impulse_n_s = btVector3(0, 0, -1);
-    push.speed_m_s = 1;
-    ASSERT_TRUE(fracture.applyBlow(body, push).ok());
-    const std::vector<btRigidBody*> pieces = fracture.bodies();
-    ASSERT_GE(pieces.size(), 4u);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const btQuaternion tilt(btVector3(btScalar(i % 3), 1, 0).normalized(), btScalar(0.3 + 0.1 * (i % 4)));
-        pieces[i]->setWorldTransform(btTransform(tilt, btVector3(btScalar(i) - 5, 0.4f, 0.001f)));
-        pieces[i]->setInterpolationWorldTransform(pieces[i]->getWorldTransform());
-        pieces[i]->setLinearVelocity(btVector3(0, 0, 0));
-        pieces[i]->setAngularVelocity(btVector3(0, 0, 0));
-        pieces[i]->setGravity(btVector3(0, 0, -10));
-        pieces[i]->activate(true);
-    }
-    scene.step(120, 1.0 / 60);
-    for (const btRigidBody* piece : pieces) {
+    ASSERT_NO_FATAL_FAILURE(sinkPieces(10));
+    scene_.step(120, 1.0 / 60);
+    for (const btRigidBody* piece : pieces_) {
         EXPECT_GT(piece->getCenterOfMassPosition().z(), 0.007) << "the inner ball has a radius of 0.008";
         EXPECT_LT(piece->getLinearVelocity().length(), 0.5);
     }
+}
+
+TEST_P(Sunk, WhatTheyBreakIntoComesOutOnThatSideToo) {
+    ASSERT_NO_FATAL_FAILURE(sinkPieces(0));
+    for (const btRigidBody* piece : pieces_)
+        scene_.addBall(10, 0.05, piece->getCenterOfMassPosition() + btVector3(0.03f, 0, 0.15f),
+                       btVector3(0, 0, -4));
+    scene_.step(30, 1.0 / 60);
+    int broken = 0;
+    for (const BlowEvent& event : fracture_.takeEvents()) broken += event.outcome == Outcome::broke;
+    EXPECT_GT(broken, 3);
+    scene_.step(90, 1.0 / 60);
+    for (const btRigidBody* piece : fracture_.bodies()) EXPECT_GT(piece->getCenterOfMassPosition().z(), 0);
 }
 INSTANTIATE_TEST_SUITE_P(Ground, Sunk,
                          testing::Values(CollisionShape::automatic, CollisionShape::boxes,
