@@ -20,6 +20,7 @@ constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
 constexpr double margin_share =
     0.02;  // of the smallest half extent: Bullet's default of 4 cm exceeds a cup's wall
+constexpr double least_margin = 1e-4;   // of a hull's diagonal: on thinner sheets Bullet's GJK crashes
 constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
 constexpr double smallest_relative_volume =
     1e-7;                              // volume over the cube of the length; a smaller hull counts as flat
@@ -67,8 +68,8 @@ std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull) {
         box.extend(vertex);
         shape->addPoint(toBullet(vertex), false);
     }
-    shape->setMargin(
-        static_cast<btScalar>(std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2));
+    const double wanted = std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2;
+    shape->setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
     shape->recalcLocalAabb();
     return shape;
 }

@@ -339,4 +339,28 @@ TEST(MakeShape, FlatHullsGiveWayToBoxes) {
     EXPECT_TRUE(owned.shape->isCompound());
 }
 
+// Without a margin of its own a hull that is so thin crashes Bullet's penetration depth.
+TEST(MakeShape, HullsOfSheetsAreThickEnoughForBullet) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    const auto sheet = shaped(shapes::slab(Vec3(0.3, 0.3, 3e-5)), CollisionShape::hull, unbreakable(), 0.05);
+    for (int k = 0; k < 6; ++k) {
+        BodyOptions options;
+        options.start = btTransform(
+            btQuaternion(btVector3(1, btScalar(k), 0.3f * btScalar(k)).normalized(), 0.4f * btScalar(k)),
+            btVector3(btScalar(k) * 0.5f, 0, 0.3f));
+        options.velocity = btVector3(0, 0, -3);
+        ASSERT_TRUE(fracture.add(sheet, options).ok());
+        scene.addBall(0.5, 0.05, btVector3(btScalar(k) * 0.5f + 0.02f, 0.01f, 0.7f), btVector3(0, 0, -6));
+    }
+    scene.step(300);
+    for (const btRigidBody* body : fracture.bodies()) {
+        const btScalar margin = body->getCollisionShape()->getMargin();
+        EXPECT_GT(margin, 2e-5f);
+        EXPECT_LT(margin, 1e-4f) << "nobody sees it";
+    }
+}
+
 }  // namespace
