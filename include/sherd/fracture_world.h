@@ -62,6 +62,7 @@ Result<int> explode(FractureWorld& world, const Explosion& explosion);
 /// A world may have several FractureWorlds; each breaks the bodies that were made breakable with it.
 class FractureWorld {
   public:
+    /// Throws std::invalid_argument without a world.
     explicit FractureWorld(btDiscreteDynamicsWorld* world);
     ~FractureWorld();
     FractureWorld(const FractureWorld&) = delete;

@@ -1,11 +1,24 @@
 #include <sherd/fracture_world.h>
 
+#include <stdexcept>
+
 #include "bullet/fracture_world_impl.h"
 #include "bullet/rigid_body_factory.h"
 
 namespace sherd {
 
-FractureWorld::FractureWorld(btDiscreteDynamicsWorld* world) : impl_(std::make_unique<Impl>(*world)) {}
+namespace {
+
+btDiscreteDynamicsWorld& orThrow(btDiscreteDynamicsWorld* world) {
+    if (!world)
+        throw std::invalid_argument("FractureWorld was given no world (nullptr); make the world first.");
+    return *world;
+}
+
+}  // namespace
+
+FractureWorld::FractureWorld(btDiscreteDynamicsWorld* world)
+    : impl_(std::make_unique<Impl>(orThrow(world))) {}
 FractureWorld::~FractureWorld() {
     Impl::release(std::move(impl_));
 }

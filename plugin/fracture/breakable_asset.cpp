@@ -1,6 +1,8 @@
 #include <sherd/breakable_asset.h>
 
 #include <cmath>
+#include <locale>
+#include <sstream>
 #include <utility>
 
 #include "core/numerics/thread_priority.h"
@@ -38,6 +40,27 @@ Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Ma
     return asset;
 }
 
+namespace {
+
+/// Of numbers that no brittle material has, but that its table has in another unit.
+std::vector<std::string> unitWarnings(const Material& material) {
+    std::vector<std::string> warnings;
+    const auto warn = [&](const char* name, double value, double least, const char* unit) {
+        if (value >= least) return;
+        std::ostringstream text;
+        text.imbue(std::locale::classic());
+        text << "The material's " << name << " is " << value << ", less than that of any usual one; is it in "
+             << unit << "?";
+        warnings.push_back(text.str());
+    };
+    warn("youngs_modulus_pa", material.youngs_modulus_pa, 1e6, "Pa, not in GPa or MPa");
+    warn("tensile_strength_pa", material.tensile_strength_pa, 500, "Pa, not in MPa");
+    warn("density_kg_m3", material.density_kg_m3, 20, "kg/m^3, not in g/cm^3");
+    return warnings;
+}
+
+}  // namespace
+
 Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, const Material& material,
                                                 const Settings& settings, const Repair& repair) {
     Result<RepairedMesh> sound = repairMesh(surface, repair);
@@ -52,6 +75,7 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
     else if (kilograms > heaviest_usual_kg)
         warnings.push_back("The body weighs " + std::to_string(std::lround(kilograms)) +
                            " kg; if its file is not in metres, read it with a scale (Repair::scale).");
+    for (std::string& unit : unitWarnings(material)) warnings.push_back(std::move(unit));
     return BreakableAsset(std::move(solid).value(),
                           std::make_shared<const RepairReport>(std::move(sound).value().report),
                           std::make_shared<const std::vector<std::string>>(std::move(warnings)));

@@ -48,6 +48,10 @@ Status checkAttributes(const TriangleMesh& mesh) {
         if (material < 0 || material >= static_cast<int>(mesh.materials.size()))
             return Error{"A triangle of the surface names material " + std::to_string(material) + ", but " +
                          std::to_string(mesh.materials.size()) + " are named; correct the number."};
+    for (std::size_t v = 0; v < mesh.colours.size(); ++v)
+        if (!mesh.colours[v].allFinite())
+            return Error{"The colour of vertex " + std::to_string(v) +
+                         " of the surface is not a finite number; correct it."};
     return checkCount("colours", mesh.colours.size(), mesh.vertices.size());
 }
 

@@ -10,6 +10,7 @@
 
 #include <functional>
 #include <memory>
+#include <stdexcept>
 
 #include "bullet/support.h"
 #include "bullet/world_internals.h"
@@ -216,6 +217,15 @@ struct DeformableScene {
     btDeformableMultiBodyConstraintSolver solver;
     btDeformableMultiBodyDynamicsWorld world{&dispatcher, &broadphase, &solver, &configuration, &body_solver};
 };
+
+TEST(NoWorld, IsRefusedWithASentence) {
+    try {
+        FractureWorld fracture(nullptr);
+        FAIL() << "there is no world";
+    } catch (const std::invalid_argument& trouble) {
+        EXPECT_STREQ(trouble.what(), "FractureWorld was given no world (nullptr); make the world first.");
+    }
+}
 
 TEST(DeformableWorld, IsRefusedWithASentence) {
     DeformableScene scene;

@@ -57,6 +57,30 @@ TEST(Asset, SizesThatAreHardlyMeantAreWarnedOf) {
     EXPECT_NE(warnings(0.003)[0].find("Repair::scale"), std::string::npos) << warnings(0.003)[0];
 }
 
+TEST(Asset, MaterialsThatAreHardlyMeantAreWarnedOf) {
+    const auto warnings = [](void (*change)(Material&)) {
+        Material material = Material::glass();
+        change(material);
+        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), material);
+        return asset.ok() ? asset.value().warnings() : std::vector<std::string>{asset.error()};
+    };
+    ASSERT_EQ(warnings([](Material& m) { m.youngs_modulus_pa = 70; }).size(), 1u);
+    EXPECT_EQ(
+        warnings([](Material& m) { m.youngs_modulus_pa = 70; })[0],
+        "The material's youngs_modulus_pa is 70, less than that of any usual one; is it in Pa, not in GPa "
+        "or MPa?");
+    EXPECT_EQ(warnings([](Material& m) { m.tensile_strength_pa = 40; }).size(), 1u);
+    EXPECT_EQ(warnings([](Material& m) { m.density_kg_m3 = 2.5; }).size(), 1u);
+}
+
+TEST(Asset, ColoursThatAreNoNumbersAreNamed) {
+    TriangleMesh mesh = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    mesh.colours.assign(mesh.vertices.size(), Vec3(1, 1, 1));
+    mesh.colours[3].y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(BreakableAsset::fromMesh(mesh, Material::glass()).error(),
+              "The colour of vertex 3 of the surface is not a finite number; correct it.");
+}
+
 // The foot is narrower than a particle spacing, by far. A push of 1 N along the upper edge stores what it
 // does in a clamped plate: between F^2 L^3 / (6 E I) of a beam and that times 1 - nu^2.
 TEST(Asset, ThinPanesAreHeldAtTheirFoot) {

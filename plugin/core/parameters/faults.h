@@ -4,6 +4,7 @@
 
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "core/numerics/range_checks.h"
 
@@ -17,7 +18,7 @@ void checkTogether(RangeChecks& checks, const SamplingSettings& sampling);
 void checkTogether(RangeChecks& checks, const GuideField& guide);
 void checkTogether(RangeChecks& checks, const FractureSettings& fracture);
 
-/// What a field may not be: out of its range, or a text that is none of its names.
+/// What a field may not be: out of its range, or a text or an enum that is none of its names.
 template <class Value>
 void checkField(RangeChecks& checks, const Field& field, const Value& value) {
     if constexpr (std::is_same_v<Value, std::string>)
@@ -27,7 +28,15 @@ void checkField(RangeChecks& checks, const Field& field, const Value& value) {
         for (int axis = 0; axis < 3; ++axis)
             checks.require(field.range.allows(value[axis]), field.name + ("[" + std::to_string(axis) + "]"),
                            value[axis], field.range.text());
-    else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
+    else if constexpr (std::is_enum_v<Value>) {
+        std::vector<std::string> names;
+        bool is_named = false;
+        for (const auto& entry : enum_names<Value>) {
+            names.push_back(entry.name);
+            is_named = is_named || entry.value == value;
+        }
+        checks.require(is_named, field.name, static_cast<int>(value), "one of " + listOf(names));
+    } else if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>)
         checks.require(field.range.allows(static_cast<double>(value)), field.name, value, field.range.text());
 }
 

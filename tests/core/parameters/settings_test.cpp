@@ -55,6 +55,9 @@ TEST(Settings, WhatIsOutOfRangeIsNamed) {
     named([](Settings& s) { s.fracture.crack_roughness = 0.6; }, "crack_roughness");
     named([](Settings& s) { s.fracture.rest_after_break_s = std::numeric_limits<double>::quiet_NaN(); },
           "rest_after_break_s");
+    named([](Settings& s) { s.fracture.debris = static_cast<Debris>(99); }, "debris");
+    named([](Settings& s) { s.fracture.collision_shape = static_cast<CollisionShape>(-1); },
+          "collision_shape");
     named([](Settings& s) { s.fracture.same_blow_s = -1; }, "same_blow_s");
     named([](Settings& s) { s.sampling.spacing_m = std::numeric_limits<double>::infinity(); }, "spacing_m");
 }
