@@ -22,6 +22,12 @@ bool isExtra(const btPersistentManifold& manifold) {
     return manifold.m_companionIdA == mark;
 }
 
+void emptyExtraManifolds(btDiscreteDynamicsWorld& world) {
+    auto& manifolds = WorldInternals::predictiveManifolds(world);
+    for (int i = 0; i < manifolds.size(); ++i)
+        if (isExtra(*manifolds[i])) manifolds[i]->setNumContacts(0);
+}
+
 std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world) {
     const auto& predictive = WorldInternals::predictiveManifolds(world);
     std::vector<const btPersistentManifold*> foreseen;

@@ -15,6 +15,10 @@ btPersistentManifold& addExtraManifold(btDiscreteDynamicsWorld& world, const btC
 
 bool isExtra(const btPersistentManifold& manifold);
 
+/// Takes their points away, for after a step: when Bullet releases a manifold that has any, it tells the app
+/// that a contact has ended (gContactEndedCallback), and these never began for it.
+void emptyExtraManifolds(btDiscreteDynamicsWorld& world);
+
 /// The predictive contacts of continuous collision, without the extra manifolds.
 std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world);
 

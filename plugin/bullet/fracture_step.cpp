@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bullet/extra_contacts.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
 #include "bullet/quiet_step.h"
@@ -60,6 +61,7 @@ void FractureWorld::Impl::afterIntegration() {
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             if (awake_) {
+                emptyExtraManifolds(world_);
                 forgetSettled(breakables_);
                 timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
             }

@@ -1,6 +1,7 @@
 // Fragments on flat ground, in steps that are long for their size.
 
 #include <algorithm>
+#include <set>
 
 #include "bullet/support.h"
 
@@ -87,7 +88,6 @@ TEST_F(FlatGround, OfAPlaneLetsSplintersRest) {
 TEST_F(FlatGround, HasItsContactsAtVertices) {
     dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
     int counted = 0;
-    scene_.world->setInternalTickCallback([](btDynamicsWorld*, btScalar) {});
     for (int step = 0; step < 120; ++step) {
         scene_.step(1, 1.0 / 60);
         btDispatcher& dispatcher = *scene_.dispatcher;
@@ -107,6 +107,35 @@ TEST_F(FlatGround, HasItsContactsAtVertices) {
         }
     }
     EXPECT_GT(counted, 100);
+}
+
+/// Manifolds that Bullet has told the app of.
+struct Touching {
+    Touching() {
+        manifolds.clear();
+        started = unknown_ends = 0;
+        gContactStartedCallback = [](btPersistentManifold* const& manifold) {
+            ++started;
+            manifolds.insert(manifold);
+        };
+        gContactEndedCallback = [](btPersistentManifold* const& manifold) {
+            unknown_ends += manifolds.erase(manifold) == 0;
+        };
+    }
+    ~Touching() {
+        gContactStartedCallback = nullptr;
+        gContactEndedCallback = nullptr;
+    }
+    inline static std::set<const btPersistentManifold*> manifolds;
+    inline static int started = 0, unknown_ends = 0;
+};
+
+TEST_F(FlatGround, EndsNoContactThatNeverBegan) {
+    const Touching touching;
+    dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
+    scene_.step(180, 1.0 / 60);
+    EXPECT_GE(touching.started, static_cast<int>(pieces_.size()));
+    EXPECT_EQ(touching.unknown_ends, 0);
 }
 
 }  // namespace
