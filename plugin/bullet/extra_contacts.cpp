@@ -10,22 +10,29 @@ constexpr int mark = 0x53686572;  // in a field of Bullet's that nothing of it u
 
 }  // namespace
 
-btPersistentManifold& addExtraManifold(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
+btPersistentManifold* addExtraManifold(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
                                        const btCollisionObject& b) {
     btPersistentManifold* manifold = world.getDispatcher()->getNewManifold(&a, &b);
+    if (!manifold) return nullptr;
     manifold->m_companionIdA = mark;
     WorldInternals::predictiveManifolds(world).push_back(manifold);
-    return *manifold;
+    return manifold;
 }
 
 bool isExtra(const btPersistentManifold& manifold) {
     return manifold.m_companionIdA == mark;
 }
 
-void emptyExtraManifolds(btDiscreteDynamicsWorld& world) {
+void releaseExtraManifolds(btDiscreteDynamicsWorld& world) {
     auto& manifolds = WorldInternals::predictiveManifolds(world);
-    for (int i = 0; i < manifolds.size(); ++i)
-        if (isExtra(*manifolds[i])) manifolds[i]->setNumContacts(0);
+    for (int i = manifolds.size() - 1; i >= 0; --i) {
+        btPersistentManifold* manifold = manifolds[i];
+        if (!isExtra(*manifold)) continue;
+        manifolds.removeAtIndex(i);
+        manifold->setNumContacts(0);
+        manifold->m_companionIdA = 0;
+        world.getDispatcher()->releaseManifold(manifold);
+    }
 }
 
 std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world) {

@@ -8,16 +8,17 @@ class btPersistentManifold;
 
 namespace sherd {
 
-/// A manifold beside those that Bullet makes; it lasts until the next step, as predictive contacts do. Other
-/// than in these, its points are where the surfaces touch.
-btPersistentManifold& addExtraManifold(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
+/// A manifold beside those that Bullet makes, for a solve; nullptr if Bullet has no room for one. It is among
+/// the predictive contacts of the world, but its points are on the bodies themselves, not on a swept sphere.
+btPersistentManifold* addExtraManifold(btDiscreteDynamicsWorld& world, const btCollisionObject& a,
                                        const btCollisionObject& b);
 
 bool isExtra(const btPersistentManifold& manifold);
 
-/// Takes their points away, for after a step: when Bullet releases a manifold that has any, it tells the app
-/// that a contact has ended (gContactEndedCallback), and these never began for it.
-void emptyExtraManifolds(btDiscreteDynamicsWorld& world);
+/// For after a solve, before the app can delete a body or Bullet goes through predictive contacts. Bullet
+/// tells the app that a contact has ended (gContactEndedCallback) when it releases a manifold that has
+/// points; these never began for the app, and end without a word.
+void releaseExtraManifolds(btDiscreteDynamicsWorld& world);
 
 /// The predictive contacts of continuous collision, without the extra manifolds.
 std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world);

@@ -10,7 +10,6 @@
 #include "bullet/convex_part.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/standing_base.h"
-#include "bullet/world_internals.h"
 
 namespace sherd {
 
@@ -125,14 +124,15 @@ class Contacts {
         for (const Foot& foot : base) manifold_.addManifoldPoint(at(foot));
     }
 
-    /// More points, for this step; `known`: some may be there.
-    void add(const std::vector<Foot>& more, btDiscreteDynamicsWorld& world, bool known) const {
+    /// More points, for this step.
+    void add(const std::vector<Foot>& more, btDiscreteDynamicsWorld& world) const {
+        if (more.empty()) return;
         const btCollisionObject *a = manifold_.getBody0(), *b = manifold_.getBody1();
-        btPersistentManifold* manifold = nullptr;
+        btPersistentManifold* manifold = addExtraManifold(world, *a, *b);
+        if (!manifold) return;
         for (const Foot& foot : more) {
-            const btManifoldPoint point = at(foot);
-            if (known && isThere(point, world)) continue;
-            if (!manifold) manifold = &addExtraManifold(world, *a, *b);
+            btManifoldPoint point = at(foot);
+            if (foot.above > 0) point.m_combinedRestitution = 0;  // it may not touch in this step
             manifold->addManifoldPoint(point, true);
         }
     }
@@ -153,7 +153,10 @@ class Contacts {
                 foot = j;
             }
         btManifoldPoint& old = manifold_.getContactPoint(left[point]);
-        if (least > same_place_m * same_place_m) forgetImpulse(old);
+        if (least > same_place_m * same_place_m) {
+            forgetImpulse(old);
+            old.m_lifeTime = 0;
+        }
         move(old, base[foot]);
         left.erase(left.begin() + static_cast<long>(point));
         base.erase(base.begin() + static_cast<long>(foot));
@@ -175,17 +178,6 @@ class Contacts {
         point.m_distance1 = foot.above;
     }
 
-    bool isThere(const btManifoldPoint& point, btDiscreteDynamicsWorld& world) const {
-        const auto& manifolds = WorldInternals::predictiveManifolds(world);
-        for (int i = 0; i < manifolds.size(); ++i) {
-            if (manifolds[i]->getBody0() != manifold_.getBody0()) continue;
-            if (manifolds[i]->getBody1() != manifold_.getBody1() || !isExtra(*manifolds[i])) continue;
-            for (int p = 0; p < manifolds[i]->getNumContacts(); ++p)
-                if (manifolds[i]->getContactPoint(p).m_localPointA == point.m_localPointA) return true;
-        }
-        return false;
-    }
-
     btPersistentManifold& manifold_;
     const bool is_a_;
     const HalfSpace& ground_;
@@ -193,13 +185,30 @@ class Contacts {
 };
 
 bool isChangedByTheApp(const btCollisionObject& object) {
-    return (object.getCollisionFlags() & btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK) != 0;
+    constexpr int flags =
+        btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK | btCollisionObject::CF_HAS_FRICTION_ANCHOR;
+    return (object.getCollisionFlags() & flags) != 0;
+}
+
+/// Whether Bullet found that ground, too: the number of a part of a compound in a compound is not that of one
+/// of its own parts.
+bool agrees(const btPersistentManifold& manifold, bool fragment_is_a, const HalfSpace& ground) {
+    constexpr btScalar parallel = btScalar(0.9);
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        const btManifoldPoint& point = manifold.getContactPoint(p);
+        const btVector3 up = fragment_is_a ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+        const btVector3& place = fragment_is_a ? point.m_positionWorldOnB : point.m_positionWorldOnA;
+        const btScalar above = ground.normal.dot(place) - ground.height;
+        if (up.dot(ground.normal) > parallel && btFabs(above) < manifold.getContactBreakingThreshold())
+            return true;
+    }
+    return false;
 }
 
 }  // namespace
 
 bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& manifold, bool fragment_is_a,
-                       btScalar reach, btScalar even, bool again) {
+                       btScalar reach, btScalar even) {
     if (manifold.getNumContacts() == 0) return false;
     const btCollisionObject& fragment = fragment_is_a ? *manifold.getBody0() : *manifold.getBody1();
     const btCollisionObject& other = fragment_is_a ? *manifold.getBody1() : *manifold.getBody0();
@@ -209,13 +218,13 @@ bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     const ConvexPart part = partOf(fragment, frame, fragment_is_a ? first.m_index0 : first.m_index1);
     if (!part.shape) return false;
     const auto ground = flatGroundBelow(part, other, fragment_is_a ? first.m_index1 : first.m_index0);
-    if (!ground) return false;
+    if (!ground || !agrees(manifold, fragment_is_a, *ground)) return false;
     const std::vector<Foot> feet = feetWithin(reach, part, *ground, frame.getOrigin());
     const btScalar lowest = heightOfLowest(feet);
     const std::vector<Foot> base = standingBase(below(lowest + std::max(-lowest / 2, even), feet));
     Contacts contacts(manifold, fragment_is_a, *ground);
     contacts.moveTo(base);
-    contacts.add(without(base, standingBase(feet)), world, again);
+    contacts.add(without(base, standingBase(feet)), world);
     return true;
 }
 

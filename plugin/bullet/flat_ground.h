@@ -14,10 +14,10 @@ namespace sherd {
 /// which it stands: the lowest vertex and up to three more that are hardly higher, by `even` or by half of
 /// what the lowest is deep, m. What else may touch the ground in this step, the vertices up to `reach` above
 /// it, becomes up to four contacts in an extra manifold. A contact that was there before keeps what
-/// it knows. `again`: the extra manifolds of this step may be there already. Returns whether it did:
+/// it knows. Returns whether it did:
 /// nothing is done on other ground, to shapes without vertices, or where the app changes contacts itself
-/// (CF_CUSTOM_MATERIAL_CALLBACK).
+/// (CF_CUSTOM_MATERIAL_CALLBACK) or has friction anchors.
 bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& manifold, bool fragment_is_a,
-                       btScalar reach, btScalar even, bool again);
+                       btScalar reach, btScalar even);
 
 }  // namespace sherd

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <exception>
+#include <unordered_set>
 
 #include "bullet/applied_blow.h"
 #include "bullet/birth_callback.h"
@@ -45,6 +46,10 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     timed(times_.steps.snapshot,
           [&] { decorator_.forEachListener([&](StepListener& hook) { hook.bodiesEnter(new_bodies); }); });
     findNewContacts(new_bodies);
+    const std::unordered_set<const btCollisionObject*> is_new(new_bodies.begin(), new_bodies.end());
+    timed(times_.steps.overlaps, [&] {
+        steadyContacts(world_, breakables_, [&](const auto& object) { return is_new.count(&object) > 0; });
+    });
     timed(times_.steps.ground, [&] {
         std::vector<const Breakable*> new_fragments;
         for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
@@ -94,7 +99,6 @@ void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObje
         if (!breakables_.find(body)->owned.shape->disjoint) may_overlap.push_back(body);
     if (!may_overlap.empty()) birth_overlaps_.add(world_, may_overlap);
     birth_overlaps_.applyAllowances(world_);
-    steadyContacts(world_, breakables_);
 }
 
 /// Returns the fragments, now in the world; none if their bodies could not be made.

@@ -41,6 +41,7 @@ void FractureWorld::Impl::afterSolve(const btContactSolverInfo& info, btIDebugDr
 }
 
 void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
+    releaseExtraManifolds(world_);
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             finish(info.m_timeStep);
@@ -61,7 +62,6 @@ void FractureWorld::Impl::afterIntegration() {
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             if (awake_) {
-                emptyExtraManifolds(world_);
                 forgetSettled(breakables_);
                 timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
             }
@@ -104,7 +104,7 @@ void FractureWorld::Impl::prepareSolve() {
     if (!any_breakable_) return;
     timed(ms.overlaps, [&] {
         birth_overlaps_.applyAllowances(world_);
-        steadyContacts(world_, breakables_);
+        steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });

@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
+#include <algorithm>
 #include <unordered_map>
 
 #include "bullet/body_travel.h"
@@ -53,7 +54,8 @@ void addBallContact(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     point.m_positionWorldOnA = lowest;
     point.m_positionWorldOnB = ground->point;
     point.m_combinedFriction = gCalculateCombinedFrictionCallback(&body, ground->ground);
-    addExtraManifold(world, body, *ground->ground).addManifoldPoint(point, true);
+    if (btPersistentManifold* manifold = addExtraManifold(world, body, *ground->ground))
+        manifold->addManifoldPoint(point, true);
 }
 
 /// Whether a contact with a surface pushes the ball towards it, with nothing between the two. Where other
@@ -98,7 +100,11 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
 std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                         const btVector3& right, const btVector3& to) {
     constexpr int most_surfaces = 16;
-    const btVector3 clear = (to - right) * btScalar(1e-4);
+    const btScalar length = (to - right).length(), from_origin = to.length() + length;
+    if (!(length > 0)) return std::nullopt;
+    // The next ray must not find the same surface, in single precision.
+    const btScalar rounding = 16 * SIMD_EPSILON * from_origin;
+    const btVector3 clear = (to - right) * (std::max(btScalar(1e-4) * length, rounding) / length);
     std::optional<GroundPoint> last;
     btVector3 from = right;
     for (int count = 0; count < most_surfaces; ++count) {
@@ -108,6 +114,16 @@ std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const bt
         from = next->point + clear;
     }
     return std::nullopt;
+}
+
+/// The same for a fragment that went through two surfaces in the last step, those of a thin floor.
+btVector3 wayBackThrough(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
+                         const btVector3& to) {
+    const btVector3 from = whole.moved_from * whole.moved_to.inverse() * ballCentre(fragment);
+    const btVector3 right = whole.moved_from * whole.inner_ball.centre;
+    if (groundBetween(world, *whole.body, right, from)) return btVector3(0, 0, 0);
+    const auto crossed = groundBetween(world, *whole.body, from, to);
+    return crossed ? wayBack(*crossed, from, to, fragment.inner_ball.radius) : btVector3(0, 0, 0);
 }
 
 /// What sets a fragment back that is beyond the ground. The ball of what it was part of tells the side; a
@@ -123,7 +139,7 @@ btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole,
     }
     const btVector3 right = ballCentre(whole);
     const auto crossed = groundBefore(world, *whole.body, right, to);
-    if (!crossed) return btVector3(0, 0, 0);
+    if (!crossed) return wayBackThrough(world, whole, fragment, to);
     const btVector3 back = wayBack(*crossed, right, to, radius);
     // What stands astride of a wall without an inside is on both sides of it by right.
     const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(*whole.body);

@@ -2,11 +2,13 @@
 
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
 #include <algorithm>
 #include <vector>
 
 #include "bullet/body_travel.h"
+#include "bullet/other_joints.h"
 
 extern btScalar gDeactivationTime;  // s; Bullet's
 
@@ -57,6 +59,10 @@ std::vector<const btRigidBody*> bodiesOnJoints(const btDiscreteDynamicsWorld& wo
         bodies.push_back(&joint.getRigidBodyA());
         bodies.push_back(&joint.getRigidBodyB());
     }
+    if (const auto* multi = dynamic_cast<const btMultiBodyDynamicsWorld*>(&world))
+        for (int i = 0; i < multi->getNumMultiBodyConstraints(); ++i)
+            for (const btRigidBody* body : rigidBodiesOf(*multi->getMultiBodyConstraint(i)))
+                bodies.push_back(body);
     std::sort(bodies.begin(), bodies.end());
     return bodies;
 }

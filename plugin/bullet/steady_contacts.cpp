@@ -97,34 +97,38 @@ void limitDepth(btPersistentManifold& manifold, btScalar deepest) {
     }
 }
 
-void standOnGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
-    const btScalar time_step_s = world.getSolverInfo().m_timeStep;
-    btDispatcher& dispatcher = *world.getDispatcher();
-    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
-    const bool again = WorldInternals::predictiveManifolds(world).size() > static_cast<int>(foreseen.size());
-    const int count = dispatcher.getNumManifolds();  // without those that are added here
-    for (int i = 0; i < count; ++i) {
-        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
-        const btRigidBody* fragment = fragmentOnGround(manifold, breakables);
-        if (!fragment || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
-        const btScalar radius = radiusOf(*fragment);
-        const btScalar speed =
-            fragment->getLinearVelocity().length() + radius * fragment->getAngularVelocity().length();
-        const btScalar fall = fragment->getGravity().length() * time_step_s * time_step_s;
-        const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius);
-        if (!standOnFlatGround(world, manifold, fragment == manifold.getBody0(), reach, even * fall, again))
-            addMissedVertices(manifold, reach);
-    }
+void standOnGround(btDiscreteDynamicsWorld& world, const btRigidBody& fragment,
+                   btPersistentManifold& manifold) {
+    const btScalar time_step_s = world.getSolverInfo().m_timeStep, radius = radiusOf(fragment);
+    const btScalar speed =
+        fragment.getLinearVelocity().length() + radius * fragment.getAngularVelocity().length();
+    const btScalar fall = fragment.getGravity().length() * time_step_s * time_step_s;
+    // Without gravity a fragment may be held by other forces.
+    const btScalar least = same_place * manifold.getContactBreakingThreshold();
+    const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
+    if (!standOnFlatGround(world, manifold, &fragment == manifold.getBody0(), reach,
+                           std::max(even * fall, least)))
+        addMissedVertices(manifold, reach);
 }
 
 }  // namespace
 
-void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
+void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                    const std::function<bool(const btCollisionObject&)>& is_concerned) {
     const btContactSolverInfo& info = world.getSolverInfo();
     const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
-    standOnGround(world, breakables);
+    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
     btDispatcher& dispatcher = *world.getDispatcher();
+    const int count = dispatcher.getNumManifolds();  // without those that are added here
+    for (int i = 0; i < count; ++i) {
+        btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
+        if (!is_concerned(*manifold.getBody0()) && !is_concerned(*manifold.getBody1())) continue;
+        const btRigidBody* fragment = fragmentOnGround(manifold, breakables);
+        if (!fragment || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
+        if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
+            standOnGround(world, *fragment, manifold);
+    }
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (isDeeperThan(deepest, manifold) &&

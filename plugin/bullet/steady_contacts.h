@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "bullet/breakable.h"
 
 class btDiscreteDynamicsWorld;
@@ -12,8 +14,10 @@ namespace sherd {
 /// again, and one that has flown into the floor by more than its own size spins. So vertices that a manifold
 /// with a static body lacks, and that may be in that body by the end of the step, are added to it: the solver
 /// stops them there. And deep contacts count as less deep, such that nothing is pushed out of a fragment, or
-/// a fragment out of anything, at more than 0.05 m/s. To be called just before a solve; calling it twice has
-/// no further effect.
-void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables);
+/// a fragment out of anything, at more than 0.05 m/s. For just before a solve. `is_concerned`: of a pair
+/// at least one body has to be, for what the solve was prepared for before; extra manifolds of a pair are
+/// made once.
+void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                    const std::function<bool(const btCollisionObject&)>& is_concerned);
 
 }  // namespace sherd
