@@ -133,7 +133,8 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     if (broken.pushes) pushLoose(pieces, *broken.pushes);
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.decided->outcome.fragments, pieces);
-    if (time_step_s > 0) setBackOnGround(world_, parent, pieces);
+    // Between steps, too: the ball of a fragment tells the side of the ground at any time.
+    if (time_step_s > 0 || parent.isFragment()) setBackOnGround(world_, parent, pieces);
     inheritCollisionExceptions(world_, parent, pieces);
     const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces));
     for (Breakable* fragment : born) {

@@ -206,6 +206,24 @@ TEST_P(Sunk, WhatTheyBreakIntoComesOutOnThatSideToo) {
     scene_.step(90, 1.0 / 60);
     for (const btRigidBody* piece : fracture_.bodies()) EXPECT_GT(piece->getCenterOfMassPosition().z(), 0);
 }
+TEST_P(Sunk, SoDoesWhatIsBrokenBetweenSteps) {
+    ASSERT_NO_FATAL_FAILURE(sinkPieces(0));
+    scene_.step(1, 1.0 / 60);
+    int broken = 0;
+    for (btRigidBody* piece : pieces_) {
+        Push push;
+        push.point = piece->getCenterOfMassPosition();
+        push.impulse_n_s = btVector3(0, 0, -2);
+        push.speed_m_s = 4;
+        const auto struck = fracture_.applyBlow(piece, push);
+        EXPECT_TRUE(struck.ok()) << struck.error();
+    }
+    for (const BlowEvent& event : fracture_.takeEvents()) broken += event.outcome == Outcome::broke;
+    EXPECT_GT(broken, 3);
+    scene_.step(120, 1.0 / 60);
+    for (const btRigidBody* piece : fracture_.bodies())
+        EXPECT_GT(piece->getCenterOfMassPosition().z(), -0.002);
+}
 INSTANTIATE_TEST_SUITE_P(Ground, Sunk,
                          testing::Values(CollisionShape::automatic, CollisionShape::boxes,
                                          CollisionShape::hull, CollisionShape::convex_parts),
