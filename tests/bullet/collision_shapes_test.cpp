@@ -177,7 +177,7 @@ TEST(CollisionShapes, FragmentsComeToRestOnTheFloor) {
             .value();
         scene.addBall(2, 0.05, btVector3(0.05f, 0, 2), btVector3(0, 0, 0));
         ASSERT_EQ(stepUntilBreak(scene, fracture).outcome, broke);
-        scene.step(960);
+        scene.step(1440);  // a splinter on top of others may slide off after four seconds
         double lowest = 1;
         for (const btRigidBody* piece : fracture.bodies()) {
             const btTransform placed = fracture.assetTransform(piece);
