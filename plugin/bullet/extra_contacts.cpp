@@ -30,7 +30,6 @@ void releaseExtraManifolds(btDiscreteDynamicsWorld& world) {
         if (!isExtra(*manifold)) continue;
         manifolds.removeAtIndex(i);
         manifold->setNumContacts(0);
-        manifold->m_companionIdA = 0;
         world.getDispatcher()->releaseManifold(manifold);
     }
 }

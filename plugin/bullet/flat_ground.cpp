@@ -221,10 +221,11 @@ bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     if (!ground || !agrees(manifold, fragment_is_a, *ground)) return false;
     const std::vector<Foot> feet = feetWithin(reach, part, *ground, frame.getOrigin());
     const btScalar lowest = heightOfLowest(feet);
-    const std::vector<Foot> base = standingBase(below(lowest + std::max(-lowest / 2, even), feet));
+    const std::vector<Foot> low = below(lowest + std::max(-lowest / 2, even), feet);
+    const std::vector<Foot> base = standingBase(low);
     Contacts contacts(manifold, fragment_is_a, *ground);
     contacts.moveTo(base);
-    contacts.add(without(base, standingBase(feet)), world);
+    if (low.size() < feet.size()) contacts.add(without(base, standingBase(feet)), world);
     return true;
 }
 

@@ -116,34 +116,32 @@ std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const bt
     return std::nullopt;
 }
 
-/// The same for a fragment that went through two surfaces in the last step, those of a thin floor.
-btVector3 wayBackThrough(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
-                         const btVector3& to) {
-    const btVector3 from = whole.moved_from * whole.moved_to.inverse() * ballCentre(fragment);
-    const btVector3 right = whole.moved_from * whole.inner_ball.centre;
-    if (groundBetween(world, *whole.body, right, from)) return btVector3(0, 0, 0);
-    const auto crossed = groundBetween(world, *whole.body, from, to);
-    return crossed ? wayBack(*crossed, from, to, fragment.inner_ball.radius) : btVector3(0, 0, 0);
+/// Where a fragment was a step ago, as a part of the whole.
+btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment) {
+    return whole.moved_from * whole.moved_to.inverse() * ballCentre(fragment);
 }
 
 /// What sets a fragment back that is beyond the ground. The ball of what it was part of tells the side; a
 /// body that was no fragment has none, but was not in the ground before the last step.
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
                          const btVector3& shift) {
-    const btVector3 centre = ballCentre(fragment), to = centre + shift;
+    const btRigidBody& body = *whole.body;
+    const btVector3 to = ballCentre(fragment) + shift, before = ballCentreBefore(whole, fragment);
     const btScalar radius = fragment.inner_ball.radius;
-    if (!whole.isFragment()) {
-        const btVector3 from = whole.moved_from * whole.moved_to.inverse() * centre;
-        const auto crossed = groundBetween(world, *whole.body, from, to);
-        return crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
+    if (whole.isFragment()) {
+        const btVector3 right = ballCentre(whole);
+        if (const auto crossed = groundBefore(world, body, right, to)) {
+            const btVector3 back = wayBack(*crossed, right, to, radius);
+            // What stands astride of a wall without an inside is on both sides of it by right.
+            const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(body);
+            return is_astride ? btVector3(0, 0, 0) : back;
+        }
+        // It may still have gone through two surfaces in the last step, those of a thin floor.
+        if (groundBetween(world, body, whole.moved_from * whole.inner_ball.centre, before))
+            return btVector3(0, 0, 0);
     }
-    const btVector3 right = ballCentre(whole);
-    const auto crossed = groundBefore(world, *whole.body, right, to);
-    if (!crossed) return wayBackThrough(world, whole, fragment, to);
-    const btVector3 back = wayBack(*crossed, right, to, radius);
-    // What stands astride of a wall without an inside is on both sides of it by right.
-    const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(*whole.body);
-    return is_astride ? btVector3(0, 0, 0) : back;
+    const auto crossed = groundBetween(world, body, before, to);
+    return crossed ? wayBack(*crossed, before, to, radius) : btVector3(0, 0, 0);
 }
 
 }  // namespace

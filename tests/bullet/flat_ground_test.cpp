@@ -85,7 +85,7 @@ TEST_F(FlatGround, OfAPlaneLetsSplintersRest) {
     expectRest();
 }
 
-TEST_F(FlatGround, HasItsContactsAtVertices) {
+TEST_F(FlatGround, HasItsContactsOnItsFace) {
     dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
     int counted = 0;
     for (int step = 0; step < 120; ++step) {
