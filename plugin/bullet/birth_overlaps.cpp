@@ -59,13 +59,18 @@ void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btColl
 void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
     // A body may have been deleted since the last step. If its token is in the world, it is alive, and where
     // it was.
-    std::unordered_set<BodyToken> in_world;
+    std::vector<BodyToken> tokens;
     const auto& objects = world.getCollisionObjectArray();
-    for (int i = 0; i < objects.size(); ++i) in_world.insert(tokenOf(*objects[i]));
+    tokens.reserve(static_cast<std::size_t>(objects.size()));
+    for (int i = 0; i < objects.size(); ++i) tokens.push_back(tokenOf(*objects[i]));
+    std::sort(tokens.begin(), tokens.end());
+    const auto isInWorld = [&](BodyToken token) {
+        return std::binary_search(tokens.begin(), tokens.end(), token);
+    };
     for (auto entry = pairs_.begin(); entry != pairs_.end();) {
         const auto& [key, pair] = *entry;
-        const bool stays = in_world.count(key.first) && in_world.count(key.second) &&
-                           boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
+        const bool stays =
+            isInWorld(key.first) && isInWorld(key.second) && boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
         entry = stays ? std::next(entry) : pairs_.erase(entry);
     }
 }

@@ -271,6 +271,7 @@ std::vector<StruckBreakable> ContactCollector::takeStruck() {
 void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collector) {
     btDispatcher& dispatcher = *world.getDispatcher();
     std::vector<btPersistentManifold*> solved;
+    solved.reserve(static_cast<std::size_t>(dispatcher.getNumManifolds()));
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
         if (manifold->getNumContacts() == 0) continue;

@@ -66,6 +66,7 @@ std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const HalfS
         return Foot{place, above, way.dot(x), way.dot(y)};
     };
     std::vector<Foot> feet;
+    feet.reserve(16);
     btVector3 lowest(0, 0, 0);
     btScalar least = BT_LARGE_FLOAT;
     forEachVertex(*part.shape, [&](const btVector3& vertex) {

@@ -3,6 +3,7 @@
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
 
 #include <algorithm>
+#include <array>
 #include <limits>
 
 #include "bullet/contact_motion.h"
@@ -40,7 +41,7 @@ void PossibleStrikes::add(const btPersistentManifold& manifold) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const Breakable *of_a = breakables_.of(a), *of_b = breakables_.of(b);
     if (!of_a && !of_b) return;
-    const double speed = fastestMeeting(a, b);
+    const double speed = fastestMeeting(manifold);
     if (of_a) add(*of_a, b, speed);
     if (of_b) add(*of_b, a, speed);
 }
@@ -58,21 +59,26 @@ bool PossibleStrikes::mayBreak(const Breakable& breakable) const {
     return !(energy < 0) && !(energy < breakable.least_energy_j);
 }
 
-double PossibleStrikes::fastestMeeting(const btCollisionObject& a, const btCollisionObject& b) const {
-    btVector3 meeting(0, 0, 0);
-    double most = 0;
-    for (const btCollisionObject* object : {&a, &b}) {
+double PossibleStrikes::fastestMeeting(const btPersistentManifold& manifold) const {
+    using Speeds = std::array<double, MANIFOLD_CACHE_SIZE>;  // along the normals of its points
+    Speeds speeds{};
+    const auto count = static_cast<std::size_t>(manifold.getNumContacts());
+    double fall = 0;
+    for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
         if (!btRigidBody::upcast(object) && object->isStaticObject()) continue;
         if (!movesAsRigidBody(*object)) return infinite;
         const btRigidBody& body = *btRigidBody::upcast(object);
         const BodyState* known = before_.find(object);
         const BodyState state = known ? *known : stateOf(body);
-        meeting += object == &a ? state.linear : -state.linear;
-        most += reachOf(body) * state.angular.length();
+        const double reach = reachOf(body), side = object == manifold.getBody0() ? -1 : 1;
+        for (std::size_t i = 0; i < count; ++i) {
+            const btVector3& normal = manifold.getContactPoint(static_cast<int>(i)).m_normalWorldOnB;
+            speeds[i] += side * state.linear.dot(normal) + reach * state.angular.cross(normal).length();
+        }
         // They may have met within the step, slower or faster by what gravity gives meanwhile.
-        if (falls(body, state.linear, time_step_s_)) most += 1.5 * time_step_s_ * body.getGravity().length();
+        if (falls(body, state.linear, time_step_s_)) fall += 1.5 * time_step_s_ * body.getGravity().length();
     }
-    return most + meeting.length();
+    return std::max(0.0, *std::max_element(speeds.begin(), speeds.begin() + static_cast<long>(count)) + fall);
 }
 
 }  // namespace sherd

@@ -7,8 +7,8 @@
 
 namespace sherd {
 
-/// Which breakable bodies the contacts of a step may bring the energy that breaks them, at most, whatever
-/// their points and normals are. Those of the others, bodies that rest or roll, are not looked at.
+/// Which breakable bodies the contacts of a step may bring the energy that breaks them, at most, wherever
+/// their points are. Those of the others, bodies that rest or roll, are not looked at.
 class PossibleStrikes {
   public:
     PossibleStrikes(const BreakableRegistry& breakables, const StepSnapshot& before, double time_step_s)
@@ -21,8 +21,8 @@ class PossibleStrikes {
 
   private:
     void add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s);
-    /// Of the points of two bodies against each other, m/s, at most.
-    double fastestMeeting(const btCollisionObject& a, const btCollisionObject& b) const;
+    /// Of points of the two bodies along the normals of a manifold, which has one, m/s, at most.
+    double fastestMeeting(const btPersistentManifold& manifold) const;
 
     const BreakableRegistry& breakables_;
     const StepSnapshot& before_;

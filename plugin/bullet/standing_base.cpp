@@ -64,11 +64,9 @@ bool isUnderCentre(const Foot& a, const Foot& b, const Foot& c) {
 }
 
 bool isUnderCentre(const std::vector<Foot>& base) {
-    for (std::size_t left_out = 0; left_out < base.size(); ++left_out) {
-        std::vector<Foot> triangle = base;
-        if (base.size() == 4) triangle.erase(triangle.begin() + static_cast<long>(left_out));
-        if (triangle.size() == 3 && isUnderCentre(triangle[0], triangle[1], triangle[2])) return true;
-    }
+    const std::size_t count = base.size();
+    for (std::size_t i = 0; count > 2 && i < count; ++i)
+        if (isUnderCentre(base[i], base[(i + 1) % count], base[(i + 2) % count])) return true;
     return false;
 }
 
@@ -89,22 +87,39 @@ std::vector<Foot> wideTriangle(const std::vector<Foot>& feet, const Foot& lowest
     return base;
 }
 
-/// The lowest foot and two more between which the way from it over the centre goes on furthest; nothing if
-/// the centre is over no triangle. There is always one with the lowest if there is any.
-std::vector<Foot> triangleUnderCentre(const std::vector<Foot>& feet, const Foot& lowest) {
-    std::vector<Foot> best;
-    btScalar furthest_way = 0;
-    for (const Foot& second : feet)
-        for (const Foot& third : feet) {
-            if (!isUnderCentre(lowest, second, third)) continue;
-            const btScalar x = third.x - second.x, y = third.y - second.y;
-            const btScalar across = x * lowest.y - y * lowest.x;
-            const btScalar ahead = x * (lowest.y - second.y) - y * (lowest.x - second.x);
-            if (across == 0 || !(ahead / across > furthest_way)) continue;
-            furthest_way = ahead / across;
-            best = {lowest, second, third};
+/// Those on the corners of the hull of all, in turn (Andrew's monotone chain).
+std::vector<Foot> cornersOf(std::vector<Foot> feet) {
+    std::sort(feet.begin(), feet.end(),
+              [](const Foot& a, const Foot& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
+    std::vector<Foot> corners;
+    corners.reserve(2 * feet.size());
+    const auto addSide = [&](auto first, auto last) {
+        const std::size_t start = corners.size();
+        const auto isReflex = [&](const Foot& next) {
+            const Foot &from = corners[corners.size() - 2], &over = corners.back();
+            return (over.x - from.x) * (next.y - from.y) <= (over.y - from.y) * (next.x - from.x);
+        };
+        for (; first != last; ++first) {
+            while (corners.size() > start + 1 && isReflex(*first)) corners.pop_back();
+            corners.push_back(*first);
         }
-    return best;
+        corners.pop_back();  // the first of the other side
+    };
+    addSide(feet.begin(), feet.end());
+    addSide(feet.rbegin(), feet.rend());
+    return corners;
+}
+
+/// The lowest foot and two more between which the way from it over the centre leaves the hull of all; nothing
+/// if the centre is over no triangle.
+std::vector<Foot> triangleUnderCentre(const std::vector<Foot>& feet, const Foot& lowest) {
+    const std::vector<Foot> corners = cornersOf(feet);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Foot &second = corners[i], &third = corners[(i + 1) % corners.size()];
+        const btScalar across = (third.x - second.x) * lowest.y - (third.y - second.y) * lowest.x;
+        if (across != 0 && isUnderCentre(lowest, second, third)) return {lowest, second, third};
+    }
+    return {};
 }
 
 /// Counter-clockwise.

@@ -22,7 +22,7 @@ struct Struck {
         options.fracture = asset.settings().fracture;
         options.fracture->check_with_full_solve = check;
         EXPECT_TRUE(fracture.add(asset, options).ok());
-        scene.addBall(1, 0.1, btVector3(0, 0.14f, 0.4f), btVector3(0, -1, 0));
+        scene.addBall(1, 0.1, btVector3(0, 0.14f, 0.4f), btVector3(0, -1.5f, 0));
         scene.addBall(5, 0.1, btVector3(0, -1, 0.4f), btVector3(0, 8, 0));
         for (int i = 0; i < 60; ++i) {
             scene.step();

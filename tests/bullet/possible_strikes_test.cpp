@@ -61,6 +61,14 @@ TEST_F(PossibleStrikesTest, TheSpeedIsThatOfTheFastestPoint) {
     EXPECT_TRUE(mayBreak());
 }
 
+TEST_F(PossibleStrikesTest, WhatSlidesAndSpinsAlongTheFloorDoesNotStrikeIt) {
+    body->setLinearVelocity(btVector3(speedOf(4, mass), 0, 0));
+    body->setAngularVelocity(btVector3(0, 0, speedOf(4, mass) / 0.1f));
+    EXPECT_FALSE(mayBreak());
+    body->setLinearVelocity(btVector3(speedOf(4, mass), 0, -speedOf(1.01, mass)));
+    EXPECT_TRUE(mayBreak());
+}
+
 TEST_F(PossibleStrikesTest, WhatStrikesBringsAllOfItsEnergyToABodyThatIsHeld) {
     btRigidBody* ball = scene.addBall(1, 0.05, btVector3(0, 0, 0.2499f), btVector3(0, 0, -speedOf(0.8, 1)));
     EXPECT_FALSE(mayBreak());
