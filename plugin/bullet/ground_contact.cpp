@@ -6,10 +6,13 @@
 
 #include <algorithm>
 #include <unordered_map>
+#include <unordered_set>
+#include <vector>
 
 #include "bullet/body_travel.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_surface.h"
+#include "bullet/standing_contacts.h"
 
 namespace sherd {
 
@@ -42,20 +45,31 @@ void shiftBy(btRigidBody& body, const btVector3& shift) {
     body.setCenterOfMassTransform(place);
 }
 
-void addBallContact(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
+/// What holds a fragment up whose ball touches the ground: vertices that are below it if no contact of
+/// Bullet's does (of what is deep in the ground it may find none that are right), else the ball.
+void addContactOfBall(btDiscreteDynamicsWorld& world, const Breakable& fragment, bool is_held) {
     btRigidBody& body = *fragment.body;
     const btScalar radius = fragment.inner_ball.radius;
     const auto ground = groundNear(world, body, ballCentre(fragment), radius);
     if (!ground) return;
-    const btVector3 lowest = ballCentre(fragment) - ground->normal * radius;
-    btManifoldPoint point(body.getWorldTransform().inverse() * lowest,
-                          ground->ground->getWorldTransform().inverse() * ground->point, ground->normal,
-                          ground->distance - radius);
-    point.m_positionWorldOnA = lowest;
-    point.m_positionWorldOnB = ground->point;
-    point.m_combinedFriction = gCalculateCombinedFrictionCallback(&body, ground->ground);
-    if (btPersistentManifold* manifold = addExtraManifold(world, body, *ground->ground))
+    Facet plane;
+    plane.normal = ground->normal;
+    plane.height = plane.normal.dot(ground->point);
+    std::vector<Foot> feet;
+    if (!is_held) feet = feetBelow(plane, body);
+    const btVector3 lowest = ballCentre(fragment) - plane.normal * radius;
+    if (feet.empty()) feet = {{lowest, plane.above(lowest), 0, 0, plane.normal}};
+    btPersistentManifold* manifold = addExtraManifold(world, body, *ground->ground);
+    if (!manifold) return;
+    for (const Foot& foot : feet) {
+        const btVector3 below = foot.place - foot.above * foot.normal;
+        btManifoldPoint point(body.getWorldTransform().inverse() * foot.place,
+                              ground->ground->getWorldTransform().inverse() * below, foot.normal, foot.above);
+        point.m_positionWorldOnA = foot.place;
+        point.m_positionWorldOnB = below;
+        point.m_combinedFriction = gCalculateCombinedFrictionCallback(&body, ground->ground);
         manifold->addManifoldPoint(point, true);
+    }
 }
 
 /// Whether a contact with a surface pushes the ball towards it, with nothing between the two. Where other
@@ -66,7 +80,10 @@ bool pushesToTheOtherSide(btDiscreteDynamicsWorld& world, const Breakable& fragm
     return push.dot(way) > 0 && !groundBetween(world, *fragment.body, centre, centre + way * nearly_there);
 }
 
-void leaveOutWrongContacts(btDiscreteDynamicsWorld& world, const ByBody& fragments) {
+/// Returns the fragments that other contacts are left to.
+std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWorld& world,
+                                                           const ByBody& fragments) {
+    std::unordered_set<const Breakable*> held;
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
@@ -78,9 +95,13 @@ void leaveOutWrongContacts(btDiscreteDynamicsWorld& world, const ByBody& fragmen
             btManifoldPoint& point = manifold.getContactPoint(p);
             const btVector3 push = is_b ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
             const btVector3 on_ground = is_b ? point.m_positionWorldOnA : point.m_positionWorldOnB;
-            if (pushesToTheOtherSide(world, *fragment->second, push, on_ground)) point.setDistance(far_away);
+            if (pushesToTheOtherSide(world, *fragment->second, push, on_ground))
+                point.setDistance(far_away);
+            else
+                held.insert(fragment->second);
         }
     }
+    return held;
 }
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
@@ -170,9 +191,9 @@ void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const B
     for (const Breakable* fragment : fragments)
         if (fragment->isDynamic() && fragment->body->isActive()) moving.emplace(fragment->body, fragment);
     if (moving.empty() || !hasGroundSurface(world)) return;
-    leaveOutWrongContacts(world, moving);
+    const auto held = leaveOutWrongContacts(world, moving);
     for (const Breakable* fragment : fragments)
-        if (moving.count(fragment->body)) addBallContact(world, *fragment);
+        if (moving.count(fragment->body)) addContactOfBall(world, *fragment, held.count(fragment) > 0);
 }
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,

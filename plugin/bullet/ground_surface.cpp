@@ -59,13 +59,11 @@ class NearestPoint final : public btTriangleCallback {
   public:
     NearestPoint(const btVector3& from, btScalar radius) : from_(from), squared_distance(radius * radius) {}
     void processTriangle(btVector3* corners, int, int) override {
-        btVoronoiSimplexSolver solver;
-        btSubSimplexClosestResult nearest;
-        solver.closestPtPointTriangle(from_, corners[0], corners[1], corners[2], nearest);
-        const btScalar squared = (nearest.m_closestPointOnSimplex - from_).length2();
+        const btVector3 here = nearestOf({corners[0], corners[1], corners[2]}, from_);
+        const btScalar squared = (here - from_).length2();
         if (!(squared < squared_distance)) return;
         squared_distance = squared;
-        point = nearest.m_closestPointOnSimplex;
+        point = here;
         found = true;
     }
 
@@ -76,6 +74,19 @@ class NearestPoint final : public btTriangleCallback {
     btScalar squared_distance;
     btVector3 point = btVector3(0, 0, 0);
     bool found = false;
+};
+
+class EachTriangle final : public btTriangleCallback {
+  public:
+    EachTriangle(const btTransform& frame, const std::function<void(const std::array<btVector3, 3>&)>& visit)
+        : frame_(frame), visit_(visit) {}
+    void processTriangle(btVector3* corners, int, int) override {
+        visit_({frame_ * corners[0], frame_ * corners[1], frame_ * corners[2]});
+    }
+
+  private:
+    const btTransform& frame_;
+    const std::function<void(const std::array<btVector3, 3>&)>& visit_;
 };
 
 class ObjectsAround final : public btBroadphaseAabbCallback {
@@ -98,6 +109,24 @@ bool hasGroundSurface(const btDiscreteDynamicsWorld& world) {
     for (int i = 0; i < objects.size(); ++i)
         if (isGroundSurface(*objects[i])) return true;
     return false;
+}
+
+btVector3 nearestOf(const std::array<btVector3, 3>& corners, const btVector3& to) {
+    btVoronoiSimplexSolver solver;
+    btSubSimplexClosestResult nearest;
+    solver.closestPtPointTriangle(to, corners[0], corners[1], corners[2], nearest);
+    return nearest.m_closestPointOnSimplex;
+}
+
+void forEachTriangle(const btCollisionObject& ground, const btVector3& low, const btVector3& high,
+                     const std::function<void(const std::array<btVector3, 3>&)>& visit) {
+    forEachSurface(*ground.getCollisionShape(), ground.getWorldTransform(),
+                   [&](const btConcaveShape& surface, const btTransform& frame) {
+                       EachTriangle each(frame, visit);
+                       btVector3 own_low, own_high;
+                       btTransformAabb(low, high, 0, frame.inverse(), own_low, own_high);
+                       surface.processAllTriangles(&each, own_low, own_high);
+                   });
 }
 
 std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const btRigidBody& body,

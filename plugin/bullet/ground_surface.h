@@ -2,6 +2,8 @@
 
 #include <LinearMath/btVector3.h>
 
+#include <array>
+#include <functional>
 #include <optional>
 
 class btCollisionObject;
@@ -21,6 +23,13 @@ struct GroundPoint {
 bool isGroundSurface(const btCollisionObject& object);
 /// Whether there is any in the world.
 bool hasGroundSurface(const btDiscreteDynamicsWorld& world);
+
+/// Calls visit(corners) for the triangles of such ground that may reach into a box; all in the world frame.
+void forEachTriangle(const btCollisionObject& ground, const btVector3& low, const btVector3& high,
+                     const std::function<void(const std::array<btVector3, 3>&)>& visit);
+
+/// Of a triangle the point that is nearest to another.
+btVector3 nearestOf(const std::array<btVector3, 3>& corners, const btVector3& to);
 
 /// The first ground on the straight way between two points that pushes `body`, which is in the world.
 std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const btRigidBody& body,

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "bullet/extra_contacts.h"
-#include "bullet/flat_ground.h"
 #include "bullet/missed_vertices.h"
+#include "bullet/standing_contacts.h"
 #include "bullet/world_internals.h"
 
 namespace sherd {
@@ -27,13 +27,13 @@ bool isFragment(const btCollisionObject& object, const BreakableRegistry& breaka
 }
 
 /// A fragment that moves, on something that does not; nullptr for other pairs.
-const btRigidBody* fragmentOnGround(const btPersistentManifold& manifold,
-                                    const BreakableRegistry& breakables) {
+const Breakable* fragmentOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables) {
     const bool is_b = manifold.getBody0()->isStaticObject();
     if (is_b == manifold.getBody1()->isStaticObject()) return nullptr;
     const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
     if (!moving.isActive()) return nullptr;
-    return isFragment(moving, breakables) ? btRigidBody::upcast(&moving) : nullptr;
+    const Breakable* breakable = breakables.of(moving);
+    return breakable && breakable->isFragment() ? breakable : nullptr;
 }
 
 btScalar radiusOf(const btRigidBody& body) {
@@ -97,8 +97,8 @@ void limitDepth(btPersistentManifold& manifold, btScalar deepest) {
     }
 }
 
-void standOnGround(btDiscreteDynamicsWorld& world, const btRigidBody& fragment,
-                   btPersistentManifold& manifold) {
+void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& piece, btPersistentManifold& manifold) {
+    const btRigidBody& fragment = *piece.body;
     const btScalar time_step_s = world.getSolverInfo().m_timeStep, radius = radiusOf(fragment);
     const btScalar speed =
         fragment.getLinearVelocity().length() + radius * fragment.getAngularVelocity().length();
@@ -106,7 +106,8 @@ void standOnGround(btDiscreteDynamicsWorld& world, const btRigidBody& fragment,
     // Without gravity a fragment may be held by other forces.
     const btScalar least = same_place * manifold.getContactBreakingThreshold();
     const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
-    if (!standOnFlatGround(world, manifold, &fragment == manifold.getBody0(), reach,
+    const btVector3 inside = fragment.getWorldTransform() * piece.inner_ball.centre;
+    if (!standOnEvenGround(world, manifold, &fragment == manifold.getBody0(), inside, reach,
                            std::max(even * fall, least)))
         addMissedVertices(manifold, reach);
 }
@@ -124,7 +125,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
         if (!is_concerned(*manifold.getBody0()) && !is_concerned(*manifold.getBody1())) continue;
-        const btRigidBody* fragment = fragmentOnGround(manifold, breakables);
+        const Breakable* fragment = fragmentOnGround(manifold, breakables);
         if (!fragment || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
         if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
             standOnGround(world, *fragment, manifold);

@@ -1,15 +1,12 @@
-#include "bullet/flat_ground.h"
+#include "bullet/standing_contacts.h"
 
-#include <BulletCollision/CollisionShapes/btBoxShape.h>
-#include <BulletCollision/CollisionShapes/btStaticPlaneShape.h>
+#include <BulletCollision/CollisionShapes/btCompoundShape.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
-#include <optional>
-#include <vector>
 
 #include "bullet/convex_part.h"
 #include "bullet/extra_contacts.h"
-#include "bullet/standing_base.h"
 
 namespace sherd {
 
@@ -17,66 +14,56 @@ namespace {
 
 constexpr btScalar same_place_m = btScalar(1e-4);
 
-/// What lies below a convex part: points x with normal.x < height, in the world, m.
-struct HalfSpace {
-    btVector3 normal = btVector3(0, 0, 1);
-    btScalar height = 0;
+/// Of a facet, in the frame of a part.
+struct Plane {
+    btVector3 normal;
+    btScalar height;
 };
 
-HalfSpace placed(const btVector3& normal, btScalar height, const btTransform& frame) {
-    const btVector3 turned = frame.getBasis() * normal;
-    return {turned, height + turned.dot(frame.getOrigin())};
+std::vector<Plane> planesSeenFrom(const ConvexPart& part, const EvenGround& ground, btScalar margin) {
+    std::vector<Plane> planes;
+    planes.reserve(ground.facets.size());
+    for (const Facet& facet : ground.facets)
+        planes.push_back(
+            {facet.normal * part.transform.getBasis(), margin - facet.above(part.transform.getOrigin())});
+    return planes;
 }
 
-/// The face of a box that the middle of a part is least deep in, if all of the part is over it.
-std::optional<HalfSpace> faceBelow(const ConvexPart& part, const btBoxShape& box, const btTransform& frame) {
-    btVector3 low, high;
-    part.shape->getAabb(frame.inverseTimes(part.transform), low, high);
-    const btVector3 half = box.getHalfExtentsWithMargin(), middle = (low + high) / 2;
-    const int axis = (middle.absolute() - half).maxAxis();
-    for (int i = 0; i < 3; ++i)
-        if (i != axis && (low[i] < -half[i] || high[i] > half[i])) return std::nullopt;
-    btVector3 normal(0, 0, 0);
-    normal[axis] = middle[axis] < 0 ? btScalar(-1) : btScalar(1);
-    return placed(normal, half[axis], frame);
+/// Above all planes: most vertices are too high to be looked at in the world.
+btScalar leastAbove(const std::vector<Plane>& planes, const btVector3& vertex) {
+    btScalar least = BT_LARGE_FLOAT;
+    for (const Plane& plane : planes) least = std::min(least, plane.normal.dot(vertex) - plane.height);
+    return least;
 }
 
-std::optional<HalfSpace> flatGroundBelow(const ConvexPart& part, const btCollisionObject& ground, int child) {
-    const btTransform& frame = ground.getWorldTransform();
-    const btCollisionShape& shape = *ground.getCollisionShape();
-    if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
-        const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
-        return placed(plane.getPlaneNormal(), plane.getPlaneConstant(), frame);
-    }
-    const ConvexPart below = partOf(ground, frame, child);
-    if (!below.shape || below.shape->getShapeType() != BOX_SHAPE_PROXYTYPE) return std::nullopt;
-    return faceBelow(part, static_cast<const btBoxShape&>(*below.shape), below.transform);
-}
-
-/// Of the vertices of a part those that are no further than `reach` above the ground, or else the lowest.
-std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const HalfSpace& ground,
+/// Of the vertices of a part that are over the ground those that are no further than `reach` above it, or
+/// else the lowest of the part, if it is over the ground.
+std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const EvenGround& ground,
                              const btVector3& centre) {
-    const btVector3 normal = ground.normal * part.transform.getBasis();  // in the frame of the part
     const btScalar margin = marginAround(*part.shape);
-    const btScalar height = ground.height - ground.normal.dot(part.transform.getOrigin()) + margin;
     btVector3 x, y;
-    btPlaneSpace1(ground.normal, x, y);
-    const auto footAt = [&](const btVector3& vertex, btScalar above) {
-        const btVector3 place = part.transform * vertex - margin * ground.normal, way = place - centre;
-        return Foot{place, above, way.dot(x), way.dot(y)};
-    };
+    btPlaneSpace1(ground.up, x, y);
     std::vector<Foot> feet;
     feet.reserve(16);
+    const auto add = [&](const btVector3& vertex, btScalar highest) {
+        const btVector3 at = part.transform * vertex;
+        const Facet* facet = ground.under(at - margin * ground.up);
+        if (!facet) return;
+        const btVector3 place = at - margin * facet->normal, way = place - centre;
+        const btScalar above = facet->above(place);
+        if (above < highest) feet.push_back({place, above, way.dot(x), way.dot(y), facet->normal});
+    };
+    const std::vector<Plane> planes = planesSeenFrom(part, ground, margin);
     btVector3 lowest(0, 0, 0);
     btScalar least = BT_LARGE_FLOAT;
     forEachVertex(*part.shape, [&](const btVector3& vertex) {
-        const btScalar above = normal.dot(vertex) - height;
-        if (above < reach) feet.push_back(footAt(vertex, above));
+        const btScalar above = leastAbove(planes, vertex);
+        if (above < reach) add(vertex, reach);
         if (!(above < least)) return;
         least = above;
         lowest = vertex;
     });
-    if (feet.empty()) feet.push_back(footAt(lowest, least));
+    if (feet.empty()) add(lowest, BT_LARGE_FLOAT);
     return feet;
 }
 
@@ -109,8 +96,8 @@ void forgetImpulse(btManifoldPoint& point) {
 /// Contacts of one convex part with the ground.
 class Contacts {
   public:
-    Contacts(btPersistentManifold& manifold, bool fragment_is_a, const HalfSpace& ground)
-        : manifold_(manifold), is_a_(fragment_is_a), ground_(ground), model_(manifold.getContactPoint(0)) {
+    Contacts(btPersistentManifold& manifold, bool fragment_is_a)
+        : manifold_(manifold), is_a_(fragment_is_a), model_(manifold.getContactPoint(0)) {
         forgetImpulse(model_);
         model_.m_userPersistentData = nullptr;  // the other point's
         model_.m_lifeTime = 0;
@@ -170,18 +157,17 @@ class Contacts {
     }
 
     void move(btManifoldPoint& point, const Foot& foot) const {
-        const btVector3 on_ground = foot.place - ground_.normal * foot.above;
+        const btVector3 on_ground = foot.place - foot.normal * foot.above;
         point.m_positionWorldOnA = is_a_ ? foot.place : on_ground;
         point.m_positionWorldOnB = is_a_ ? on_ground : foot.place;
         point.m_localPointA = manifold_.getBody0()->getWorldTransform().invXform(point.m_positionWorldOnA);
         point.m_localPointB = manifold_.getBody1()->getWorldTransform().invXform(point.m_positionWorldOnB);
-        point.m_normalWorldOnB = is_a_ ? ground_.normal : -ground_.normal;
+        point.m_normalWorldOnB = is_a_ ? foot.normal : -foot.normal;
         point.m_distance1 = foot.above;
     }
 
     btPersistentManifold& manifold_;
     const bool is_a_;
-    const HalfSpace& ground_;
     btManifoldPoint model_;
 };
 
@@ -191,25 +177,10 @@ bool isChangedByTheApp(const btCollisionObject& object) {
     return (object.getCollisionFlags() & flags) != 0;
 }
 
-/// Whether Bullet found that ground, too: the number of a part of a compound in a compound is not that of one
-/// of its own parts.
-bool agrees(const btPersistentManifold& manifold, bool fragment_is_a, const HalfSpace& ground) {
-    constexpr btScalar parallel = btScalar(0.9);
-    for (int p = 0; p < manifold.getNumContacts(); ++p) {
-        const btManifoldPoint& point = manifold.getContactPoint(p);
-        const btVector3 up = fragment_is_a ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
-        const btVector3& place = fragment_is_a ? point.m_positionWorldOnB : point.m_positionWorldOnA;
-        const btScalar above = ground.normal.dot(place) - ground.height;
-        if (up.dot(ground.normal) > parallel && btFabs(above) < manifold.getContactBreakingThreshold())
-            return true;
-    }
-    return false;
-}
-
 }  // namespace
 
-bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& manifold, bool fragment_is_a,
-                       btScalar reach, btScalar even) {
+bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& manifold, bool fragment_is_a,
+                       const btVector3& inside, btScalar reach, btScalar even) {
     if (manifold.getNumContacts() == 0) return false;
     const btCollisionObject& fragment = fragment_is_a ? *manifold.getBody0() : *manifold.getBody1();
     const btCollisionObject& other = fragment_is_a ? *manifold.getBody1() : *manifold.getBody0();
@@ -218,16 +189,32 @@ bool standOnFlatGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     const btTransform& frame = fragment.getWorldTransform();
     const ConvexPart part = partOf(fragment, frame, fragment_is_a ? first.m_index0 : first.m_index1);
     if (!part.shape) return false;
-    const auto ground = flatGroundBelow(part, other, fragment_is_a ? first.m_index1 : first.m_index0);
-    if (!ground || !agrees(manifold, fragment_is_a, *ground)) return false;
-    const std::vector<Foot> feet = feetWithin(reach, part, *ground, frame.getOrigin());
+    const EvenGround ground = evenGround(part, manifold, fragment_is_a, inside);
+    if (ground.facets.empty()) return false;
+    const std::vector<Foot> feet = feetWithin(reach, part, ground, frame.getOrigin());
+    if (feet.empty()) return false;
     const btScalar lowest = heightOfLowest(feet);
     const std::vector<Foot> low = below(lowest + std::max(-lowest / 2, even), feet);
     const std::vector<Foot> base = standingBase(low);
-    Contacts contacts(manifold, fragment_is_a, *ground);
+    Contacts contacts(manifold, fragment_is_a);
     contacts.moveTo(base);
     if (low.size() < feet.size()) contacts.add(without(base, standingBase(feet)), world);
     return true;
+}
+
+std::vector<Foot> feetBelow(const Facet& plane, const btRigidBody& fragment) {
+    const btTransform& frame = fragment.getWorldTransform();
+    const btCollisionShape& shape = *fragment.getCollisionShape();
+    const int count = shape.isCompound() ? static_cast<const btCompoundShape&>(shape).getNumChildShapes() : 1;
+    std::vector<Foot> feet;
+    for (int child = 0; child < count; ++child) {
+        const ConvexPart part = partOf(fragment, frame, child);
+        if (!part.shape) continue;
+        const std::vector<Foot> own = feetWithin(0, part, {plane.normal, {plane}}, frame.getOrigin());
+        feet.insert(feet.end(), own.begin(), own.end());
+    }
+    const btScalar lowest = heightOfLowest(feet);
+    return lowest < 0 ? standingBase(below(lowest / 2, feet)) : std::vector<Foot>();
 }
 
 }  // namespace sherd

@@ -1,0 +1,278 @@
+// Fragments on even ground, in steps that are long for their size.
+
+#include <BulletCollision/CollisionShapes/btHeightfieldTerrainShape.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <vector>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+/// The pieces of a plate, each by itself over a floor: they fall on it, turned in many ways.
+class StandingContacts : public testing::Test {
+  protected:
+    void dropPieces(std::unique_ptr<btCollisionShape> ground, btScalar top) {
+        scene_.world->setGravity(btVector3(0, 0, -9.81f));
+        ground_ = scene_.addBody(std::move(ground), 0, btVector3(0, 0, -top));
+        fracture_ = std::make_unique<FractureWorld>(scene_.world.get());
+        Settings settings = Settings::forQuality(Quality::preview);
+        settings.fracture.fragment_count = 20;
+        settings.fracture.rest_after_break_s = 1e3;
+        const auto asset = BreakableAsset::fromMesh(shapes::slab(Vec3(0.3, 0.3, 0.012), 8, 8, 1),
+                                                    Material::ceramic(), settings);
+        ASSERT_TRUE(asset.ok()) << asset.error();
+        BodyOptions options;
+        options.start.setOrigin(btVector3(0, 0, 3));
+        btRigidBody* body = fracture_->add(asset.value(), options).value();
+        Push push;
+        push.point = btVector3(0.01f, 0.02f, 3.006f);
+        push.impulse_n_s = btVector3(0, 0, -20);
+        push.speed_m_s = 5;
+        ASSERT_TRUE(fracture_->applyBlow(body, push).ok());
+        pieces_ = fracture_->bodies();
+        for (std::size_t i = 0; i < pieces_.size(); ++i) {
+            const btQuaternion turn(btVector3(1, btScalar(i % 3), 0.3f).normalized(),
+                                    btScalar(0.7) * btScalar(i));
+            pieces_[i]->setCenterOfMassTransform(btTransform(turn, btVector3(0, btScalar(i) - 10, 1)));
+            pieces_[i]->setLinearVelocity(btVector3(0, 0, -2));
+            pieces_[i]->setAngularVelocity(btVector3(0, 0, 0));
+        }
+        ASSERT_GE(pieces_.size(), 8u);
+    }
+
+    int awake() const {
+        return static_cast<int>(std::count_if(pieces_.begin(), pieces_.end(),
+                                              [](const btRigidBody* piece) { return piece->isActive(); }));
+    }
+
+    /// Below z = 0, m.
+    double deepest() const {
+        double lowest = 0;
+        for (const btRigidBody* piece : pieces_)
+            for (const Vec3& v : fracture_->asset(piece)->surface().vertices) {
+                const btVector3 place(btScalar(v.x()), btScalar(v.y()), btScalar(v.z()));
+                lowest = std::min(lowest, double((fracture_->assetTransform(piece) * place).z()));
+            }
+        return -lowest;
+    }
+
+    void expectRest() {
+        scene_.step(5 * 60, 1.0 / 60);
+        EXPECT_EQ(awake(), 0) << "of " << pieces_.size();
+        EXPECT_LT(deepest(), 1e-3);
+    }
+
+    /// Before what its ground is made of goes.
+    void removeAll() {
+        pieces_.clear();
+        fracture_.reset();
+        scene_.world->removeRigidBody(ground_);
+    }
+
+    TestWorld scene_;
+    std::unique_ptr<FractureWorld> fracture_;
+    btRigidBody* ground_ = nullptr;
+    std::vector<btRigidBody*> pieces_;
+};
+
+TEST_F(StandingContacts, OnALargeBoxLetSplintersRest) {
+    dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
+    expectRest();
+}
+
+TEST_F(StandingContacts, OnASmallBoxLetSplintersRest) {
+    dropPieces(std::make_unique<btBoxShape>(btVector3(12, 12, 0.5f)), 0.5f);
+    expectRest();
+}
+
+TEST_F(StandingContacts, OnAPlaneLetSplintersRest) {
+    dropPieces(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0);
+    expectRest();
+}
+
+/// Triangles over a square around the origin, z = bump * sin(3 x) cos(2 y).
+class Terrain {
+  public:
+    explicit Terrain(int count, btScalar bump = 0) {
+        const auto at = [&](int i, int j) {
+            const btScalar x = half * btScalar(2 * i - count) / btScalar(count),
+                           y = half * btScalar(2 * j - count) / btScalar(count);
+            return btVector3(x, y, bump * std::sin(3 * x) * std::cos(2 * y));
+        };
+        for (int i = 0; i < count; ++i)
+            for (int j = 0; j < count; ++j) {
+                triangles_.addTriangle(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+                triangles_.addTriangle(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+            }
+    }
+    std::unique_ptr<btCollisionShape> shape() {
+        return std::make_unique<btBvhTriangleMeshShape>(&triangles_, true);
+    }
+    static constexpr btScalar half = 13;
+
+  private:
+    btTriangleMesh triangles_;
+};
+
+TEST_F(StandingContacts, OnATriangleMeshLetSplintersRest) {
+    Terrain coarse(4), fine(520);
+    for (Terrain* terrain : {&coarse, &fine}) {
+        dropPieces(terrain->shape(), 0);
+        expectRest();
+        removeAll();
+    }
+}
+
+TEST_F(StandingContacts, OnATriangleMeshInACompoundLetSplintersRest) {
+    Terrain terrain(40);
+    const auto mesh = terrain.shape();
+    auto compound = std::make_unique<btCompoundShape>();
+    compound->addChildShape(btTransform(btQuaternion(btVector3(0, 0, 1), 1), btVector3(0, 0, 0.5f)),
+                            mesh.get());
+    dropPieces(std::move(compound), 0.5f);
+    expectRest();
+    removeAll();
+}
+
+TEST_F(StandingContacts, OnGentleHillsLetSplintersRest) {
+    Terrain terrain(60, 0.05f);
+    dropPieces(terrain.shape(), 0);
+    scene_.step(8 * 60, 1.0 / 60);
+    EXPECT_EQ(awake(), 0) << "of " << pieces_.size();
+    removeAll();
+}
+
+TEST_F(StandingContacts, OnAHeightFieldLetSplintersRest) {
+    const std::vector<float> heights(41 * 41, 0.f);
+    auto field = std::make_unique<btHeightfieldTerrainShape>(41, 41, heights.data(), btScalar(1), -1, 1, 2,
+                                                             PHY_FLOAT, false);
+    dropPieces(std::move(field), 0);
+    expectRest();
+    removeAll();
+}
+
+/// Bodies stand on both sides of a mesh: the upper ones on it, the lower ones on what is below.
+TEST_F(StandingContacts, BelowAMeshAreNotOnIt) {
+    Terrain terrain(40);
+    const auto ceiling = terrain.shape();
+    dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
+    scene_.addBody(terrain.shape(), 0, btVector3(0, 0, 0.04f));
+    for (btRigidBody* piece : pieces_)
+        piece->setCenterOfMassTransform(btTransform(
+            btQuaternion::getIdentity(), btVector3(0, piece->getWorldTransform().getOrigin().y(), 0.02f)));
+    scene_.step(2 * 60, 1.0 / 60);
+    for (const btRigidBody* piece : pieces_) {
+        EXPECT_LT(piece->getWorldTransform().getOrigin().z(), 0.03f);
+        EXPECT_GT(piece->getWorldTransform().getOrigin().z(), 0);
+    }
+    removeAll();
+}
+
+/// How far a place is from the nearest vertex of a shape, as its margin moves it along `down`, m.
+btScalar distanceFromVertices(const btCollisionShape& shape, const btTransform& frame, const btVector3& place,
+                              const btVector3& down) {
+    btScalar least = BT_LARGE_FLOAT;
+    if (shape.isCompound()) {
+        const auto& compound = static_cast<const btCompoundShape&>(shape);
+        for (int i = 0; i < compound.getNumChildShapes(); ++i)
+            least = std::min(least, distanceFromVertices(*compound.getChildShape(i),
+                                                         frame * compound.getChildTransform(i), place, down));
+        return least;
+    }
+    const auto& hull = static_cast<const btConvexHullShape&>(shape);
+    for (int i = 0; i < hull.getNumPoints(); ++i)
+        least = std::min(least, (frame * hull.getScaledPoint(i) + hull.getMargin() * down - place).length());
+    return least;
+}
+
+TEST_F(StandingContacts, AreAtVertices) {
+    Terrain terrain(40, 0.02f);
+    dropPieces(terrain.shape(), 0);
+    int counted = 0, elsewhere = 0;
+    for (int step = 0; step < 120; ++step) {
+        std::vector<btTransform> stood;
+        for (const btRigidBody* piece : pieces_) stood.push_back(piece->getWorldTransform());
+        scene_.step(1, 1.0 / 60);
+        for (int m = 0; m < scene_.dispatcher->getNumManifolds(); ++m) {
+            const btPersistentManifold& manifold = *scene_.dispatcher->getManifoldByIndexInternal(m);
+            const bool is_a = manifold.getBody1() == ground_;
+            if (!is_a && manifold.getBody0() != ground_) continue;
+            const auto piece =
+                std::find(pieces_.begin(), pieces_.end(), is_a ? manifold.getBody0() : manifold.getBody1());
+            if (piece == pieces_.end()) continue;
+            for (int p = 0; p < manifold.getNumContacts(); ++p) {
+                const btManifoldPoint& point = manifold.getContactPoint(p);
+                const btVector3& place = is_a ? point.m_positionWorldOnA : point.m_positionWorldOnB;
+                const btVector3 down = is_a ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
+                ++counted;
+                elsewhere +=
+                    distanceFromVertices(*(*piece)->getCollisionShape(),
+                                         stood[std::size_t(piece - pieces_.begin())], place, down) > 1e-5f;
+            }
+        }
+    }
+    EXPECT_GT(counted, 300);
+    EXPECT_EQ(elsewhere, 0);
+    removeAll();
+}
+
+TEST_F(StandingContacts, AreOnTheFaceOfABox) {
+    dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
+    int counted = 0;
+    for (int step = 0; step < 120; ++step) {
+        scene_.step(1, 1.0 / 60);
+        btDispatcher& dispatcher = *scene_.dispatcher;
+        for (int m = 0; m < dispatcher.getNumManifolds(); ++m) {
+            const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(m);
+            const bool is_a = manifold.getBody1() == ground_;
+            if (!is_a && manifold.getBody0() != ground_) continue;
+            for (int p = 0; p < manifold.getNumContacts(); ++p) {
+                const btManifoldPoint& point = manifold.getContactPoint(p);
+                if (point.getAppliedImpulse() == 0) continue;
+                ++counted;
+                const btVector3 up = is_a ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+                EXPECT_GT(up.z(), 1 - 1e-6f);
+                const btVector3& below = is_a ? point.m_positionWorldOnB : point.m_positionWorldOnA;
+                EXPECT_NEAR(below.z(), 0, 1e-5);
+            }
+        }
+    }
+    EXPECT_GT(counted, 100);
+}
+
+/// Manifolds that Bullet has told the app of.
+struct Touching {
+    Touching() {
+        manifolds.clear();
+        started = unknown_ends = 0;
+        gContactStartedCallback = [](btPersistentManifold* const& manifold) {
+            ++started;
+            manifolds.insert(manifold);
+        };
+        gContactEndedCallback = [](btPersistentManifold* const& manifold) {
+            unknown_ends += manifolds.erase(manifold) == 0;
+        };
+    }
+    ~Touching() {
+        gContactStartedCallback = nullptr;
+        gContactEndedCallback = nullptr;
+    }
+    inline static std::set<const btPersistentManifold*> manifolds;
+    inline static int started = 0, unknown_ends = 0;
+};
+
+TEST_F(StandingContacts, EndOnlyIfTheyBegan) {
+    const Touching touching;
+    dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
+    scene_.step(180, 1.0 / 60);
+    EXPECT_GE(touching.started, static_cast<int>(pieces_.size()));
+    EXPECT_EQ(touching.unknown_ends, 0);
+}
+
+}  // namespace
