@@ -1,6 +1,7 @@
 // The bodies of a FractureWorld: how they come, and how they go.
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "bullet/body_checks.h"
@@ -166,6 +167,12 @@ Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& o
         [&](const StepListener& hook) { has_owner = has_owner || hook.isBreakable(*body); });
     if (has_owner) return Error{"the body is breakable already, by another FractureWorld of this world"};
     if (!body->getCollisionShape()) return Error{"the body has no collision shape; give it one first"};
+    if (!std::isfinite(body->getInvMass()) || !isFinite(body->getInvInertiaDiagLocal()) ||
+        !isFinite(body->getWorldTransform().getOrigin()) ||
+        !fromBullet(body->getWorldTransform().getBasis()).allFinite())
+        return Error{
+            "the body's mass, inertia or place is not a finite number; set them with setMassProps and "
+            "setCenterOfMassTransform"};
     if (body->isKinematicObject())
         return Error{"the body is kinematic; only dynamic and static bodies can break"};
     if (body->getInvMass() == 0 && options.supports.empty())

@@ -1,5 +1,6 @@
 // Bodies that come and go, and what is asked for at the wrong moment.
 
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <utility>
@@ -63,6 +64,10 @@ TEST(MakeBreakable, RefusesWithASentence) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
     const Material material = Material::plaster();
+    btRigidBody* unset = scene.addBox(8, btVector3(0.1f, 0.1f, 0.1f), btVector3(3, 0, 0));
+    unset->setMassProps(8, btVector3(1, NAN, 1));
+    EXPECT_NE(fracture.makeBreakable(unset, material).error().find("not a finite number"), std::string::npos);
+    scene.world->removeRigidBody(unset);
     EXPECT_EQ(fracture.makeBreakable(nullptr, material).error(),
               "there is no body to make breakable (nullptr)");
     btRigidBody* floor = scene.addFloor();

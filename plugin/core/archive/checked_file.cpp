@@ -78,13 +78,12 @@ std::string nameBeside(const std::string& path) {
     return path + "." + std::to_string(random()) + "-" + std::to_string(random()) + ".unfinished";
 }
 
-Status writeAll(const Header& header, const std::vector<std::byte>& content, const std::string& path) {
+bool writeAll(const Header& header, const std::vector<std::byte>& content, const std::string& path) {
     File file(std::fopen(path.c_str(), "wbx"));  // x: nobody else's
     bool done = file && std::fwrite(&header, sizeof header, 1, file.get()) == 1 &&
                 std::fwrite(content.data(), 1, content.size(), file.get()) == content.size();
     if (file) done = std::fclose(file.release()) == 0 && done;  // what is buffered may fail only here
-    if (!done) return Error{"Cannot write " + path + "; is there such a folder, and room on the disk?"};
-    return success();
+    return done;
 }
 
 }  // namespace
@@ -98,13 +97,13 @@ Status writeChecked(const FileFormat& format, const std::vector<std::byte>& cont
     header.size = content.size();
     header.checksum = checksumOf(header, content.data(), content.size());
     const std::string unfinished = nameBeside(path);
-    const Status written = writeAll(header, content, unfinished);
+    const bool written = writeAll(header, content, unfinished);
     std::error_code trouble;
     if (written) std::filesystem::rename(unfinished, path, trouble);
     if (written && !trouble) return success();
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);
-    if (!written) return Error{written.error()};
+    if (!written) return Error{"Cannot write " + path + "; is there such a folder, and room on the disk?"};
     return Error{"Cannot write " + path + ": " + trouble.message() + "."};
 }
 
