@@ -27,6 +27,7 @@ struct Facet {
 struct EvenGround {
     btVector3 up = btVector3(0, 0, 1);
     std::vector<Facet> facets;
+    bool has_ridges = false;  ///< that reach into a part of that size, where it has no vertices
 
     /// The highest one under a place; nullptr beside the ground.
     const Facet* under(const btVector3& place) const;
@@ -38,5 +39,8 @@ struct EvenGround {
 /// facets for other ground. `manifold` has a contact.
 EvenGround evenGround(const ConvexPart& part, const btPersistentManifold& manifold, bool part_is_a,
                       const btVector3& inside);
+
+/// The same for triangles around a part that Bullet may have found no contact with.
+EvenGround evenSurface(const ConvexPart& part, const btCollisionObject& surface, const btVector3& inside);
 
 }  // namespace sherd

@@ -45,20 +45,21 @@ void shiftBy(btRigidBody& body, const btVector3& shift) {
     body.setCenterOfMassTransform(place);
 }
 
-/// What holds a fragment up whose ball touches the ground: vertices that are below it if no contact of
-/// Bullet's does (of what is deep in the ground it may find none that are right), else the ball.
-void addContactOfBall(btDiscreteDynamicsWorld& world, const Breakable& fragment, bool is_held) {
+/// What holds a fragment up that is in the ground: its ball, if that touches it, or the vertices that are in
+/// it if no contact of Bullet's does. Of what is deep in the ground it may find none that are right.
+void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& fragment, bool is_held) {
     btRigidBody& body = *fragment.body;
+    const btVector3 centre = ballCentre(fragment);
     const btScalar radius = fragment.inner_ball.radius;
-    const auto ground = groundNear(world, body, ballCentre(fragment), radius);
+    const auto ground =
+        groundNear(world, body, centre, is_held ? radius : std::max(radius, radiusAboutOrigin(body)));
     if (!ground) return;
-    Facet plane;
-    plane.normal = ground->normal;
-    plane.height = plane.normal.dot(ground->point);
     std::vector<Foot> feet;
-    if (!is_held) feet = feetBelow(plane, body);
-    const btVector3 lowest = ballCentre(fragment) - plane.normal * radius;
-    if (feet.empty()) feet = {{lowest, plane.above(lowest), 0, 0, plane.normal}};
+    if (!is_held) feet = feetIn(*ground->ground, body, centre);
+    if (feet.empty()) {
+        if (ground->distance > radius) return;
+        feet.push_back({centre - ground->normal * radius, ground->distance - radius, 0, 0, ground->normal});
+    }
     btPersistentManifold* manifold = addExtraManifold(world, body, *ground->ground);
     if (!manifold) return;
     for (const Foot& foot : feet) {
@@ -93,6 +94,10 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
         if (fragment == fragments.end()) continue;
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
             btManifoldPoint& point = manifold.getContactPoint(p);
+            if (!isOnTriangle(point, !is_b)) {  // of a compound that has solid parts, too
+                held.insert(fragment->second);
+                continue;
+            }
             const btVector3 push = is_b ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
             const btVector3 on_ground = is_b ? point.m_positionWorldOnA : point.m_positionWorldOnB;
             if (pushesToTheOtherSide(world, *fragment->second, push, on_ground))
@@ -193,7 +198,7 @@ void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const B
     if (moving.empty() || !hasGroundSurface(world)) return;
     const auto held = leaveOutWrongContacts(world, moving);
     for (const Breakable* fragment : fragments)
-        if (moving.count(fragment->body)) addContactOfBall(world, *fragment, held.count(fragment) > 0);
+        if (moving.count(fragment->body)) addContactsOfBall(world, *fragment, held.count(fragment) > 0);
 }
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,

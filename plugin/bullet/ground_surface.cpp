@@ -2,6 +2,7 @@
 
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConcaveShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
 #include <BulletCollision/NarrowPhaseCollision/btVoronoiSimplexSolver.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <BulletDynamics/Dynamics/btRigidBody.h>
@@ -102,6 +103,10 @@ class ObjectsAround final : public btBroadphaseAabbCallback {
 
 bool isGroundSurface(const btCollisionObject& object) {
     return object.isStaticObject() && hasSurface(*object.getCollisionShape());
+}
+
+bool isOnTriangle(const btManifoldPoint& point, bool of_second) {
+    return (of_second ? point.m_partId1 : point.m_partId0) >= 0;  // Bullet's number of a part of a mesh
 }
 
 bool hasGroundSurface(const btDiscreteDynamicsWorld& world) {

@@ -8,6 +8,7 @@
 
 class btCollisionObject;
 class btDiscreteDynamicsWorld;
+class btManifoldPoint;
 class btRigidBody;
 
 namespace sherd {
@@ -21,6 +22,8 @@ struct GroundPoint {
 };
 
 bool isGroundSurface(const btCollisionObject& object);
+/// Whether a contact is with a triangle of the second body, or the first, and not with another part of it.
+bool isOnTriangle(const btManifoldPoint& point, bool of_second);
 /// Whether there is any in the world.
 bool hasGroundSurface(const btDiscreteDynamicsWorld& world);
 

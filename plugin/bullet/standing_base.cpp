@@ -116,6 +116,8 @@ std::vector<Foot> triangleUnderCentre(const std::vector<Foot>& feet, const Foot&
     const std::vector<Foot> corners = cornersOf(feet);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Foot &second = corners[i], &third = corners[(i + 1) % corners.size()];
+        const auto isLowest = [&](const Foot& foot) { return foot.x == lowest.x && foot.y == lowest.y; };
+        if (isLowest(second) || isLowest(third)) continue;
         const btScalar across = (third.x - second.x) * lowest.y - (third.y - second.y) * lowest.x;
         if (across != 0 && isUnderCentre(lowest, second, third)) return {lowest, second, third};
     }

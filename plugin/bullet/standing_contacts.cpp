@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "bullet/convex_part.h"
+#include "bullet/even_ground.h"
 #include "bullet/extra_contacts.h"
 
 namespace sherd {
@@ -36,8 +37,8 @@ btScalar leastAbove(const std::vector<Plane>& planes, const btVector3& vertex) {
     return least;
 }
 
-/// Of the vertices of a part that are over the ground those that are no further than `reach` above it, or
-/// else the lowest of the part, if it is over the ground.
+/// The vertices of a part that are no further than `reach` above the ground, or else the lowest; none if one
+/// of them is beside the ground: the part may hang over an edge, which no vertex tells of.
 std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const EvenGround& ground,
                              const btVector3& centre) {
     const btScalar margin = marginAround(*part.shape);
@@ -45,10 +46,14 @@ std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const EvenG
     btPlaneSpace1(ground.up, x, y);
     std::vector<Foot> feet;
     feet.reserve(16);
+    bool is_beside = false;
     const auto add = [&](const btVector3& vertex, btScalar highest) {
         const btVector3 at = part.transform * vertex;
         const Facet* facet = ground.under(at - margin * ground.up);
-        if (!facet) return;
+        if (!facet) {
+            is_beside = true;
+            return;
+        }
         const btVector3 place = at - margin * facet->normal, way = place - centre;
         const btScalar above = facet->above(place);
         if (above < highest) feet.push_back({place, above, way.dot(x), way.dot(y), facet->normal});
@@ -64,6 +69,7 @@ std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const EvenG
         lowest = vertex;
     });
     if (feet.empty()) add(lowest, BT_LARGE_FLOAT);
+    if (is_beside) feet.clear();
     return feet;
 }
 
@@ -110,6 +116,15 @@ class Contacts {
         while (!left.empty() && !base.empty()) moveNearest(left, base);
         for (auto p = left.rbegin(); p != left.rend(); ++p) manifold_.removeContactPoint(*p);
         for (const Foot& foot : base) manifold_.addManifoldPoint(at(foot));
+    }
+
+    /// Removes the points that do not push along `up`.
+    void keepThoseAlong(const btVector3& up) {
+        constexpr btScalar along = btScalar(0.96);  // cosine
+        for (int p = manifold_.getNumContacts() - 1; p >= 0; --p) {
+            const btVector3& normal = manifold_.getContactPoint(p).m_normalWorldOnB;
+            if ((is_a_ ? normal : -normal).dot(up) < along) manifold_.removeContactPoint(p);
+        }
     }
 
     /// More points, for this step.
@@ -197,12 +212,18 @@ bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     const std::vector<Foot> low = below(lowest + std::max(-lowest / 2, even), feet);
     const std::vector<Foot> base = standingBase(low);
     Contacts contacts(manifold, fragment_is_a);
+    if (ground.has_ridges) {  // which Bullet knows of
+        contacts.keepThoseAlong(ground.up);
+        contacts.add(base, world);
+        return true;
+    }
     contacts.moveTo(base);
     if (low.size() < feet.size()) contacts.add(without(base, standingBase(feet)), world);
     return true;
 }
 
-std::vector<Foot> feetBelow(const Facet& plane, const btRigidBody& fragment) {
+std::vector<Foot> feetIn(const btCollisionObject& surface, const btRigidBody& fragment,
+                         const btVector3& inside) {
     const btTransform& frame = fragment.getWorldTransform();
     const btCollisionShape& shape = *fragment.getCollisionShape();
     const int count = shape.isCompound() ? static_cast<const btCompoundShape&>(shape).getNumChildShapes() : 1;
@@ -210,7 +231,9 @@ std::vector<Foot> feetBelow(const Facet& plane, const btRigidBody& fragment) {
     for (int child = 0; child < count; ++child) {
         const ConvexPart part = partOf(fragment, frame, child);
         if (!part.shape) continue;
-        const std::vector<Foot> own = feetWithin(0, part, {plane.normal, {plane}}, frame.getOrigin());
+        const EvenGround ground = evenSurface(part, surface, inside);
+        if (ground.facets.empty()) continue;
+        const std::vector<Foot> own = feetWithin(0, part, ground, frame.getOrigin());
         feet.insert(feet.end(), own.begin(), own.end());
     }
     const btScalar lowest = heightOfLowest(feet);

@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "bullet/even_ground.h"
 #include "bullet/standing_base.h"
 
 class btDiscreteDynamicsWorld;
@@ -26,7 +25,9 @@ namespace sherd {
 bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& manifold, bool fragment_is_a,
                        const btVector3& inside, btScalar reach, btScalar even);
 
-/// Up to four vertices of a fragment below a plane on which it could stand; none if all are above it.
-std::vector<Foot> feetBelow(const Facet& plane, const btRigidBody& fragment);
+/// Up to four vertices of a fragment that are in a surface that is even there, such that it could stand on
+/// them; none if there are no such. `inside` as above.
+std::vector<Foot> feetIn(const btCollisionObject& surface, const btRigidBody& fragment,
+                         const btVector3& inside);
 
 }  // namespace sherd

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bullet/support.h"
+#include "core/numerics/mesh_measures.h"
 
 namespace {
 
@@ -140,6 +141,56 @@ TEST_F(StandingContacts, OnATriangleMeshInACompoundLetSplintersRest) {
     removeAll();
 }
 
+/// The pieces fall close to the wall, and some against it.
+TEST_F(StandingContacts, OnABoxBesideAMeshLetSplintersRest) {
+    btTriangleMesh triangles;
+    const btVector3 low(-0.1f, -13, 0), high(-0.1f, 13, 0), up(0, 0, 1);
+    triangles.addTriangle(low, high, high + up);
+    triangles.addTriangle(low, high + up, low + up);
+    btBvhTriangleMeshShape wall(&triangles, true);
+    btBoxShape box(btVector3(13, 13, 1));
+    auto compound = std::make_unique<btCompoundShape>();
+    compound->addChildShape(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, -1)), &box);
+    compound->addChildShape(btTransform::getIdentity(), &wall);
+    dropPieces(std::move(compound), 0);
+    scene_.step(8 * 60, 1.0 / 60);
+    EXPECT_EQ(awake(), 0) << "of " << pieces_.size();
+    EXPECT_LT(deepest(), 1e-3);
+    removeAll();
+}
+
+/// A plate on a roof that is almost flat, its ridge below the middle: no vertex is over the ridge.
+TEST_F(StandingContacts, OnARidgeLeaveItToBullet) {
+    btTriangleMesh triangles;
+    for (const btScalar side : {-1.f, 1.f}) {
+        const btVector3 foot(10 * side, 0, -0.6f), along(0, 10, 0);
+        triangles.addTriangle(-along, along, foot + along);
+        triangles.addTriangle(-along, foot + along, foot - along);
+    }
+    dropPieces(std::make_unique<btBvhTriangleMeshShape>(&triangles, true), 0);
+    btRigidBody* const piece = *std::min_element(
+        pieces_.begin(), pieces_.end(), [](auto* a, auto* b) { return a->getInvMass() < b->getInvMass(); });
+    const Vec3 size = boundingBox(fracture_->asset(piece)->surface()).sizes();
+    ASSERT_GT(size.minCoeff(), 0.01);
+    for (btRigidBody* other : pieces_)
+        if (other != piece) scene_.world->removeRigidBody(other);
+    const btTransform body_from_asset =
+        piece->getWorldTransform().inverse() * fracture_->assetTransform(piece);
+    const Vec3 centre = boundingBox(fracture_->asset(piece)->surface()).center();
+    piece->setCenterOfMassTransform(
+        btTransform(btQuaternion::getIdentity(),
+                    btVector3(-btScalar(centre.x()), 0, btScalar(size.z() / 2 - centre.z()) + 0.002f)) *
+        body_from_asset.inverse());
+    piece->setLinearVelocity(btVector3(0, 0, 0));
+    scene_.step(60, 1.0 / 60);
+    const Vec3 lower(centre.x(), centre.y(), centre.z() - size.z() / 2);
+    const btVector3 middle = fracture_->assetTransform(piece) *
+                             btVector3(btScalar(lower.x()), btScalar(lower.y()), btScalar(lower.z()));
+    EXPECT_LT(std::abs(middle.x()), 0.02);
+    EXPECT_GT(middle.z() + 0.06f * std::abs(middle.x()), -1e-3);
+    removeAll();
+}
+
 TEST_F(StandingContacts, OnGentleHillsLetSplintersRest) {
     Terrain terrain(60, 0.05f);
     dropPieces(terrain.shape(), 0);
@@ -192,7 +243,7 @@ btScalar distanceFromVertices(const btCollisionShape& shape, const btTransform& 
 }
 
 TEST_F(StandingContacts, AreAtVertices) {
-    Terrain terrain(40, 0.02f);
+    Terrain terrain(40);
     dropPieces(terrain.shape(), 0);
     int counted = 0, elsewhere = 0;
     for (int step = 0; step < 120; ++step) {
