@@ -4,6 +4,7 @@
 #include <sherd/breakable_asset.h>
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -71,9 +72,11 @@ struct Breakable {
     BodyToken token = no_token;      ///< tells `body` from a new one at its address
     int generation = 0;              ///< how many breaks in this world made it
     double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known
-    InnerBall inner_ball;            ///< of a fragment
+    InnerBall inner_ball;            ///< tells its side of ground
     btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
     btTransform moved_to = btTransform::getIdentity();    ///< and after it
+    btTransform clear_at = btTransform::getIdentity();    ///< where no ground was near it the last time
+    double since_clear_s = std::numeric_limits<double>::infinity();
     /// How long a fragment has been near a place.
     struct Stay {
         btTransform at = btTransform::getIdentity();

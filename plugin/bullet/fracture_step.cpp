@@ -107,7 +107,7 @@ void FractureWorld::Impl::prepareSolve() {
         steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
-    timed(ms.ground, [&] { addGroundContacts(world_, fragments()); });
+    timed(ms.ground, [&] { addGroundContacts(world_, bodiesInWorld()); });
     const AddedTime time(ms.snapshot);
     any_breakable_ = !nothingCanBreak(world_, breakables_, world_.getSolverInfo().m_timeStep);
     if (any_breakable_) {
@@ -163,11 +163,11 @@ bool FractureWorld::Impl::isFragment(const btCollisionObject& object) const {
     return breakable && breakable->isFragment();
 }
 
-std::vector<const Breakable*> FractureWorld::Impl::fragments() const {
-    std::vector<const Breakable*> fragments;
+std::vector<const Breakable*> FractureWorld::Impl::bodiesInWorld() const {
+    std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all())
-        if (breakable->isFragment() && breakable->in_world) fragments.push_back(breakable.get());
-    return fragments;
+        if (breakable->in_world) bodies.push_back(breakable.get());
+    return bodies;
 }
 
 bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const {

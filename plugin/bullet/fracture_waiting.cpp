@@ -152,7 +152,9 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         if (!broken) continue;
         Break due_break = *broken;
         const auto fragments = swap(due_break, time_step_s);
-        if (!fragments.empty()) findNewContacts(fragments);
+        if (fragments.empty()) continue;
+        before_.add(fragments);  // for `stopAtGround`: they are still to move in this step
+        findNewContacts(fragments);
     }
 }
 

@@ -118,7 +118,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
-    std::vector<const Breakable*> fragments() const;
+    std::vector<const Breakable*> bodiesInWorld() const;
     bool isFragmentOfAny(const btCollisionObject& object) const;
     void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
     std::vector<const btCollisionObject*> resolveIslands(std::vector<Break>& breaks,

@@ -22,6 +22,7 @@ constexpr btScalar far_away = 1000;  // m; the solver does nothing about a conta
 constexpr btScalar least_height = btScalar(0.25);   // of the ball's radius: clear of rounding
 constexpr btScalar nearly_there = btScalar(0.999);  // of the way to a point of the ground
 constexpr btScalar deepest_birth = btScalar(0.5);   // of the radius of the whole
+constexpr double a_moment_s = 1;
 constexpr int most_shifts = 4;  // each out of the ground where fragments are deepest in it
 
 /// Fragments by their bodies; for look-up only.
@@ -51,6 +52,7 @@ void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& fragment
     btRigidBody& body = *fragment.body;
     const btVector3 centre = ballCentre(fragment);
     const btScalar radius = fragment.inner_ball.radius;
+    if (is_held && !fragment.isFragment()) return;  // whole bodies stand as any of Bullet's
     const auto ground =
         groundNear(world, body, centre, is_held ? radius : std::max(radius, radiusAboutOrigin(body)));
     if (!ground) return;
@@ -142,39 +144,57 @@ std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const bt
     return std::nullopt;
 }
 
-/// Where a fragment was a step ago, as a part of the whole.
-btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment) {
-    return whole.moved_from * whole.moved_to.inverse() * ballCentre(fragment);
+/// Where a fragment was as a part of the whole, when that stood elsewhere.
+btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment, const btTransform& stood) {
+    return stood * whole.body->getWorldTransform().inverse() * ballCentre(fragment);
 }
 
-/// What sets a fragment back that is beyond the ground. The ball of what it was part of tells the side; a
-/// body that was no fragment has none, but was not in the ground before the last step.
+/// What sets a fragment back that is beyond the ground. What was clear of all ground a moment ago came from
+/// there; else the last step tells, or the ball of what it was part of.
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
                          const btVector3& shift) {
     const btRigidBody& body = *whole.body;
-    const btVector3 to = ballCentre(fragment) + shift, before = ballCentreBefore(whole, fragment);
+    const btVector3 to = ballCentre(fragment) + shift;
     const btScalar radius = fragment.inner_ball.radius;
-    if (whole.isFragment()) {
-        const btVector3 right = ballCentre(whole);
-        if (const auto crossed = groundBefore(world, body, right, to)) {
-            const btVector3 back = wayBack(*crossed, right, to, radius);
-            // What stands astride of a wall without an inside is on both sides of it by right.
-            const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(body);
-            return is_astride ? btVector3(0, 0, 0) : back;
-        }
-        // It may still have gone through two surfaces in the last step, those of a thin floor.
-        if (groundBetween(world, body, whole.moved_from * whole.inner_ball.centre, before))
-            return btVector3(0, 0, 0);
+    if (whole.since_clear_s < a_moment_s) {
+        const btVector3 from = ballCentreBefore(whole, fragment, whole.clear_at);
+        const auto crossed = groundBefore(world, body, from, to);
+        const btVector3 back = crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
+        // Further away is ground that it went around.
+        return back.length() < 2 * radiusAboutOrigin(body) ? back : btVector3(0, 0, 0);
     }
-    const auto crossed = groundBetween(world, body, before, to);
-    return crossed ? wayBack(*crossed, before, to, radius) : btVector3(0, 0, 0);
+    const btVector3 before = ballCentreBefore(whole, fragment, whole.moved_from);
+    if (!groundBetween(world, body, whole.moved_from * whole.inner_ball.centre, before))
+        if (const auto crossed = groundBetween(world, body, before, to))
+            return wayBack(*crossed, before, to, radius);
+    const btVector3 right = ballCentre(whole);
+    if (const auto crossed = groundBefore(world, body, right, to)) {
+        const btVector3 back = wayBack(*crossed, right, to, radius);
+        // What stands astride of a wall without an inside is on both sides of it by right.
+        const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(body);
+        if (!is_astride) return back;
+    }
+    return btVector3(0, 0, 0);
+}
+
+/// Notes where a body is while no ground is near it.
+void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double time_step_s) {
+    const btRigidBody& body = *breakable.body;
+    if (groundNear(world, body, body.getCenterOfMassPosition(), radiusAboutOrigin(body))) {
+        breakable.since_clear_s += time_step_s;
+        return;
+    }
+    breakable.since_clear_s = 0;
+    breakable.clear_at = body.getWorldTransform();
 }
 
 }  // namespace
 
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
                      const std::vector<std::unique_ptr<Breakable>>& fragments) {
-    if (!(whole.body->getWorldTransform() == whole.moved_to)) return;  // the app has put it elsewhere
+    // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
+    const btScalar radius = radiusAboutOrigin(*whole.body);
+    if (travel(whole.moved_to, whole.body->getWorldTransform(), radius) > deepest_birth * radius) return;
     for (const auto& fragment : fragments)
         if (!fragment->isDynamic()) return;  // what is held stays where it is, and what it carries with it
     btVector3 shift(0, 0, 0);
@@ -191,14 +211,14 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     for (const auto& fragment : fragments) shiftBy(*fragment->body, shift);
 }
 
-void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& fragments) {
+void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies) {
     ByBody moving;
-    for (const Breakable* fragment : fragments)
-        if (fragment->isDynamic() && fragment->body->isActive()) moving.emplace(fragment->body, fragment);
+    for (const Breakable* body : bodies)
+        if (body->isDynamic() && body->body->isActive()) moving.emplace(body->body, body);
     if (moving.empty() || !hasGroundSurface(world)) return;
     const auto held = leaveOutWrongContacts(world, moving);
-    for (const Breakable* fragment : fragments)
-        if (moving.count(fragment->body)) addContactsOfBall(world, *fragment, held.count(fragment) > 0);
+    for (const Breakable* body : bodies)
+        if (moving.count(body->body)) addContactsOfBall(world, *body, held.count(body) > 0);
 }
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
@@ -208,7 +228,10 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& break
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
         breakable->moved_from = start->transform;
-        if (has_ground && breakable->isFragment() && breakable->isDynamic()) stopAtGround(world, *breakable);
+        if (has_ground && breakable->isDynamic()) {
+            stopAtGround(world, *breakable);
+            noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep);
+        }
         breakable->moved_to = breakable->body->getWorldTransform();
     }
 }

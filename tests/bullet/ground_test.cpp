@@ -111,6 +111,31 @@ struct Case {
     }
 };
 
+/// So many at once that blows wait for their turn, and thin enough for Bullet's own contacts to lose them.
+TEST(GroundCrowd, LosesNoBodyAndNoPieceOfOne) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    const Ground ground(scene, Surface::two_triangles);
+    FractureWorld fracture(scene.world.get());
+    Settings settings = Settings::forQuality(Quality::preview);
+    settings.fracture.fragment_count = 12;
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::slab(Vec3(0.4, 0.3, 0.012)), Material::glass(), settings);
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    for (int i = 0; i < 12; ++i) {
+        const btQuaternion turn(btVector3(1, btScalar(0.2 * i), 0.3f).normalized(), btScalar(0.6 * i));
+        BodyOptions options(btTransform(turn, btVector3(btScalar(i % 4) - 1.5f, btScalar(i / 4) - 1, 0.6f)));
+        options.velocity = btVector3(0, 0, -6);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    scene.step(90, 1.0 / 60);
+    EXPECT_GT(fracture.bodies().size(), 60u);
+    EXPECT_GT(fracture.counts().waited, 0);
+    int lost = 0;
+    for (const btRigidBody* body : fracture.bodies()) lost += body->getWorldTransform().getOrigin().z() < 0;
+    EXPECT_EQ(lost, 0);
+}
+
 class Drops : public testing::TestWithParam<Case> {};
 
 TEST_P(Drops, NoFragmentFallsThroughTheGround) {
