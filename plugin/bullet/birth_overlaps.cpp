@@ -64,13 +64,13 @@ void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
     tokens.reserve(static_cast<std::size_t>(objects.size()));
     for (int i = 0; i < objects.size(); ++i) tokens.push_back(tokenOf(*objects[i]));
     std::sort(tokens.begin(), tokens.end());
-    const auto isInWorld = [&](BodyToken token) {
+    const auto is_in_world = [&](BodyToken token) {
         return std::binary_search(tokens.begin(), tokens.end(), token);
     };
     for (auto entry = pairs_.begin(); entry != pairs_.end();) {
         const auto& [key, pair] = *entry;
-        const bool stays =
-            isInWorld(key.first) && isInWorld(key.second) && boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
+        const bool stays = is_in_world(key.first) && is_in_world(key.second) &&
+                           boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
         entry = stays ? std::next(entry) : pairs_.erase(entry);
     }
 }

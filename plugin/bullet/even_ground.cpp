@@ -62,14 +62,11 @@ struct Triangle {
     btVector3 normal;
 };
 
-/// Those around a part that have an area; none if there are too many.
-std::vector<Triangle> trianglesAround(const ConvexPart& part, const btCollisionObject& surface,
-                                      btScalar around) {
-    btVector3 low, high;
-    part.shape->getAabb(part.transform, low, high);
-    const btVector3 more(around, around, around);
+/// Those that may reach into a box and have an area; none if there are too many.
+std::vector<Triangle> trianglesIn(const btVector3& low, const btVector3& high,
+                                  const btCollisionObject& surface) {
     std::vector<Triangle> triangles;
-    forEachTriangle(surface, low - more, high + more, [&](const std::array<btVector3, 3>& corners) {
+    forEachTriangle(surface, low, high, [&](const std::array<btVector3, 3>& corners) {
         if (triangles.size() > most_triangles) return;
         const btVector3 normal = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
         if (!normal.fuzzyZero()) triangles.push_back({corners, normal.normalized()});
@@ -135,9 +132,10 @@ btScalar mostTilted(const btVector3& extents) {
 /// even.
 EvenGround evenTriangles(const ConvexPart& part, const btCollisionObject& surface, btScalar around,
                          const std::vector<btVector3>& contacts, btVector3 inside) {
-    const std::vector<Triangle> triangles = trianglesAround(part, surface, around);
     btVector3 low, high;
     part.shape->getAabb(part.transform, low, high);
+    const btVector3 more(around, around, around);
+    const std::vector<Triangle> triangles = trianglesIn(low - more, high + more, surface);
     const btScalar most_tilted = mostTilted(high - low);
     auto below = triangleUnder(inside, triangles, contacts);
     if (!below) {

@@ -25,7 +25,7 @@ constexpr btScalar deepest_birth = btScalar(0.5);   // of the radius of the whol
 constexpr double a_moment_s = 1;
 constexpr int most_shifts = 4;  // each out of the ground where fragments are deepest in it
 
-/// Fragments by their bodies; for look-up only.
+/// Breakables by their bodies; for look-up only.
 using ByBody = std::unordered_map<const btCollisionObject*, const Breakable*>;
 
 btVector3 ballCentre(const Breakable& fragment) {
@@ -46,13 +46,13 @@ void shiftBy(btRigidBody& body, const btVector3& shift) {
     body.setCenterOfMassTransform(place);
 }
 
-/// What holds a fragment up that is in the ground: its ball, if that touches it, or the vertices that are in
+/// What holds a body up that is in the ground: its ball, if that touches it, or the vertices that are in
 /// it if no contact of Bullet's does. Of what is deep in the ground it may find none that are right.
-void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& fragment, bool is_held) {
-    btRigidBody& body = *fragment.body;
-    const btVector3 centre = ballCentre(fragment);
-    const btScalar radius = fragment.inner_ball.radius;
-    if (is_held && !fragment.isFragment()) return;  // whole bodies stand as any of Bullet's
+void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakable, bool is_held) {
+    btRigidBody& body = *breakable.body;
+    const btVector3 centre = ballCentre(breakable);
+    const btScalar radius = breakable.inner_ball.radius;
+    if (is_held && !breakable.isFragment()) return;  // whole bodies stand as any of Bullet's
     const auto ground =
         groundNear(world, body, centre, is_held ? radius : std::max(radius, radiusAboutOrigin(body)));
     if (!ground) return;
@@ -83,29 +83,29 @@ bool pushesToTheOtherSide(btDiscreteDynamicsWorld& world, const Breakable& fragm
     return push.dot(way) > 0 && !groundBetween(world, *fragment.body, centre, centre + way * nearly_there);
 }
 
-/// Returns the fragments that other contacts are left to.
+/// Returns the bodies that other contacts are left to.
 std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWorld& world,
-                                                           const ByBody& fragments) {
+                                                           const ByBody& breakables) {
     std::unordered_set<const Breakable*> held;
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const bool is_b = isGroundSurface(*manifold.getBody0());
         if (!is_b && !isGroundSurface(*manifold.getBody1())) continue;
-        const auto fragment = fragments.find(is_b ? manifold.getBody1() : manifold.getBody0());
-        if (fragment == fragments.end()) continue;
+        const auto found = breakables.find(is_b ? manifold.getBody1() : manifold.getBody0());
+        if (found == breakables.end()) continue;
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
             btManifoldPoint& point = manifold.getContactPoint(p);
             if (!isOnTriangle(point, !is_b)) {  // of a compound that has solid parts, too
-                held.insert(fragment->second);
+                held.insert(found->second);
                 continue;
             }
             const btVector3 push = is_b ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
             const btVector3 on_ground = is_b ? point.m_positionWorldOnA : point.m_positionWorldOnB;
-            if (pushesToTheOtherSide(world, *fragment->second, push, on_ground))
+            if (pushesToTheOtherSide(world, *found->second, push, on_ground))
                 point.setDistance(far_away);
             else
-                held.insert(fragment->second);
+                held.insert(found->second);
         }
     }
     return held;

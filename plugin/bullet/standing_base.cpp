@@ -95,12 +95,12 @@ std::vector<Foot> cornersOf(std::vector<Foot> feet) {
     corners.reserve(2 * feet.size());
     const auto addSide = [&](auto first, auto last) {
         const std::size_t start = corners.size();
-        const auto isReflex = [&](const Foot& next) {
+        const auto is_reflex = [&](const Foot& next) {
             const Foot &from = corners[corners.size() - 2], &over = corners.back();
             return (over.x - from.x) * (next.y - from.y) <= (over.y - from.y) * (next.x - from.x);
         };
         for (; first != last; ++first) {
-            while (corners.size() > start + 1 && isReflex(*first)) corners.pop_back();
+            while (corners.size() > start + 1 && is_reflex(*first)) corners.pop_back();
             corners.push_back(*first);
         }
         corners.pop_back();  // the first of the other side
@@ -116,8 +116,8 @@ std::vector<Foot> triangleUnderCentre(const std::vector<Foot>& feet, const Foot&
     const std::vector<Foot> corners = cornersOf(feet);
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const Foot &second = corners[i], &third = corners[(i + 1) % corners.size()];
-        const auto isLowest = [&](const Foot& foot) { return foot.x == lowest.x && foot.y == lowest.y; };
-        if (isLowest(second) || isLowest(third)) continue;
+        const auto is_lowest = [&](const Foot& foot) { return foot.x == lowest.x && foot.y == lowest.y; };
+        if (is_lowest(second) || is_lowest(third)) continue;
         const btScalar across = (third.x - second.x) * lowest.y - (third.y - second.y) * lowest.x;
         if (across != 0 && isUnderCentre(lowest, second, third)) return {lowest, second, third};
     }

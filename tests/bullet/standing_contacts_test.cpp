@@ -208,10 +208,9 @@ TEST_F(StandingContacts, OnAHeightFieldLetSplintersRest) {
     removeAll();
 }
 
-/// Bodies stand on both sides of a mesh: the upper ones on it, the lower ones on what is below.
+/// The pieces lie on a box, 4 cm below a mesh that is a ceiling to them.
 TEST_F(StandingContacts, BelowAMeshAreNotOnIt) {
     Terrain terrain(40);
-    const auto ceiling = terrain.shape();
     dropPieces(std::make_unique<btBoxShape>(btVector3(200, 200, 1)), 1);
     scene_.addBody(terrain.shape(), 0, btVector3(0, 0, 0.04f));
     for (btRigidBody* piece : pieces_)
