@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
-#include <set>
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
@@ -21,48 +21,63 @@ struct Facet {
 
 /// The normals of a patch's parts, one for each of those that are nearly alike: of however many triangles
 /// the patch is made, these are few.
-std::vector<Vec3> normalsOf(const std::vector<PatchPart>& parts) {
-    std::set<RoundedNormal> found;
+struct AlikeNormals {
+    explicit AlikeNormals(const std::vector<PatchPart>& parts) {
+        std::map<RoundedNormal, int> found;
+        for (const PatchPart& part : parts) {
+            const auto place =
+                found.try_emplace(rounded(part.normal), static_cast<int>(normals.size())).first;
+            if (place->second == static_cast<int>(normals.size())) normals.push_back(part.normal);
+            of_part.push_back(place->second);
+        }
+    }
     std::vector<Vec3> normals;
-    for (const PatchPart& part : parts)
-        if (found.insert(rounded(part.normal)).second) normals.push_back(part.normal);
-    return normals;
-}
+    std::vector<int> of_part;  ///< numbers of normals
+};
 
-/// Splits normals where they turn at once: what turns little by little is one face.
-std::vector<std::vector<Vec3>> faces(std::vector<Vec3> normals) {
-    std::vector<std::vector<Vec3>> found;
-    while (!normals.empty()) {
-        std::vector<Vec3> own{normals.front()};
-        normals.erase(normals.begin());
+/// Splits normals where they turn at once: what turns little by little is one face. Returns their numbers.
+std::vector<std::vector<int>> faces(const std::vector<Vec3>& normals) {
+    std::vector<int> left(normals.size());
+    std::iota(left.begin(), left.end(), 0);
+    std::vector<std::vector<int>> found;
+    while (!left.empty()) {
+        std::vector<int> own{left.front()};
+        left.erase(left.begin());
         for (std::size_t i = 0; i < own.size(); ++i) {
-            const auto others = std::partition(normals.begin(), normals.end(), [&](const Vec3& normal) {
-                return normal.dot(own[i]) < on_one_face;
+            const Vec3& normal = normals[own[i]];
+            const auto others = std::partition(left.begin(), left.end(), [&](int other) {
+                return normals[other].dot(normal) < on_one_face;
             });
-            own.insert(own.end(), others, normals.end());
-            normals.erase(others, normals.end());
+            own.insert(own.end(), others, left.end());
+            left.erase(others, left.end());
         }
         found.push_back(std::move(own));
     }
     return found;
 }
 
-std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts) {
+/// None if there are more than `most`.
+std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts, std::size_t most) {
+    const AlikeNormals alike(parts);
+    const std::vector<std::vector<int>> found = faces(alike.normals);
+    if (found.size() > most) return {};
     std::vector<Facet> facets;
-    for (const std::vector<Vec3>& normals : faces(normalsOf(parts))) {
-        const auto isOn = [&](const PatchPart& part) {
-            return std::any_of(normals.begin(), normals.end(),
-                               [&](const Vec3& normal) { return normal.dot(part.normal) >= on_one_face; });
-        };
-        Facet facet;
-        for (const PatchPart& part : parts) {
-            if (!isOn(part)) continue;
-            facet.outward += part.weight_m2 * part.normal;
+    for (const std::vector<int>& own : found) {
+        std::vector<char> is_own(alike.normals.size(), 0);
+        for (const int n : own) is_own[n] = 1;
+        std::vector<const PatchPart*> on_it;
+        for (std::size_t i = 0; i < parts.size(); ++i) {
+            // Most parts are told by the normal that stands for theirs.
+            const bool is_on = is_own[alike.of_part[i]] || std::any_of(own.begin(), own.end(), [&](int n) {
+                                   return alike.normals[n].dot(parts[i].normal) >= on_one_face;
+                               });
+            if (is_on) on_it.push_back(&parts[i]);
         }
+        Facet facet;
+        for (const PatchPart* part : on_it) facet.outward += part->weight_m2 * part->normal;
         facet.outward.normalize();
-        for (const PatchPart& part : parts) {
-            if (!isOn(part)) continue;
-            const double height = part.centre.dot(facet.outward);
+        for (const PatchPart* part : on_it) {
+            const double height = part->centre.dot(facet.outward);
             facet.lowest = std::min(facet.lowest, height);
             facet.highest = std::max(facet.highest, height);
         }
@@ -196,8 +211,8 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
     double weight = 0;
     for (const PatchPart& part : patch.parts) weight += part.weight_m2;
     if (!(weight > 0)) return {};
-    const std::vector<Facet> facets = facetsOf(patch.parts);
-    if (facets.size() > most_facets || meetInAHollow(facets, patch)) return {};
+    const std::vector<Facet> facets = facetsOf(patch.parts, most_facets);
+    if (meetInAHollow(facets, patch)) return {};
     const double whole = 0.4 * pi * patch.radius_m * patch.radius_m;  // of a disc that lies on a plane
     std::vector<ContactDisc> discs;
     for (const Facet& facet : facets) {
