@@ -43,7 +43,7 @@ struct Budget {
     int fragments_per_step = 200;
     /// Fragments in the world at most: bodies are made into fewer pieces, and where there is no room for two
     /// they stay whole (Outcome::dropped). So does a body whose blow waited, if other bodies took the room
-    /// meanwhile. applyBlow and explode break a body all the same.
+    /// meanwhile. applyBlow breaks a body all the same, and explode one that is whole or held.
     int fragments_alive = 1000;
 
     /// No blow waits, and nothing is limited.

@@ -73,11 +73,12 @@ Octants exposuresOf(const TriangleMesh& surface, const Vec3& centre, double reac
 }
 
 std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, const Explosion& explosion) {
+    constexpr double nothing = 1e-9;  // steradians: surface that is seen from its edge, within rounding
     const btTransform world_from_asset = world.assetTransform(body);
     const Vec3 centre = fromBullet(world_from_asset.inverse() * explosion.centre);
     std::vector<Push> pushes;
     for (const Exposure& part : exposuresOf(world.asset(body)->surface(), centre, explosion.reach_m)) {
-        if (!(part.solid_angle > 0)) continue;
+        if (!(part.solid_angle > nothing)) continue;
         const Vec3 impulse = explosion.impulse_n_s / (4 * pi) * part.direction;
         pushes.push_back({world_from_asset * toBullet(Vec3(centre + part.mean())),
                           world_from_asset.getBasis() * toBullet(impulse), part.radius()});

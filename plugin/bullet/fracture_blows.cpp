@@ -10,6 +10,13 @@
 namespace sherd {
 
 Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>& pushes) {
+    const Status asked = enqueueBlow(body, pushes, false);
+    if (asked && !insideStep()) finishBetweenSteps();
+    return asked;
+}
+
+Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes,
+                                        bool is_one_of_many) {
     if (const Status valid = checkPushes(pushes); !valid) return valid;
     if (!body) return Error{"there is no body to strike (nullptr)"};
     const Breakable* breakable = breakables_.find(body);
@@ -22,12 +29,11 @@ Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>
             "break"};
     if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
     if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
-    blows_.push_back({breakable->serial, body, pushes});
-    if (!insideStep()) finishBetweenSteps();
+    blows_.push_back({breakable->serial, body, pushes, is_one_of_many});
     return success();
 }
 
-/// Several blows of one cause, in turn. A callback of the app's may end them by destroying the FractureWorld.
+/// Blows of one cause, on as many bodies.
 Result<int> FractureWorld::Impl::applyBlows(
     const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows) {
     for (const auto& [body, pushes] : blows) {
@@ -38,7 +44,8 @@ Result<int> FractureWorld::Impl::applyBlows(
     }
     int struck = 0;
     for (const auto& [body, pushes] : blows)
-        if (!released_ && applyBlow(body, pushes)) ++struck;
+        if (enqueueBlow(body, pushes, true)) ++struck;
+    if (!insideStep()) finishBetweenSteps();
     return struck;
 }
 
@@ -53,9 +60,12 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
     timed(times_.steps.sync, [&] { removeRequested(); });
     if (time_step_s > 0) answerWaiting(time_step_s);
     while (!blows_.empty()) {
-        const QueuedBlow blow = std::move(blows_.front());
-        blows_.pop_front();
-        carryOut(blow, time_step_s);
+        std::vector<QueuedBlow> together;
+        do {
+            together.push_back(std::move(blows_.front()));
+            blows_.pop_front();
+        } while (together.back().is_one_of_many && !blows_.empty() && blows_.front().is_one_of_many);
+        carryOut(together, time_step_s);
         timed(times_.steps.sync, [&] { removeRequested(); });
     }
     const AddedTime time(times_.steps.sync);
@@ -80,23 +90,54 @@ void FractureWorld::Impl::removeRequested() {
     }
 }
 
-void FractureWorld::Impl::carryOut(const QueuedBlow& blow, btScalar time_step_s) {
+/// The body that takes the blow, if it is one that can be struck.
+Breakable* FractureWorld::Impl::takerOf(const QueuedBlow& blow) const {
     Breakable* target = targetOf(blow);
-    if (!target || !isInWorld(world_, target->body) || !target->canBeStruck()) return;
-    const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
-    // What is held takes no impulse itself; what comes loose of it does.
-    const bool held = target->asset.solid()->isAnchored();
-    if (!held) push(*target->body, blow.pushes);
-    std::vector<Break> breaks;
-    if (target->breaksAt(time_s_)) breaks = evaluateBlows({struck}, 0);
-    std::vector<btCollisionObject*> fragments;
-    if (!breaks.empty()) {
-        if (held) breaks.front().pushes = &blow.pushes;
-        fragments = swap(breaks.front(), time_step_s);
+    return target && isInWorld(world_, target->body) && target->canBeStruck() ? target : nullptr;
+}
+
+/// A blow by itself, or several of one cause: those on whole bodies are decided side by side, those on
+/// fragments when the budget has their turn.
+void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
+    std::vector<StruckBreakable> wholes, fragments;
+    for (const QueuedBlow& blow : blows) {
+        Breakable* target = takerOf(blow);
+        if (!target) continue;
+        if (target->asset.solid()->isAnchored()) {
+            carryOutOnHeld(blow, time_step_s);
+            continue;
+        }
+        const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
+        push(*target->body, blow.pushes);
+        if (!target->breaksAt(time_s_)) continue;
+        (blow.is_one_of_many && target->isFragment() ? fragments : wholes).push_back(struck);
     }
-    if (held && fragments.empty()) push(*target->body, blow.pushes);
-    if (fragments.empty()) return;
-    findNewContacts(fragments);
+    replaceBroken(evaluateBlows(wholes, 0), time_step_s);
+    if (!fragments.empty())
+        replaceBroken(evaluateBlows(fragments, world_.getSolverInfo().m_timeStep), time_step_s);
+}
+
+/// What is held takes no impulse itself; what comes loose of it does.
+void FractureWorld::Impl::carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s) {
+    Breakable& target = *takerOf(blow);
+    std::vector<Break> breaks;
+    if (target.breaksAt(time_s_))
+        breaks =
+            evaluateBlows({timed(times_.steps.contacts, [&] { return asContacts(target, blow.pushes); })}, 0);
+    for (Break& broken : breaks) broken.pushes = &blow.pushes;
+    if (!replaceBroken(std::move(breaks), time_step_s)) push(*target.body, blow.pushes);
+}
+
+/// Whether there are new bodies.
+bool FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {
+    bool is_any_new = false;
+    for (Break& broken : breaks) {
+        const auto fragments = swap(broken, time_step_s);
+        if (fragments.empty()) continue;
+        findNewContacts(fragments);
+        is_any_new = true;
+    }
+    return is_any_new;
 }
 
 /// The body itself; the fragment that is nearest to the blow if the body has broken since the blow was asked

@@ -79,6 +79,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::uint64_t serial = 0;           // of the body
         const btRigidBody* body = nullptr;  // may be dead: compared only
         std::vector<Push> pushes;
+        bool is_one_of_many = false;  // of one cause
     };
     /// A body that the app wants removed.
     struct Removal {
@@ -143,7 +144,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void finish(btScalar time_step_s);
     void finishBetweenSteps();
     void removeRequested();
-    void carryOut(const QueuedBlow& blow, btScalar time_step_s);
+    void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
+    void carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s);
+    bool replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
+    Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, bool is_one_of_many);
+    Breakable* takerOf(const QueuedBlow& blow) const;
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
