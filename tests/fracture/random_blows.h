@@ -1,5 +1,8 @@
 #pragma once
 
+#include <sherd/material.h>
+#include <sherd/settings.h>
+
 #include <cmath>
 #include <random>
 #include <vector>
