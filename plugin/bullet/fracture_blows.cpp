@@ -10,13 +10,12 @@
 namespace sherd {
 
 Status FractureWorld::Impl::applyBlow(btRigidBody* body, const std::vector<Push>& pushes) {
-    const Status asked = enqueueBlow(body, pushes, false);
+    const Status asked = enqueueBlow(body, pushes, 0);
     if (asked && !insideStep()) finishBetweenSteps();
     return asked;
 }
 
-Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes,
-                                        bool is_one_of_many) {
+Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion) {
     if (const Status valid = checkPushes(pushes); !valid) return valid;
     if (!body) return Error{"there is no body to strike (nullptr)"};
     const Breakable* breakable = breakables_.find(body);
@@ -29,11 +28,11 @@ Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Pus
             "break"};
     if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
     if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
-    blows_.push_back({breakable->serial, body, pushes, is_one_of_many});
+    blows_.push_back({breakable->serial, body, pushes, explosion});
     return success();
 }
 
-/// Blows of one cause, on as many bodies.
+/// Blows of an explosion, each on another body.
 Result<int> FractureWorld::Impl::applyBlows(
     const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows) {
     for (const auto& [body, pushes] : blows) {
@@ -42,9 +41,10 @@ Result<int> FractureWorld::Impl::applyBlows(
         if (!breakable) continue;
         if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return Error{valid.error()};
     }
+    ++explosions_;
     int struck = 0;
     for (const auto& [body, pushes] : blows)
-        if (enqueueBlow(body, pushes, true)) ++struck;
+        if (enqueueBlow(body, pushes, explosions_)) ++struck;
     if (!insideStep()) finishBetweenSteps();
     return struck;
 }
@@ -64,7 +64,8 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
         do {
             together.push_back(std::move(blows_.front()));
             blows_.pop_front();
-        } while (together.back().is_one_of_many && !blows_.empty() && blows_.front().is_one_of_many);
+        } while (together.back().explosion > 0 && !blows_.empty() &&
+                 blows_.front().explosion == together.back().explosion);
         carryOut(together, time_step_s);
         timed(times_.steps.sync, [&] { removeRequested(); });
     }
@@ -96,7 +97,7 @@ Breakable* FractureWorld::Impl::takerOf(const QueuedBlow& blow) const {
     return target && isInWorld(world_, target->body) && target->canBeStruck() ? target : nullptr;
 }
 
-/// A blow by itself, or several of one cause: those on whole bodies are decided side by side, those on
+/// A blow by itself, or all of an explosion: those on whole bodies are decided side by side, those on
 /// fragments when the budget has their turn.
 void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
     std::vector<StruckBreakable> wholes, fragments;
@@ -110,7 +111,7 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
         const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
         push(*target->body, blow.pushes);
         if (!target->breaksAt(time_s_)) continue;
-        (blow.is_one_of_many && target->isFragment() ? fragments : wholes).push_back(struck);
+        (blow.explosion > 0 && target->isFragment() ? fragments : wholes).push_back(struck);
     }
     replaceBroken(evaluateBlows(wholes, 0), time_step_s);
     if (!fragments.empty())

@@ -79,7 +79,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::uint64_t serial = 0;           // of the body
         const btRigidBody* body = nullptr;  // may be dead: compared only
         std::vector<Push> pushes;
-        bool is_one_of_many = false;  // of one cause
+        int explosion = 0;  // its number; 0: the blow stands by itself
     };
     /// A body that the app wants removed.
     struct Removal {
@@ -147,7 +147,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
     void carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s);
     bool replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
-    Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, bool is_one_of_many);
+    Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion);
     Breakable* takerOf(const QueuedBlow& blow) const;
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
@@ -184,6 +184,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
     std::deque<QueuedBlow> blows_;   // the same
+    int explosions_ = 0;             // so far
     bool released_ = false;          // inside a step: to be destroyed at its end
     bool integrating_ = false;       // the step's positions are not integrated yet
     bool world_calls_actions_ = true;

@@ -335,6 +335,24 @@ TEST(Explosion, LetsBlowsOnFragmentsWaitForTheirTurn) {
     EXPECT_GT(in_turn.later, 0);
 }
 
+TEST(Explosion, FollowsAnotherInTheSameStep) {
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    for (const btScalar x : {-0.8f, 0.8f})
+        ASSERT_TRUE(fracture.add(plate(crumbly(), 0.1), at(x, 0, 0.03f)).ok());
+    const Explosion explosion{btVector3(0, 0, 0.3f), 300, 3};
+    const MidStep twice(scene, [&] {
+        for (int i = 0; i < 2; ++i) EXPECT_EQ(explode(fracture, explosion).value(), 2);
+    });
+    scene.step();
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    EXPECT_EQ(events.size(), 2u);
+    std::size_t pieces = 0;
+    for (const BlowEvent& event : events) pieces += event.fragments.size();
+    EXPECT_EQ(fracture.bodies().size(), pieces);
+}
+
 TEST(Explosion, RefusalsSayWhatIsOutOfRange) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
