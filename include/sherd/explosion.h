@@ -20,8 +20,9 @@ struct Explosion {
 /// centre is pushed away from it, with the share of the impulse that its solid angle has of the sphere,
 /// joined to one push an octant. Bodies do not shield each other, nor what lies behind in the same body, and
 /// other bodies than breakable ones are left alone: push them yourself. What is whole or held breaks in the
-/// call (inside a step: at its end); blows on other fragments wait for their turn, as the Budget has it.
-/// Returns how many were struck; the error says which figure is out of range.
+/// call (inside a step: at its end); blows on other fragments wait for their turn, as the Budget has it,
+/// and may be dropped, though they are pushed. Returns how many were struck; the error says which figure is
+/// out of range.
 Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 }  // namespace sherd

@@ -1,5 +1,6 @@
 // Blows that the app asks for, and what else waits for the end of a step.
 
+#include <algorithm>
 #include <limits>
 
 #include "bullet/applied_blow.h"
@@ -114,8 +115,10 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
         (blow.explosion > 0 && target->isFragment() ? fragments : wholes).push_back(struck);
     }
     replaceBroken(evaluateBlows(wholes, 0), time_step_s);
-    if (!fragments.empty())
-        replaceBroken(evaluateBlows(fragments, world_.getSolverInfo().m_timeStep), time_step_s);
+    if (fragments.empty()) return;
+    // Where Sherd's solver was replaced no step would end their waiting.
+    const btScalar wait_by_s = decorator_.inPlace() ? world_.getSolverInfo().m_timeStep : btScalar(0);
+    replaceBroken(evaluateBlows(fragments, wait_by_s), time_step_s);
 }
 
 /// What is held takes no impulse itself; what comes loose of it does.
@@ -129,10 +132,25 @@ void FractureWorld::Impl::carryOutOnHeld(const QueuedBlow& blow, btScalar time_s
     if (!replaceBroken(std::move(breaks), time_step_s)) push(*target.body, blow.pushes);
 }
 
+/// False if the app has taken the body out since, in the callback of another one's fragments.
+bool FractureWorld::Impl::isStillThere(const Break& broken) const {
+    const auto& all = breakables_.all();
+    return std::any_of(all.begin(), all.end(), [&](const auto& breakable) {
+        return breakable->serial == broken.serial && isInWorld(world_, breakable->body) &&
+               !isToBeRemoved(*breakable);
+    });
+}
+
 /// Whether there are new bodies.
 bool FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {
     bool is_any_new = false;
     for (Break& broken : breaks) {
+        if (!isStillThere(broken)) {
+            BlowEvent& event = current_[broken.event].event;
+            event.outcome = Outcome::failed;
+            event.message = "the body was taken out of the world while others of the same explosion broke";
+            continue;
+        }
         const auto fragments = swap(broken, time_step_s);
         if (fragments.empty()) continue;
         findNewContacts(fragments);

@@ -105,7 +105,7 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) return std::nullopt;
-    return Break{struck.breakable->body, decided, current_.size() - 1};
+    return Break{struck.breakable->body, decided, current_.size() - 1, nullptr, struck.breakable->serial};
 }
 
 /// What the gate says of each blow; nothing where a stress problem is to be solved.

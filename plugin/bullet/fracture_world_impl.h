@@ -73,6 +73,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::shared_ptr<const DecidedBlow> decided;
         std::size_t event = 0;                      // in current_
         const std::vector<Push>* pushes = nullptr;  // that its loose fragments are still to be given
+        std::uint64_t serial = 0;                   // of the body
     };
     /// A blow of the app's, from inside a step.
     struct QueuedBlow {
@@ -147,6 +148,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
     void carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s);
     bool replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
+    bool isStillThere(const Break& broken) const;
     Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion);
     Breakable* takerOf(const QueuedBlow& blow) const;
     Breakable* targetOf(const QueuedBlow& blow) const;

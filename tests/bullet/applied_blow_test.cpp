@@ -353,6 +353,23 @@ TEST(Explosion, FollowsAnotherInTheSameStep) {
     EXPECT_EQ(fracture.bodies().size(), pieces);
 }
 
+TEST(Explosion, LeavesAloneWhatACallbackTakesOut) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* bodies[2];
+    for (const int i : {0, 1})
+        bodies[i] = fracture.add(plate(crumbly(), 0.1), at(i == 0 ? -0.8f : 0.8f, 0, 0)).value();
+    fracture.onFragment([&](FragmentBirth&) {
+        if (inWorld(scene, bodies[1])) scene.world->removeRigidBody(bodies[1]);
+    });
+    EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0.3f), 300, 3}).value(), 2);
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 2u);
+    EXPECT_EQ(events[0].outcome, Outcome::broke);
+    EXPECT_EQ(events[1].outcome, Outcome::failed);
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), static_cast<int>(events[0].fragments.size()));
+}
+
 TEST(Explosion, RefusalsSayWhatIsOutOfRange) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
