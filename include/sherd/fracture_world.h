@@ -28,7 +28,7 @@ struct Explosion;
 Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 /// Makes bodies of a Bullet world breakable. Puts itself around the world's constraint solver when made; the
-/// world must outlive it. Breaks happen inside `stepSimulation`, and inside `applyBlow`. Fragments inherit
+/// world must outlive it. Breaks happen inside `stepSimulation`, `applyBlow` and `explode`. Fragments inherit
 /// nearly all that the broken body had; fragment_birth.h has the list. The destructor removes and deletes the
 /// bodies that belong to this object, fragments included, removes the joints that hold them (the app goes on
 /// owning these), and takes Sherd out of the world.

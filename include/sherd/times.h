@@ -47,7 +47,7 @@ struct StepTimes {
     double total() const;  ///< sum of all fields
 };
 
-/// What a FractureWorld took since it was made, in steps and in applyBlow.
+/// What a FractureWorld took since it was made, in steps, applyBlow and explode.
 struct WorldTimes {
     StageTimes blows;    ///< of all blows, those without an event included, on the thread that steps
     StageTimes workers;  ///< the same on other threads; no part of `whole`

@@ -73,7 +73,8 @@ Octants exposuresOf(const TriangleMesh& surface, const Vec3& centre, double reac
 }
 
 std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, const Explosion& explosion) {
-    constexpr double nothing = 1e-9;  // steradians: surface that is seen from its edge, within rounding
+    constexpr double nothing =
+        1e-9;  // steradians, as a grain of 0.1 mm at 3 m: surface that is seen from its edge
     const btTransform world_from_asset = world.assetTransform(body);
     const Vec3 centre = fromBullet(world_from_asset.inverse() * explosion.centre);
     std::vector<Push> pushes;

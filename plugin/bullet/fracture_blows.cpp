@@ -1,6 +1,5 @@
 // Blows that the app asks for, and what else waits for the end of a step.
 
-#include <algorithm>
 #include <limits>
 
 #include "bullet/applied_blow.h"
@@ -92,65 +91,49 @@ void FractureWorld::Impl::removeRequested() {
     }
 }
 
-/// The body that takes the blow, if it is one that can be struck.
-Breakable* FractureWorld::Impl::takerOf(const QueuedBlow& blow) const {
+/// The body that the blow is on by now, if that can be struck.
+Breakable* FractureWorld::Impl::strikableTargetOf(const QueuedBlow& blow) const {
     Breakable* target = targetOf(blow);
     return target && isInWorld(world_, target->body) && target->canBeStruck() ? target : nullptr;
 }
 
-/// A blow by itself, or all of an explosion: those on whole bodies are decided side by side, those on
-/// fragments when the budget has their turn.
+/// A blow by itself, or all of an explosion: first those on what is held, each by itself; then the others,
+/// side by side, but those of an explosion on fragments when the budget has their turn.
 void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
-    std::vector<StruckBreakable> wholes, fragments;
+    std::vector<StruckBreakable> at_once, in_turn;
     for (const QueuedBlow& blow : blows) {
-        Breakable* target = takerOf(blow);
+        Breakable* target = strikableTargetOf(blow);
         if (!target) continue;
         if (target->asset.solid()->isAnchored()) {
-            carryOutOnHeld(blow, time_step_s);
+            carryOutOnHeld(*target, blow.pushes, time_step_s);
             continue;
         }
         const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
         push(*target->body, blow.pushes);
         if (!target->breaksAt(time_s_)) continue;
-        (blow.explosion > 0 && target->isFragment() ? fragments : wholes).push_back(struck);
+        (blow.explosion > 0 && target->isFragment() ? in_turn : at_once).push_back(struck);
     }
-    replaceBroken(evaluateBlows(wholes, 0), time_step_s);
-    if (fragments.empty()) return;
+    replaceBroken(evaluateBlows(at_once, 0), time_step_s);
+    if (in_turn.empty()) return;
     // Where Sherd's solver was replaced no step would end their waiting.
     const btScalar wait_by_s = decorator_.inPlace() ? world_.getSolverInfo().m_timeStep : btScalar(0);
-    replaceBroken(evaluateBlows(fragments, wait_by_s), time_step_s);
+    replaceBroken(evaluateBlows(in_turn, wait_by_s), time_step_s);
 }
 
 /// What is held takes no impulse itself; what comes loose of it does.
-void FractureWorld::Impl::carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s) {
-    Breakable& target = *takerOf(blow);
+void FractureWorld::Impl::carryOutOnHeld(Breakable& held, const std::vector<Push>& pushes,
+                                         btScalar time_step_s) {
     std::vector<Break> breaks;
-    if (target.breaksAt(time_s_))
-        breaks =
-            evaluateBlows({timed(times_.steps.contacts, [&] { return asContacts(target, blow.pushes); })}, 0);
-    for (Break& broken : breaks) broken.pushes = &blow.pushes;
-    if (!replaceBroken(std::move(breaks), time_step_s)) push(*target.body, blow.pushes);
-}
-
-/// False if the app has taken the body out since, in the callback of another one's fragments.
-bool FractureWorld::Impl::isStillThere(const Break& broken) const {
-    const auto& all = breakables_.all();
-    return std::any_of(all.begin(), all.end(), [&](const auto& breakable) {
-        return breakable->serial == broken.serial && isInWorld(world_, breakable->body) &&
-               !isToBeRemoved(*breakable);
-    });
+    if (held.breaksAt(time_s_))
+        breaks = evaluateBlows({timed(times_.steps.contacts, [&] { return asContacts(held, pushes); })}, 0);
+    for (Break& broken : breaks) broken.pushes = &pushes;
+    if (!replaceBroken(std::move(breaks), time_step_s)) push(*held.body, pushes);
 }
 
 /// Whether there are new bodies.
 bool FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {
     bool is_any_new = false;
     for (Break& broken : breaks) {
-        if (!isStillThere(broken)) {
-            BlowEvent& event = current_[broken.event].event;
-            event.outcome = Outcome::failed;
-            event.message = "the body was taken out of the world while others of the same explosion broke";
-            continue;
-        }
         const auto fragments = swap(broken, time_step_s);
         if (fragments.empty()) continue;
         findNewContacts(fragments);

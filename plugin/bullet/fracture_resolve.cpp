@@ -13,6 +13,7 @@
 #include "bullet/ground_contact.h"
 #include "bullet/same_blow.h"
 #include "bullet/steady_contacts.h"
+#include "bullet/world_internals.h"
 #include "core/numerics/split_mix.h"
 
 namespace sherd {
@@ -103,11 +104,26 @@ void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObje
 
 /// Returns the fragments, now in the world; none if their bodies could not be made.
 std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
-    StageTimes& ms = current_[broken.event].event.ms;
-    Breakable& parent = *breakables_.find(broken.body);
-    auto pieces = timed(ms.bodies, [&] { return makePieces(broken, parent, time_step_s > 0); });
+    BlowEvent& event = current_[broken.event].event;
+    Breakable* const parent = stillThere(broken);
+    if (!parent) {
+        event.outcome = Outcome::failed;
+        event.message = "the body was taken out of the world while others broke";
+        return {};
+    }
+    auto pieces = timed(event.ms.bodies, [&] { return makePieces(broken, *parent, time_step_s > 0); });
     if (pieces.empty()) return {};
-    return timed(ms.swap, [&] { return exchange(broken, parent, std::move(pieces), time_step_s); });
+    return timed(event.ms.swap, [&] { return exchange(broken, *parent, std::move(pieces), time_step_s); });
+}
+
+/// The broken body; none if the app has taken it out since, in the callback of another one's fragments.
+Breakable* FractureWorld::Impl::stillThere(const Break& broken) const {
+    const auto& all = breakables_.all();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const auto& breakable) {
+        return breakable->serial == broken.serial && isInWorld(world_, breakable->body) &&
+               !isToBeRemoved(*breakable);
+    });
+    return found == all.end() ? nullptr : found->get();
 }
 
 /// The bodies of the fragments. If that fails there are none, and the event says why.

@@ -146,11 +146,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void finishBetweenSteps();
     void removeRequested();
     void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
-    void carryOutOnHeld(const QueuedBlow& blow, btScalar time_step_s);
+    void carryOutOnHeld(Breakable& held, const std::vector<Push>& pushes, btScalar time_step_s);
     bool replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
-    bool isStillThere(const Break& broken) const;
+    Breakable* stillThere(const Break& broken) const;
     Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion);
-    Breakable* takerOf(const QueuedBlow& blow) const;
+    Breakable* strikableTargetOf(const QueuedBlow& blow) const;
     Breakable* targetOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
