@@ -1,6 +1,7 @@
 // Blows that the app asks for, and what else waits for the end of a step.
 
-#include <limits>
+#include <algorithm>
+#include <map>
 
 #include "bullet/applied_blow.h"
 #include "bullet/body_swap.h"
@@ -91,75 +92,70 @@ void FractureWorld::Impl::removeRequested() {
     }
 }
 
-/// The body that the blow is on by now, if that can be struck.
-Breakable* FractureWorld::Impl::strikableTargetOf(const QueuedBlow& blow) const {
-    Breakable* target = targetOf(blow);
-    return target && isInWorld(world_, target->body) && target->canBeStruck() ? target : nullptr;
-}
-
-/// A blow by itself, or all of an explosion: first those on what is held, each by itself; then the others,
-/// side by side, but those of an explosion on fragments when the budget has their turn.
+/// A blow by itself, or all of an explosion: decided side by side, but those of an explosion on fragments
+/// when the budget has their turn. What is held takes no impulse itself; what comes loose of it does.
 void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
     std::vector<StruckBreakable> at_once, in_turn;
-    for (const QueuedBlow& blow : blows) {
-        Breakable* target = strikableTargetOf(blow);
-        if (!target) continue;
-        if (target->asset.solid()->isAnchored()) {
-            carryOutOnHeld(*target, blow.pushes, time_step_s);
-            continue;
+    std::map<std::uint64_t, std::vector<Push>> on_held;
+    for (const QueuedBlow& blow : blows)
+        for (const auto& [body, pushes] : targetsOf(blow)) {
+            if (!isInWorld(world_, body->body) || !body->canBeStruck()) continue;
+            const bool is_held = body->asset.solid()->isAnchored();
+            const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*body, pushes); });
+            if (is_held)
+                on_held.emplace(body->serial, pushes);
+            else
+                push(*body->body, pushes);
+            if (!body->breaksAt(time_s_)) continue;
+            const bool has_turn = blow.explosion > 0 && body->isFragment() && !is_held;
+            (has_turn ? in_turn : at_once).push_back(struck);
         }
-        const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*target, blow.pushes); });
-        push(*target->body, blow.pushes);
-        if (!target->breaksAt(time_s_)) continue;
-        (blow.explosion > 0 && target->isFragment() ? in_turn : at_once).push_back(struck);
-    }
-    replaceBroken(evaluateBlows(at_once, 0), time_step_s);
+    std::vector<Break> breaks = evaluateBlows(at_once, 0);
+    for (Break& broken : breaks)
+        if (const auto held = on_held.find(broken.serial); held != on_held.end())
+            broken.pushes = &held->second;
+    replaceBroken(breaks, time_step_s);
+    for (const auto& breakable : breakables_.all())
+        if (const auto held = on_held.find(breakable->serial); held != on_held.end())
+            push(*breakable->body, held->second);
     if (in_turn.empty()) return;
     // Where Sherd's solver was replaced no step would end their waiting.
     const btScalar wait_by_s = decorator_.inPlace() ? world_.getSolverInfo().m_timeStep : btScalar(0);
     replaceBroken(evaluateBlows(in_turn, wait_by_s), time_step_s);
 }
 
-/// What is held takes no impulse itself; what comes loose of it does.
-void FractureWorld::Impl::carryOutOnHeld(Breakable& held, const std::vector<Push>& pushes,
-                                         btScalar time_step_s) {
-    std::vector<Break> breaks;
-    if (held.breaksAt(time_s_))
-        breaks = evaluateBlows({timed(times_.steps.contacts, [&] { return asContacts(held, pushes); })}, 0);
-    for (Break& broken : breaks) broken.pushes = &pushes;
-    if (!replaceBroken(std::move(breaks), time_step_s)) push(*held.body, pushes);
+void FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {
+    for (Break& broken : breaks)
+        if (const auto fragments = swap(broken, time_step_s); !fragments.empty()) findNewContacts(fragments);
 }
 
-/// Whether there are new bodies.
-bool FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {
-    bool is_any_new = false;
-    for (Break& broken : breaks) {
-        const auto fragments = swap(broken, time_step_s);
-        if (fragments.empty()) continue;
-        findNewContacts(fragments);
-        is_any_new = true;
-    }
-    return is_any_new;
-}
-
-/// The body itself; the fragment that is nearest to the blow if the body has broken since the blow was asked
-/// for; nullptr if it was removed.
-Breakable* FractureWorld::Impl::targetOf(const QueuedBlow& blow) const {
+/// The body itself with all pushes; if it has broken since the blow was asked for, the fragments that are
+/// nearest to each push; none if it was removed.
+std::vector<std::pair<Breakable*, std::vector<Push>>> FractureWorld::Impl::targetsOf(
+    const QueuedBlow& blow) const {
     for (const auto& breakable : breakables_.all())
-        if (breakable->serial == blow.serial) return breakable.get();
-    Breakable* nearest = nullptr;
-    double least = std::numeric_limits<double>::infinity();
+        if (breakable->serial == blow.serial) return {{breakable.get(), blow.pushes}};
+    std::vector<Breakable*> fragments;
     for (const QueuedEvent& queued : current_) {
         if (!queued.broken || queued.broken->serial != blow.serial) continue;
-        for (const btRigidBody* body : queued.event.fragments) {
-            Breakable* fragment = breakables_.find(body);
-            const double distance = fragment ? distanceTo(*fragment, blow.pushes.front().point) : least;
-            if (!(distance < least)) continue;
-            least = distance;
-            nearest = fragment;
-        }
+        for (const btRigidBody* body : queued.event.fragments)
+            if (Breakable* fragment = breakables_.find(body)) fragments.push_back(fragment);
     }
-    return nearest;
+    std::vector<std::pair<Breakable*, std::vector<Push>>> targets;
+    if (fragments.empty()) return targets;
+    for (const Push& push : blow.pushes) {
+        std::vector<double> distances;
+        for (const Breakable* fragment : fragments) distances.push_back(distanceTo(*fragment, push.point));
+        const auto nearest = std::min_element(distances.begin(), distances.end()) - distances.begin();
+        const auto known = std::find_if(targets.begin(), targets.end(), [&](const auto& target) {
+            return target.first == fragments[nearest];
+        });
+        if (known != targets.end())
+            known->second.push_back(push);
+        else
+            targets.push_back({fragments[nearest], {push}});
+    }
+    return targets;
 }
 
 }  // namespace sherd

@@ -146,12 +146,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void finishBetweenSteps();
     void removeRequested();
     void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
-    void carryOutOnHeld(Breakable& held, const std::vector<Push>& pushes, btScalar time_step_s);
-    bool replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
+    void replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
     Breakable* stillThere(const Break& broken) const;
     Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion);
-    Breakable* strikableTargetOf(const QueuedBlow& blow) const;
-    Breakable* targetOf(const QueuedBlow& blow) const;
+    std::vector<std::pair<Breakable*, std::vector<Push>>> targetsOf(const QueuedBlow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
     void tellWhatCannotBreak();

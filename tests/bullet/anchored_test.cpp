@@ -295,4 +295,21 @@ TEST(Anchored, AnExplosionThrowsWhatComesLoose) {
     EXPECT_LT(momentumOf(wall.fracture).y(), 1000);
 }
 
+TEST(Anchored, AnExplosionBetweenTwoHeldWallsThrowsEachOutwards) {
+    WeakWall walls;
+    BodyOptions behind;
+    behind.start = at(0, -0.8f, 0);
+    ASSERT_TRUE(walls.fracture.add(*walls.fracture.asset(walls.body), behind).ok());
+    const Result<int> struck = explode(walls.fracture, Explosion{btVector3(0, -0.4f, 0.6f), 2000, 3});
+    ASSERT_TRUE(struck.ok()) << struck.error();
+    EXPECT_EQ(struck.value(), 2);
+    btScalar ahead = 0, back = 0;
+    for (const btRigidBody* piece : walls.fracture.bodies())
+        if (!piece->isStaticObject())
+            (piece->getCenterOfMassPosition().y() > -0.4f ? ahead : back) +=
+                piece->getLinearVelocity().y() / piece->getInvMass();
+    EXPECT_GT(ahead, 100);
+    EXPECT_NEAR(ahead, -back, 0.3 * ahead) << "alike but for where the cracks run";
+}
+
 }  // namespace

@@ -228,6 +228,28 @@ TEST(AppliedBlow, OnABodyThatBreaksInTheSameStepItGoesToTheNearestFragment) {
     EXPECT_LT((*fastest)->getCenterOfMassPosition().distance(push.point), 0.25);
 }
 
+TEST(AppliedBlow, OnABodyThatBreaksInTheSameStepEachPushGoesToItsNearestFragment) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+    scene.addBall(2, 0.1, btVector3(0, 0, 0.129f), btVector3(0, 0, -8));
+    const Push right{btVector3(0.28f, 0.28f, 0), btVector3(30, 0, 0)};
+    const Push left{btVector3(-0.28f, -0.28f, 0), btVector3(-30, 0, 0)};
+    const MidStep once(scene, [&] { EXPECT_TRUE(fracture.applyBlow(body, {right, left}).ok()); });
+    scene.step();
+    const std::vector<BlowEvent> events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u) << "fragments rest from their birth";
+    ASSERT_EQ(events.front().outcome, Outcome::broke);
+    const std::vector<btRigidBody*>& pieces = events.front().fragments;
+    const auto [slowest, fastest] = std::minmax_element(
+        pieces.begin(), pieces.end(),
+        [](const auto* a, const auto* b) { return a->getLinearVelocity().x() < b->getLinearVelocity().x(); });
+    EXPECT_GT((*fastest)->getLinearVelocity().x(), 5);
+    EXPECT_LT((*slowest)->getLinearVelocity().x(), -5);
+    EXPECT_LT((*fastest)->getCenterOfMassPosition().distance(right.point), 0.25);
+    EXPECT_LT((*slowest)->getCenterOfMassPosition().distance(left.point), 0.25);
+}
+
 TEST(AppliedBlow, OfABodyThatIsRemovedInTheSameStepNothingHappens) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
