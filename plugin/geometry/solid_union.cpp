@@ -1,13 +1,5 @@
 #include "geometry/solid_union.h"
 
-#if defined(__GNUC__) && !defined(__clang__)
-// g++ 12 takes the empty callback of CGAL's self-intersection test, which is never called here, for an unset
-// value.
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Surface_mesh.h>
 #include <CGAL/convex_hull_3.h>
 
 #include <algorithm>
@@ -17,6 +9,7 @@
 #include <string>
 #include <utility>
 
+#include "geometry/exact_union.h"
 #include "geometry/merge_vertices.h"
 #include "geometry/surface_checks.h"
 #include "geometry/surface_mesh_conversion.h"
@@ -25,8 +18,6 @@
 namespace sherd {
 namespace {
 
-using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using Solid = CGAL::Surface_mesh<Kernel::Point_3>;
 using Parts = std::vector<std::vector<Vec3>>;
 
 constexpr double weld_tolerance = 1e-6;  // of the whole; a float keeps 6e-8
@@ -60,36 +51,35 @@ Status weld(Parts& parts) {
     return success();
 }
 
-std::optional<Solid> convexHull(const std::vector<Vec3>& points) {
-    std::vector<Kernel::Point_3> exact;
+std::optional<ExactMesh> convexHull(const std::vector<Vec3>& points) {
+    std::vector<ExactKernel::Point_3> exact;
     for (const Vec3& point : points) exact.emplace_back(point.x(), point.y(), point.z());
-    Solid hull;
+    ExactMesh hull;
     CGAL::convex_hull_3(exact.begin(), exact.end(), hull);
     if (hull.number_of_faces() < 4 || !CGAL::is_closed(hull)) return std::nullopt;
     return hull;
 }
 
 /// Adds `part` to `whole` if their union is a manifold; false if not.
-bool unite(Solid& whole, const Solid& part) {
-    Solid a = whole, b = part, both;  // corefinement splits the triangles of its operands
-    if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) return false;
-    whole = std::move(both);
-    return true;
+bool unite(ExactMesh& whole, const ExactMesh& part) {
+    std::optional<ExactMesh> both = unionOf(whole, part);
+    if (both) whole = std::move(*both);
+    return both.has_value();
 }
 
-Result<Solid> uniteHulls(const Parts& parts) {
-    std::vector<std::pair<std::size_t, Solid>> waiting;
+Result<ExactMesh> uniteHulls(const Parts& parts) {
+    std::vector<std::pair<std::size_t, ExactMesh>> waiting;
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        std::optional<Solid> hull = convexHull(parts[p]);
+        std::optional<ExactMesh> hull = convexHull(parts[p]);
         if (!hull)
             return Error{"Convex part " + std::to_string(p) + " is flat; give it a thickness, or remove it."};
         waiting.emplace_back(p, std::move(*hull));
     }
-    Solid whole;
+    ExactMesh whole;
     // Two parts may touch in an edge only until a third fills the corner, so what fails waits for the next
     // round.
     for (bool progress = true; progress && !waiting.empty();) {
-        std::vector<std::pair<std::size_t, Solid>> failed;
+        std::vector<std::pair<std::size_t, ExactMesh>> failed;
         for (auto& [number, part] : waiting)
             if (!unite(whole, part)) failed.emplace_back(number, std::move(part));
         progress = failed.size() < waiting.size();
@@ -119,7 +109,7 @@ Result<TriangleMesh> uniteAll(Parts parts) {
     if (Status welded = weld(parts); !welded) return Error{welded.error()};
     Status checked = success();
     for (int attempt = 0; attempt < 2; ++attempt) {
-        const Result<Solid> whole = uniteHulls(parts);
+        const Result<ExactMesh> whole = uniteHulls(parts);
         if (!whole) return Error{whole.error()};
         TriangleMesh mesh = mergeEqualVertices(fromSurfaceMesh(whole.value()));
         checked = checkSurface(mesh);

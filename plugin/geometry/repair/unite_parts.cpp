@@ -1,9 +1,3 @@
-#if defined(__GNUC__) && !defined(__clang__)
-// g++ 12 takes the empty callback of CGAL's self-intersection test for an unset value.
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-#endif
-#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 
@@ -11,9 +5,11 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "core/numerics/union_find.h"
+#include "geometry/exact_union.h"
 #include "geometry/merge_vertices.h"
 #include "geometry/repair/cgal_mesh.h"
 #include "geometry/repair/mend_surface.h"
@@ -24,8 +20,6 @@ namespace sherd {
 namespace {
 
 namespace pmp = CGAL::Polygon_mesh_processing;
-using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
-using ExactMesh = CGAL::Surface_mesh<ExactKernel::Point_3>;
 
 struct Part {
     TriangleMesh mesh;
@@ -113,7 +107,7 @@ int materialAround(const Part& part, const std::vector<Part>& parts) {
     return around;
 }
 
-Result<TriangleMesh> unionOf(const std::vector<const Part*>& cluster) {
+Result<TriangleMesh> unionOfCluster(const std::vector<const Part*>& cluster) {
     std::vector<ExactMesh> wholes;
     for (const Part* part : cluster) {
         if (part->crosses_itself) return Error{"A part crosses itself, so it cannot be united with others."};
@@ -122,11 +116,9 @@ Result<TriangleMesh> unionOf(const std::vector<const Part*>& cluster) {
     // Neighbours first, then pairs of pairs: each triangle goes through few unions.
     for (std::size_t step = 1; step < wholes.size(); step *= 2)
         for (std::size_t p = 0; p + step < wholes.size(); p += 2 * step) {
-            ExactMesh both;
-            if (!pmp::corefine_and_compute_union(wholes[p], wholes[p + step], both))
-                return Error{"Parts touch in an edge or a point only, so their union is no solid."};
-            wholes[p] = std::move(both);
-            wholes[p + step].clear();
+            std::optional<ExactMesh> both = unionOf(std::move(wholes[p]), std::move(wholes[p + step]));
+            if (!both) return Error{"Parts touch in an edge or a point only, so their union is no solid."};
+            wholes[p] = std::move(*both);
         }
     return mergeEqualVertices(fromSurfaceMesh(wholes[0]));
 }
@@ -160,7 +152,7 @@ Status uniteParts(TriangleMesh& mesh, RepairReport& report) {
                 ++report.united_parts;
             continue;
         }
-        const Result<TriangleMesh> united = unionOf(cluster);
+        const Result<TriangleMesh> united = unionOfCluster(cluster);
         if (!united) return Error{united.error()};
         append(united.value(), result);
         report.united_parts += static_cast<int>(cluster.size()) - 1;
