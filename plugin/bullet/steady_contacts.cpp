@@ -90,10 +90,16 @@ bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
     return false;
 }
 
-void limitDepth(btPersistentManifold& manifold, btScalar deepest) {
+/// What is so deep that the solver moves it out without making it any faster is left as it is on ground: up
+/// to some decimetres at high speeds, and a piece would fall asleep on its way out, or through.
+void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info) {
+    const bool is_on_ground =
+        manifold.getBody0()->isStaticObject() || manifold.getBody1()->isStaticObject();
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         btManifoldPoint& point = manifold.getContactPoint(p);
-        point.setDistance(std::max(point.getDistance(), -deepest));
+        const bool is_moved_out = info.m_splitImpulse && is_on_ground &&
+                                  point.getDistance() <= info.m_splitImpulsePenetrationThreshold;
+        if (!is_moved_out) point.setDistance(std::max(point.getDistance(), -deepest));
     }
 }
 
@@ -134,7 +140,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (isDeeperThan(deepest, manifold) &&
             (isFragment(*manifold.getBody0(), breakables) || isFragment(*manifold.getBody1(), breakables)))
-            limitDepth(manifold, deepest);
+            limitDepth(manifold, deepest, info);
     }
 }
 
