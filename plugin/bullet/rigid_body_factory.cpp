@@ -109,6 +109,18 @@ OwnedShape shapeOf(const std::vector<ConvexHull>& hulls, bool always_compound) {
     return owned;
 }
 
+/// A box, where a whole body fills the one around it: boxes stand on each other in Bullet, and hulls hardly
+/// do, and the margin of a box lies inside. Nothing for other bodies, and for sheets, which need a hull's
+/// margin. `surface` in the body's frame, whose origin is the centre of mass.
+std::unique_ptr<btCollisionShape> boxOf(const TriangleMesh& surface, const BreakableSolid& solid) {
+    constexpr double filled = 1 - 1e-6, thinnest = 10 * least_margin;
+    Eigen::AlignedBox3d box;
+    for (const Vec3& vertex : surface.vertices) box.extend(vertex);
+    const bool is_sheet = box.sizes().minCoeff() < 2 * thinnest * box.diagonal().norm();
+    if (solid.isFragment() || is_sheet || solid.moments().volume < filled * box.volume()) return nullptr;
+    return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * box.sizes())));
+}
+
 OwnedShape boxCompound(const std::vector<Box>& boxes, const btTransform& body_from_asset) {
     OwnedShape owned;
     owned.disjoint = true;
@@ -138,9 +150,12 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
                      const btTransform& body_from_asset) {
     if (wanted.kind == CollisionShape::boxes && !boxes.empty()) return boxCompound(boxes, body_from_asset);
     const TriangleMesh surface = placed(solid.surface(), body_from_asset);
+    OwnedShape owned;
+    if (wanted.kind != CollisionShape::convex_parts) owned.shape = boxOf(surface, solid);
+    if (owned.shape) return owned;
     const DecompositionLimits limits = limitsOf(wanted, solid.spacing());
-    OwnedShape owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits),
-                               wanted.kind == CollisionShape::convex_parts);
+    owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits),
+                    wanted.kind == CollisionShape::convex_parts);
     if (owned.shape) return owned;
     if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
     owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));

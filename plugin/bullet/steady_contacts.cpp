@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "bullet/extra_contacts.h"
+#include "bullet/ground_surface.h"
 #include "bullet/missed_vertices.h"
 #include "bullet/standing_contacts.h"
 #include "bullet/world_internals.h"
@@ -90,11 +91,16 @@ bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
     return false;
 }
 
-/// What is so deep that the solver moves it out without making it any faster is left as it is on ground: up
-/// to some decimetres at high speeds, and a piece would fall asleep on its way out, or through.
+/// Whether it is static and has an inside, out of which Bullet pushes along one way; triangles push to the
+/// side that less of a body is on.
+bool isSolidGround(const btCollisionObject& object) {
+    return object.isStaticObject() && !isGroundSurface(object);
+}
+
+/// What is so deep in solid ground that the solver moves it out without making it any faster is left as it
+/// is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or fall through.
 void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info) {
-    const bool is_on_ground =
-        manifold.getBody0()->isStaticObject() || manifold.getBody1()->isStaticObject();
+    const bool is_on_ground = isSolidGround(*manifold.getBody0()) || isSolidGround(*manifold.getBody1());
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         btManifoldPoint& point = manifold.getContactPoint(p);
         const bool is_moved_out = info.m_splitImpulse && is_on_ground &&

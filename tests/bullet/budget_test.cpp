@@ -117,7 +117,7 @@ struct RowOfPlates {
             shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)), likeSand(), coarse(0.06));
         for (int i = 0; i < count; ++i) {
             BodyOptions options;
-            options.start = at(btScalar(i), 0, 0.031f);
+            options.start = at(btScalar(i), 0, 0.0299f);  // boxes touch where they overlap
             options.velocity = btVector3(0, 0, -speed);
             plates.push_back(fracture->add(asset.value(), options).value());
         }
