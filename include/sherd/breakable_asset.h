@@ -79,7 +79,7 @@ class BreakableAsset {
     /// Linux). The future's destructor waits for the end.
     std::future<Status> prepareOnThread(std::function<void(double done)> progress = {}) const;
 
-    /// Whether that is done. Never waits; from any thread.
+    /// Whether `prepare` is done, or `load` gave the asset. Never waits; from any thread.
     bool prepared() const;
 
     // These, too, may be called from any thread.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "bullet/body_checks.h"
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/fragment_motion.h"
@@ -25,8 +26,6 @@ std::string words(const btVector3& v) {
     text << "(" << v.x() << ", " << v.y() << ", " << v.z() << ")";
     return text.str();
 }
-
-constexpr double speed_of_light_m_s = 299792458;
 
 bool isNotNegative(double value) {
     return std::isfinite(value) && value >= 0;

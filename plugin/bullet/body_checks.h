@@ -7,6 +7,8 @@ class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
+inline constexpr double speed_of_light_m_s = 299792458;
+
 /// Says which of the options is no place, no velocity, or out of its range.
 Status checkOptions(const BodyOptions& options);
 

@@ -43,6 +43,7 @@ BreakableSolid::BreakableSolid(BakedSolid baked)
     shared_->sampled.get([&] { return Sampled{std::move(baked.sampling), 0}; });
     shared_->reduced.get(
         [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(baked.reduced); });
+    shared_->prepared = true;
 }
 
 std::shared_ptr<const BreakableSolid> BreakableSolid::fromBaked(BakedSolid baked) {

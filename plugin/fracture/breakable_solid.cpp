@@ -147,6 +147,7 @@ Status BreakableSolid::prepare(const Progress& progress) const {
         if (const auto solver = stressSolver(); !solver) return Error{solver.error()};
     prepareSurface();
     if (reduced) (void)strength().weakest(reducedStress()->reading);  // of bodies without a seed of their own
+    shared_->prepared = true;
     tell(1);
     return success();
 }
@@ -234,7 +235,7 @@ bool BreakableSolid::isFactored() const {
     return solver && solver->ok();
 }
 
-bool BreakableSolid::prepared() const {
+bool BreakableSolid::hasSolver() const {
     return isFactored() || reducedStress();
 }
 

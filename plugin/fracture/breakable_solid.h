@@ -6,6 +6,7 @@
 #include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -94,8 +95,10 @@ class BreakableSolid {
     int unknownCount() const;
     /// Whether the factored stress problem is there already. Never waits.
     bool isFactored() const;
-    /// Whether `prepare` is done, or the factored stress problem is there already. Never waits.
-    bool prepared() const;
+    /// Whether a blow finds the factored stress problem there already, or the reduced model. Never waits.
+    bool hasSolver() const;
+    /// Whether `prepare` is done. Never waits.
+    bool prepared() const { return shared_->prepared; }
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
     std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
@@ -127,6 +130,7 @@ class BreakableSolid {
         MadeOnce<Result<StressSolver>> solver;
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
         MadeOnce<double> smallest_failure_energy;
+        std::atomic<bool> prepared{false};
         /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.
         MadeOnce<Sampled> complete;
     };

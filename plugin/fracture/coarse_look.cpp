@@ -12,7 +12,7 @@ namespace {
 
 bool isAsked(const BreakableSolid& solid, const FractureSettings& fracture) {
     const StressSettings& stress = solid.settings().stress;
-    return fracture.use_coarse_model && solid.isFragment() && !solid.prepared() &&
+    return fracture.use_coarse_model && solid.isFragment() && !solid.hasSolver() &&
            stress.trial_function == TrialFunction::spline && stress.basis != Basis::cubic;
 }
 

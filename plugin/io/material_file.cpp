@@ -35,7 +35,7 @@ Material called(const JsonEntry& entry, const Place& place, Missing missing) {
         return ofFile((fs::path(place.folder) / name).lexically_normal().string(), place, missing);
     const Result<Material> known = Material::named(name);
     if (known) return known.value();
-    throw BadEntry{entry.path() + ": " + known.error() +
+    throw BadEntry{(entry.path().empty() ? "" : entry.path() + ": ") + known.error() +
                    " Or give the constants in braces, or a file of them that ends in .json."};
 }
 

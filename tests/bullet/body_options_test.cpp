@@ -71,6 +71,10 @@ TEST(BodyOptions, RefusalsSayWhatIsWrong) {
               "the velocity is not finite; give it in m/s");
     EXPECT_EQ(refusal([](BodyOptions& o) { o.angular_velocity[0] = nan; }),
               "the angular velocity is not finite; give it in rad/s");
+    EXPECT_EQ(refusal([](BodyOptions& o) { o.velocity[2] = btScalar(1e20); }),
+              "the velocity is faster than light; give it in m/s");
+    EXPECT_NE(refusal([](BodyOptions& o) { o.start.getOrigin()[0] = btScalar(1e30); }).find("10,000 km"),
+              std::string::npos);
     EXPECT_EQ(refusal([](BodyOptions& o) {
                   o.fracture = FractureSettings();
                   o.fracture->largest_fragment_count = 1;

@@ -1,5 +1,6 @@
 // What stands for bodies in collisions, and that fragments are not pushed apart when they are born.
 
+#include "bullet/conversions.h"
 #include "bullet/convex_decomposition.h"
 #include "bullet/convex_hull.h"
 #include "bullet/rigid_body_factory.h"
@@ -312,6 +313,75 @@ TEST(AutomaticShape, FollowsThePiece) {
     EXPECT_LE(parts, 8);
     EXPECT_EQ(partsOf(*add(cup(), 3)), 3);
     EXPECT_TRUE(add(cup(), 1)->getCollisionShape()->isConvex());
+}
+
+bool isBox(const btCollisionShape& shape) {
+    return shape.getShapeType() == BOX_SHAPE_PROXYTYPE;
+}
+
+TEST(AutomaticShape, OfABoxIsThatBox) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const Vec3 size(0.3, 0.2, 0.1);
+    TriangleMesh turned = shapes::slab(size, 3, 2, 1);
+    const Eigen::AngleAxisd turn(0.7, Vec3(1, 2, 3).normalized());
+    for (Vec3& vertex : turned.vertices) vertex = turn * vertex + Vec3(1, 0, 0);
+    for (const CollisionShape kind : {CollisionShape::automatic, CollisionShape::hull}) {
+        const auto body = fracture.add(shaped(turned, kind, unbreakable()), at(0, 0, 0)).value();
+        ASSERT_TRUE(isBox(*body->getCollisionShape()));
+        Vec3 half =
+            fromBullet(static_cast<const btBoxShape*>(body->getCollisionShape())->getHalfExtentsWithMargin());
+        std::sort(half.data(), half.data() + 3);
+        EXPECT_LT((half - Vec3(0.05, 0.1, 0.15)).norm(), 1e-6);
+    }
+    TriangleMesh dented = shapes::slab(size, 2, 2, 2);
+    for (Vec3& vertex : dented.vertices)
+        if (vertex.head<2>().isZero(1e-9) && vertex.z() > 0) vertex.z() -= 1e-3;
+    const auto add = [&](const TriangleMesh& surface, CollisionShape kind) {
+        return fracture.add(shaped(surface, kind, unbreakable()), at(0, 0, 0)).value()->getCollisionShape();
+    };
+    EXPECT_FALSE(isBox(*add(dented, CollisionShape::automatic)));
+    EXPECT_FALSE(isBox(*add(turned, CollisionShape::convex_parts)));
+    EXPECT_FALSE(isBox(*add(shapes::slab(Vec3(0.3, 0.3, 3e-5)), CollisionShape::automatic)))
+        << "a sheet needs a hull's margin";
+}
+
+TEST(AutomaticShape, BoxesStandOnEachOtherWhereTheyArePut) {
+    for (const double rate_hz : {60.0, 240.0}) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        const auto cube = shaped(shapes::slab(Vec3(0.1, 0.1, 0.1)), CollisionShape::automatic, unbreakable());
+        const auto block = shaped(shapes::slab(Vec3(2, 2, 2)), CollisionShape::automatic, unbreakable(), 0.5);
+        std::vector<std::pair<btRigidBody*, btScalar>> stands;
+        for (int i = 0; i < 4; ++i) {
+            const btScalar z = btScalar(0.05 + 0.1 * i);
+            stands.emplace_back(fracture.add(cube, at(0, 0, z)).value(), z);
+        }
+        stands.emplace_back(fracture.add(block, at(3, 0, 1)).value(), btScalar(1));
+        scene.step(static_cast<int>(4 * rate_hz), 1 / rate_hz);
+        for (const auto& [body, z] : stands) {
+            EXPECT_NEAR(body->getCenterOfMassPosition().z(), z, 1e-3) << rate_hz;
+            EXPECT_NEAR(body->getCenterOfMassPosition().y(), 0, 0.01);
+            EXPECT_FALSE(body->isActive()) << z << " at " << rate_hz;
+        }
+    }
+}
+
+TEST(AutomaticShape, BricksThatFallStayOnTheFloor) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    const auto brick = shaped(shapes::slab(Vec3(0.1, 0.08, 0.03)), CollisionShape::automatic, unbreakable());
+    for (int i = 0; i < 6; ++i)
+        ASSERT_TRUE(fracture.add(brick, at(btScalar(0.5 * i - 1), 0, btScalar(0.2 + 0.15 * i))).ok());
+    scene.step(5 * 60, 1.0 / 60);
+    for (const btRigidBody* body : fracture.bodies()) {
+        EXPECT_NEAR(body->getCenterOfMassPosition().z(), 0.015, 1e-3);
+        EXPECT_FALSE(body->isActive());
+    }
 }
 
 TEST(AutomaticShape, IsSharedByTheBodiesOfAnAsset) {

@@ -97,6 +97,43 @@ TEST_F(StandingContacts, OnAPlaneLetSplintersRest) {
     expectRest();
 }
 
+/// Thrown into ground.
+class DeepInGround : public StandingContacts {
+  protected:
+    /// `lowest`: of the centres of the pieces in the end, m.
+    void expectAbove(btScalar lowest, std::unique_ptr<btCollisionShape> ground, btScalar top) {
+        dropPieces(std::move(ground), top);
+        for (btRigidBody* piece : pieces_) piece->setLinearVelocity(btVector3(0, 0, -4));
+        scene_.step(6 * 60, 1.0 / 60);
+        for (const btRigidBody* piece : pieces_) EXPECT_GT(piece->getCenterOfMassPosition().z(), lowest);
+        removeAll();
+    }
+    static constexpr btScalar out = -0.005f, not_lost = -0.5f;
+};
+
+TEST_F(DeepInGround, PiecesComeOutOfABox) {
+    expectAbove(out, std::make_unique<btBoxShape>(btVector3(12, 12, 0.5f)), 0.5f);
+}
+
+TEST_F(DeepInGround, PiecesComeOutOfAPlane) {
+    expectAbove(out, std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0);
+}
+
+// Out of a hull of 24 m Bullet takes them no better.
+TEST_F(DeepInGround, PiecesAreNotLostInAHull) {
+    auto hull = std::make_unique<btConvexHullShape>();
+    for (const btScalar x : {-12.f, 12.f})
+        for (const btScalar y : {-12.f, 12.f})
+            for (const btScalar z : {-0.5f, 0.5f}) hull->addPoint(btVector3(x, y, z), false);
+    hull->recalcLocalAabb();
+    const btScalar top = 0.5f + hull->getMargin();
+    expectAbove(not_lost, std::move(hull), top);
+}
+
+TEST_F(DeepInGround, PiecesAreNotLostInACylinder) {
+    expectAbove(not_lost, std::make_unique<btCylinderShapeZ>(btVector3(15, 15, 0.5f)), 0.5f);
+}
+
 /// Triangles over a square around the origin, z = bump * sin(3 x) cos(2 y).
 class Terrain {
   public:

@@ -31,7 +31,7 @@ TEST(DecideBlow, TheGateDecidesWeakBlowsAndSolvesNothing) {
     EXPECT_EQ(out.level, Level::gate);
     EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_DOUBLE_EQ(out.impulse_n_s, 0.05 * 0.001);
-    EXPECT_FALSE(solid->prepared());
+    EXPECT_FALSE(solid->hasSolver());
     EXPECT_FALSE(out.full_solve_outcome);
     EXPECT_GT(out.ms.gate, 0);
     EXPECT_EQ(out.ms.total(), out.ms.gate);

@@ -76,8 +76,10 @@ TEST(Threads, ABlowOnOneThreadHoldsUpNothingButItsOwnSolidsStrengths) {
         EXPECT_EQ(strike(*copy.solid(), blowInTheMiddle(1, 10), 1).outcome, Outcome::broke);
     });
     in_the_field.get_future().wait();
-    EXPECT_TRUE(asset.prepared());
+    EXPECT_TRUE(asset.solid()->hasSolver());
+    EXPECT_FALSE(asset.prepared()) << "a blow has factored it, and nobody asked for more";
     EXPECT_TRUE(asset.prepare().ok());
+    EXPECT_TRUE(asset.prepared());
     EXPECT_GT(asset.particleCount(), 0);
     EXPECT_GT(asset.solid()->sampleMilliseconds(), 0);
     EXPECT_TRUE(canBreak(*asset.solid(), blowInTheMiddle(1, 10)));

@@ -91,6 +91,7 @@ bool writeAll(const Header& header, const std::vector<std::byte>& content, const
 Status writeChecked(const FileFormat& format, const std::vector<std::byte>& content,
                     const std::string& path) {
     if (!lowestByteIsFirst()) return Error{otherOrder(format)};
+    if (path.empty()) return Error{"There is no path to write to (an empty text); give that of a file."};
     Header header{};
     std::memcpy(header.magic, format.magic, sizeof header.magic);
     header.version = format.version;
@@ -104,11 +105,12 @@ Status writeChecked(const FileFormat& format, const std::vector<std::byte>& cont
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);
     if (!written) return Error{"Cannot write " + path + "; is there such a folder, and room on the disk?"};
-    return Error{"Cannot write " + path + ": " + trouble.message() + "."};
+    return Error{"Cannot write " + path + ": " + trouble.message() + "; give the path of a file."};
 }
 
 Result<CheckedContent> readChecked(const FileFormat& format, const std::string& path) {
     if (!lowestByteIsFirst()) return Error{otherOrder(format)};
+    if (path.empty()) return Error{"There is no path to read from (an empty text); give that of a file."};
     const auto wrong = [&](const std::string& fault) {
         return Error{path + " " + fault + "; " + format.remedy + "."};
     };
