@@ -69,8 +69,8 @@ class FractureWorld {
     FractureWorld& operator=(const FractureWorld&) = delete;
 
     /// Adds a body to the world: a btRigidBody with the shape that its settings ask for (a btCompoundShape,
-    /// or a btConvexHullShape where one hull is enough), owned by this object, and valid until it is
-    /// removed or breaks (BlowEvent::body). Bodies of one asset that ask for the same shape share it. The
+    /// or a btConvexHullShape or btBoxShape where that is enough), owned by this object, and valid until it
+    /// is removed or breaks (BlowEvent::body). Bodies of one asset that ask for the same shape share it. The
     /// asset is sampled here unless `prepare` was called. The error says what is wrong with the options, why
     /// the asset's solid cannot be sampled, or that the world is inside a step. The app may take the body out
     /// of this world and put it back, but not into another world. Its extension pointer

@@ -179,13 +179,13 @@ enum class Debris {
 /// What stands for a body in collisions: for bodies of `FractureWorld::add` and for all fragments. A body
 /// that `makeBreakable` is given keeps the shape that it has; its fragments get what is set here.
 enum class CollisionShape {
-    /// One convex hull where a piece is nearly convex, a few where it is hollow or bent
-    /// (`largest_collision_part_count`): a hollow stays open, a shallow one is closed.
+    /// A box where a whole body is one, one convex hull where a piece is nearly convex, a few where it is
+    /// hollow or bent (`largest_collision_part_count`): a hollow stays open, a shallow one is closed.
     automatic,
     /// Filled cells of the sampling, merged: hollows stay open, surfaces are stairs of about half a particle
     /// spacing. Pieces do not come to rest on stairs, and steps take ten times as long.
     boxes,
-    /// One convex hull, the quickest: hollows are closed, so nothing falls into a cup.
+    /// One convex hull (or that box), the quickest: hollows are closed, so nothing falls into a cup.
     hull,
     /// Hulls of up to 24 parts, which follow the surface more closely than those of `automatic`.
     convex_parts,

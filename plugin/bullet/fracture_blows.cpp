@@ -101,7 +101,9 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
         for (const auto& [body, pushes] : targetsOf(blow)) {
             if (!isInWorld(world_, body->body) || !body->canBeStruck()) continue;
             const bool is_held = body->asset.solid()->isAnchored();
-            const auto struck = timed(times_.steps.contacts, [&] { return asContacts(*body, pushes); });
+            const auto struck = timed(times_.steps.contacts, [&, struck_body = body, by = &pushes] {
+                return asContacts(*struck_body, *by);
+            });
             if (is_held)
                 on_held.emplace(body->serial, pushes);
             else
