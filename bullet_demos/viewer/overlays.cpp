@@ -91,7 +91,7 @@ render::Marks overlayMarks(const Overlays& overlays, Simulation& simulation, con
         addContacts(marks, simulation.world());
         if (simulation.lastBlow()) addBlow(marks, simulation.lastBlow()->event);
     }
-    if (overlays.collision_shapes) addShapeLines(marks, simulation.world());
+    if (overlays.collision_shapes) addShapeLines(marks, simulation.world(), simulation.placed().fracture());
     return marks;
 }
 

@@ -24,13 +24,14 @@ class LineDrawer : public btIDebugDraw {
 
 }  // namespace
 
-void addShapeLines(render::Marks& marks, btDiscreteDynamicsWorld& world) {
+void addShapeLines(render::Marks& marks, btDiscreteDynamicsWorld& world,
+                   const sherd::FractureWorld& fracture) {
     LineDrawer drawer(marks);
     btIDebugDraw* const before = world.getDebugDrawer();
     world.setDebugDrawer(&drawer);
     for (int i = 0; i < world.getNumCollisionObjects(); ++i) {
         const btRigidBody* body = btRigidBody::upcast(world.getCollisionObjectArray()[i]);
-        if (!body || body->getCollisionShape()->getShapeType() == BOX_SHAPE_PROXYTYPE) continue;  // the floor
+        if (!body || (body->isStaticObject() && !fracture.asset(body))) continue;  // the floor
         const btVector3 colour = body->isActive() ? btVector3(1, 1, 1) : btVector3(0.3f, 0.8f, 0.4f);
         world.debugDrawObject(body->getWorldTransform(), body->getCollisionShape(), colour);
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <utility>
 
 #include "bullet/applied_blow.h"
 #include "bullet/body_swap.h"
@@ -116,7 +117,7 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
     for (Break& broken : breaks)
         if (const auto held = on_held.find(broken.serial); held != on_held.end())
             broken.pushes = &held->second;
-    replaceBroken(breaks, time_step_s);
+    replaceBroken(std::move(breaks), time_step_s);
     for (const auto& breakable : breakables_.all())
         if (const auto held = on_held.find(breakable->serial); held != on_held.end())
             push(*breakable->body, held->second);

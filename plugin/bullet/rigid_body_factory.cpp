@@ -113,10 +113,11 @@ OwnedShape shapeOf(const std::vector<ConvexHull>& hulls, bool always_compound) {
 /// do, and the margin of a box lies inside. Nothing for other bodies, and for sheets, which need a hull's
 /// margin. `surface` in the body's frame, whose origin is the centre of mass.
 std::unique_ptr<btCollisionShape> boxOf(const TriangleMesh& surface, const BreakableSolid& solid) {
-    constexpr double filled = 1 - 1e-6, thinnest = 10 * least_margin;
+    constexpr double filled = 1 - 1e-6;
+    constexpr double margin_of_boxes = 0.05;  // of the smallest extent: Bullet's
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : surface.vertices) box.extend(vertex);
-    const bool is_sheet = box.sizes().minCoeff() < 2 * thinnest * box.diagonal().norm();
+    const bool is_sheet = margin_of_boxes * box.sizes().minCoeff() < least_margin * box.diagonal().norm();
     if (solid.isFragment() || is_sheet || solid.moments().volume < filled * box.volume()) return nullptr;
     return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * box.sizes())));
 }
