@@ -14,12 +14,19 @@ namespace {
 
 using nlohmann::json;
 
+/// Where the text is wrong, and how, without the parser's names for that.
+std::string faultOf(const json::exception& error) {
+    const std::string what = error.what(), names = "parse error at ";
+    const auto place = what.find(names);
+    return place == std::string::npos ? what : what.substr(place + names.size());
+}
+
 template <class Source>
 json parse(Source&& source) {
     try {
         return json::parse(source, nullptr, true, true);
     } catch (const json::exception& error) {
-        throw BadEntry{std::string("this is not JSON: ") + error.what()};
+        throw BadEntry{"this is not JSON: " + faultOf(error) + "."};
     }
 }
 
