@@ -37,13 +37,20 @@ Eigen::Isometry3d Track::placedAt(double time_s) const {
 void Recorder::record(double time_s, const std::vector<sherd::BlowEvent>& events) {
     birth_keys_.clear();
     for (const sherd::BlowEvent& event : events) {
-        const auto parent = present_.find(event.body);
-        if (event.outcome != sherd::Outcome::broke || parent == present_.end()) continue;
-        Track& track = tracks_[parent->second];
-        track.is_replaced = true;
+        if (event.outcome != sherd::Outcome::broke) continue;
         // Fragments have the coordinates of the body that they come from.
-        for (const btRigidBody* fragment : event.fragments) birth_keys_[fragment] = track.keys.back();
-        present_.erase(parent);
+        Key birth;
+        if (const auto parent = present_.find(event.body); parent != present_.end()) {
+            Track& track = tracks_[parent->second];
+            track.is_replaced = true;
+            birth = track.keys.back();
+            present_.erase(parent);
+        } else if (const auto born = birth_keys_.find(event.body); born != birth_keys_.end()) {
+            birth = born->second;  // in this step, too
+        } else {
+            continue;
+        }
+        for (const btRigidBody* fragment : event.fragments) birth_keys_[fragment] = birth;
     }
     const std::vector<BodyState> states = scene_.states();
     std::size_t next = 0;
