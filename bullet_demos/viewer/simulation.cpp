@@ -55,8 +55,9 @@ void Simulation::takeEvents() {
         breaks_ += broke;
         if (event.outcome == sherd::Outcome::failed && failures_++ == 0) first_failure_ = event.message;
         if (broke) last_break_step_ = steps_;
-        // One that held says less than the break before it.
-        if (!broke && last_blow_ && last_blow_->event.outcome == sherd::Outcome::broke) continue;
+        // One that held, or was torn out of its supports, says less than the break before it.
+        const bool says_little = !broke || event.level == sherd::Level::gate;
+        if (says_little && last_blow_ && last_blow_->event.outcome == sherd::Outcome::broke) continue;
         SeenBlow blow{std::move(event), {}, ++blows_};
         for (const btRigidBody* piece : blow.event.fragments)
             if (const auto* asset = placed().fracture().asset(piece)) blow.pieces.push_back(*asset);

@@ -16,8 +16,9 @@ class btTypedConstraint;
 namespace sherd {
 
 /// One blow that was solved, on a coarse grid or in full: the body broke, or it held. Blows that the gate
-/// decided have an event only where it has something to say: the first blow on a body that has warnings, and
-/// all blows with FractureSettings::check_with_full_solve. World frame, SI units.
+/// decided have an event only where it has something to say: the first blow on a body that has warnings, what
+/// was torn out of its supports, and all blows with FractureSettings::check_with_full_solve. World frame, SI
+/// units.
 struct BlowEvent : BlowFigures {
     explicit BlowEvent(const BreakableAsset& of_body) : asset(of_body) {}
 

@@ -21,8 +21,10 @@ enum class Outcome {
 
 /// What decided a blow: the first of these, from the gate on, that could.
 enum class Level {
-    none,     ///< nothing did: Outcome::dropped, or Outcome::failed before the blow was looked at
-    gate,     ///< the blow is too weak to break the body: nothing was solved
+    none,  ///< nothing did: Outcome::dropped, or Outcome::failed before the blow was looked at
+    /// The energy of the blow: it is too weak to break the body, or it tears what supports hold of one out of
+    /// them (FractureSettings::same_blow_s). Nothing was solved.
+    gate,
     coarse,   ///< a solve of a fragment on a coarse grid: what it stores pays for no crack by far
     reduced,  ///< the reduced model of the stress that the asset keeps
     full,     ///< a full solve of the stress

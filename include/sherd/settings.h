@@ -225,10 +225,13 @@ struct FractureSettings {
     /// Convex hulls that stand for one body at most, with CollisionShape::automatic.
     int largest_collision_part_count = 8;
     /// Fragments cannot break for this time after they were made. A very large value lets them never break.
+    /// Those that supports hold come out of these all the same (same_blow_s).
     double rest_after_break_s = 0;
     /// For this time after they were made, fragments cannot be broken by what belongs to the same blow: the
     /// bodies that touched the one that broke, what came of these, and other fragments as young as they are.
-    /// What else strikes them does so as it would strike any body.
+    /// What else strikes them does so as it would strike any body. Fragments that supports still hold stand
+    /// in the way of what broke the whole: what is at least four times as heavy as one tears it out of its
+    /// supports in one piece (Outcome::broke with one fragment, Level::gate), and what is lighter breaks it.
     double same_blow_s = 0.05;
     /// How often a body may break in turn: at 1 its fragments never break, at 2 theirs never do. At 0 there
     /// is no limit.

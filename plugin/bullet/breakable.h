@@ -97,6 +97,8 @@ struct Breakable {
     bool canBeStruck() const {
         return isDynamic() || (asset.solid()->isAnchored() && !body->isKinematicObject());
     }
+    /// Whether it is a fragment that supports of the whole still hold.
+    bool isHeldRest() const { return isFragment() && !isDynamic() && canBeStruck(); }
     /// Whether it may break at that simulated time: neither debris nor just born.
     bool breaksAt(double time_s) const;
 };

@@ -151,7 +151,7 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
     if (!contact.strikes() && !rests) return;
     const btCollisionObject& partner = *other.party->object;
-    if (isOfTheSameBlow(breakable, partner, other.party->breakable, time_s_)) return;
+    if (isExempt(own, other)) return;
     StruckBreakable& entry = entryOf(breakable);
     contact.partner = entry.numberOf(&partner);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
@@ -164,6 +164,14 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.position = fromBullet(own.point);
     entry.normal = fromBullet(own.push);
     entry.striker = &partner;
+}
+
+/// Whether the contact belongs to the blow that made the piece. What goes on through the whole may well
+/// strike what its supports still hold: that does not give way.
+bool ContactCollector::isExempt(const Side& own, const Side& other) const {
+    const Breakable *piece = own.party->breakable, *striker = other.party->breakable;
+    if (piece->isHeldRest() && !(striker && striker->isFragment())) return false;
+    return isOfTheSameBlow(*piece, *other.party->object, striker, time_s_);
 }
 
 bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
@@ -226,7 +234,7 @@ bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
 bool ContactCollector::listens(const Breakable& breakable) const {
     const bool may_break = possible_.mayBreak(breakable) || (piles_ && piles_->squeeze(breakable));
     return may_break && breakable.canBeStruck() && (!breakable.isDynamic() || breakable.body->isActive()) &&
-           breakable.breaksAt(time_s_);
+           (breakable.isHeldRest() || breakable.breaksAt(time_s_));
 }
 
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,

@@ -91,6 +91,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     void lookUp(const btCollisionObject& object, Party& party) const;
     StruckBreakable& entryOf(Breakable& breakable);
     void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
+    bool isExempt(const Side& own, const Side& other) const;
     ContactImpulse contactOn(const Side& own, const Side& other, const btManifoldPoint& point) const;
     bool listens(const Breakable& breakable) const;
 

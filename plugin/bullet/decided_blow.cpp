@@ -56,6 +56,14 @@ std::shared_ptr<DecidedBlow> DecidedBlow::make(BlowToDecide blow) {
     return decided;
 }
 
+std::shared_ptr<DecidedBlow> DecidedBlow::decided(BlowOutcome outcome,
+                                                  std::vector<std::shared_ptr<const OwnedShape>> shapes) {
+    const std::shared_ptr<DecidedBlow> decided(new DecidedBlow);
+    decided->outcome = std::move(outcome);
+    decided->shapes = std::move(shapes);
+    return decided;
+}
+
 void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
     BlowOutcome outcome = failedIfThrown([&](BlowOutcome& out) {
         out.level = Level::full;  // of what throws

@@ -30,6 +30,9 @@ bool mayRunElsewhere(const BreakableSolid& solid, const FractureSettings& fractu
 class DecidedBlow {
   public:
     static std::shared_ptr<DecidedBlow> make(BlowToDecide blow);
+    /// One that needs no deciding.
+    static std::shared_ptr<DecidedBlow> decided(BlowOutcome outcome,
+                                                std::vector<std::shared_ptr<const OwnedShape>> shapes);
 
     /// Has it done elsewhere, if it may be.
     void submit(const Executor& executor);
@@ -40,7 +43,7 @@ class DecidedBlow {
     void finish(double& waiting_ms);
 
     // After `finish`.
-    bool doneElsewhere() const { return !job_->doneHere(); }
+    bool doneElsewhere() const { return job_ && !job_->doneHere(); }
     BlowOutcome outcome;
     /// What is to stand for each fragment in collisions.
     std::vector<std::shared_ptr<const OwnedShape>> shapes;

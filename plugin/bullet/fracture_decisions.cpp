@@ -6,6 +6,7 @@
 
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
+#include "bullet/torn_out.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/split_mix.h"
 #include "fracture/decide_blow.h"
@@ -94,7 +95,8 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     const std::vector<std::string> warnings = warningsAtFirstBlow(*struck.breakable);
     ++counts_.seen;
     ++counts_.at(outcome.level);
-    if (outcome.level == Level::gate && warnings.empty() && !outcome.full_solve_outcome) {
+    if (outcome.level == Level::gate && outcome.outcome == Outcome::held && warnings.empty() &&
+        !outcome.full_solve_outcome) {
         times_.blows += outcome.ms;  // those of the others are added with their events
         return std::nullopt;
     }
@@ -114,6 +116,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     Gated gated;
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
+    gated.torn.resize(struck.size());
     const auto ask = [&](std::size_t i) {
         const Breakable& body = *struck[i].breakable;
         if (!isToBeRemoved(body))
@@ -132,9 +135,15 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
         for (int i = chunk; i < count; i += chunk_count) ask(anywhere[i]);
     });
     for (const std::size_t i : here) ask(i);
-    for (std::size_t i = 0; i < struck.size(); ++i)
-        if (!gated.held[i] && !isToBeRemoved(*struck[i].breakable))
+    for (std::size_t i = 0; i < struck.size(); ++i) {
+        const Breakable& body = *struck[i].breakable;
+        if (gated.held[i] || isToBeRemoved(body)) continue;
+        gated.torn[i] = isTornOut(struck[i], time_s_);
+        if (gated.torn[i])
+            times_.blows += gated.ms[i];
+        else if (body.breaksAt(time_s_))
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
+    }
     if (time_step_s > 0) thinOut(struck, time_step_s, gated);
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
     return gated;
@@ -165,9 +174,9 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
-        if (!is_now && !gated.held[i]) continue;
-        const auto own = is_now ? decided[k++] : nullptr;
-        if (own && time_step_s > 0 && !takeRoom(struck[i], own->outcome, room)) {
+        if (!is_now && !gated.held[i] && !gated.torn[i]) continue;
+        const auto own = is_now ? decided[k++] : gated.torn[i] ? tornOut(struck[i]) : nullptr;
+        if (is_now && time_step_s > 0 && !takeRoom(struck[i], own->outcome, room)) {
             (own->doneElsewhere() ? times_.workers : times_.blows) += own->outcome.ms;
             continue;
         }

@@ -127,6 +127,7 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
     });
     if (!swept.empty()) resolveIslands(breaks, swept, false, info, drawer);
     breaks = evaluateBlows(struck(info), info.m_timeStep);
+    bool rests = false;  // whether supports still hold pieces of what broke
     for (int round = 1; !breaks.empty(); ++round) {
         const auto is_broken = [&](const auto& object) {
             return std::any_of(breaks.begin(), breaks.end(),
@@ -134,13 +135,36 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
         };
         const auto through = timed(times_.steps.sweep, [&] { return sweptInto(world_, is_broken); });
         const auto next = resolveIslands(breaks, through, round == most_rounds, info, drawer);
+        rests = rests || leaveHeldRests(breaks);
+        const bool look_at_rests = rests && round < most_rounds;
         std::vector<StruckBreakable> blows;
-        if (!next.empty())
-            for (StruckBreakable& blow : struck(info))
-                if (std::find(next.begin(), next.end(), blow.breakable->body) != next.end())
+        if (!next.empty() || look_at_rests)
+            for (StruckBreakable& blow : struck(info)) {
+                const Breakable& body = *blow.breakable;
+                const bool is_swept = std::find(next.begin(), next.end(), body.body) != next.end();
+                if (is_swept || (look_at_rests && body.isHeldRest() && !wasDecided(body)))
                     blows.push_back(std::move(blow));
+            }
         breaks = evaluateBlows(blows, info.m_timeStep);
     }
+}
+
+/// Whether supports still hold pieces of what broke: what goes on through the whole is about to strike them.
+bool FractureWorld::Impl::leaveHeldRests(const std::vector<Break>& breaks) const {
+    return std::any_of(breaks.begin(), breaks.end(), [&](const Break& broken) {
+        const auto& fragments = current_[broken.event].event.fragments;
+        return std::any_of(fragments.begin(), fragments.end(), [&](const btRigidBody* fragment) {
+            const Breakable* breakable = breakables_.find(fragment);
+            return breakable && breakable->isHeldRest();
+        });
+    });
+}
+
+/// Whether more than the gate has decided a blow on the body in this step.
+bool FractureWorld::Impl::wasDecided(const Breakable& breakable) const {
+    return std::any_of(current_.begin(), current_.end(), [&](const QueuedEvent& queued) {
+        return queued.event.body == breakable.body && queued.event.level > Level::gate;
+    });
 }
 
 std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverInfo& info) {

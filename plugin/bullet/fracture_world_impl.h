@@ -96,7 +96,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Gated {
         std::vector<std::optional<BlowOutcome>> held;  // all of them; empty where the gate does not say
         std::vector<StageTimes> ms;                    // all of them
-        std::vector<std::size_t> now, later;           // what the gate let through, ascending
+        std::vector<std::size_t> now, later;           // what is to be decided, ascending
+        std::vector<char> torn;                        // all of them: whether it comes out of its supports
     };
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
@@ -119,6 +120,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
+    bool leaveHeldRests(const std::vector<Break>& breaks) const;
+    bool wasDecided(const Breakable& breakable) const;
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<const Breakable*> bodiesInWorld() const;
     bool isFragmentOfAny(const btCollisionObject& object) const;

@@ -50,6 +50,7 @@ struct Held {
 Held countHeld(const FractureWorld& fracture, const std::vector<btRigidBody*>& pieces, bool rim) {
     Held held;
     for (const btRigidBody* piece : pieces) {
+        if (!fracture.asset(piece)) continue;  // it stood in the way, and was torn out
         const TriangleMesh& surface = fracture.asset(piece)->surface();
         double area = 0;
         for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
