@@ -51,11 +51,12 @@ void archiveModes(Archive& archive, const SplineSpace& space, ProperModes& modes
     const auto function_count = static_cast<std::size_t>(space.function_count);
     archive.require(0 < count && count < 1 << 16 && count % ProperModes::lanes == 0);
     if (!archive.good()) return;
-    const auto modes_count = static_cast<std::size_t>(count);
+    const auto modes_count = static_cast<std::size_t>(count), width = scales.size();
     archive.require(
-        entries.size() == 3 * function_count * modes_count && scales.size() == modes_count &&
-        combinations.size() % (3 * modes_count) == 0 && combination_scales.size() == modes_count &&
-        areFinite(scales) && areFinite(combination_scales) && areFinite(accelerations) &&
+        entries.size() == 3 * function_count * width && modes_count <= width && width <= 2 * modes_count &&
+        width % ProperModes::lanes == 0 && combinations.size() % (3 * modes_count) == 0 &&
+        combination_scales.size() == modes_count && areFinite(scales) && areFinite(combination_scales) &&
+        areFinite(accelerations) &&
         accelerations.size() == 6 * modes_count * static_cast<std::size_t>(space.component_count));
     const auto patches = static_cast<int>(combinations.size() / (3 * modes_count));
     archiveList(archive, unit_loads, sizeof(float) + 1, [&](ProperModes::UnitLoad& load) {

@@ -41,17 +41,40 @@ std::vector<float> rowByRow(const Eigen::MatrixXd& matrix) {
     return rows;
 }
 
+float scaleOf(const Eigen::VectorXd& column) {
+    return static_cast<float>(column.cwiseAbs().maxCoeff() / largest_entry);
+}
+
+std::int16_t rounded(double value, float scale) {
+    return static_cast<std::int16_t>(
+        std::clamp(std::round(value / (scale > 0 ? scale : 1)), -largest_entry, largest_entry));
+}
+
+/// What 16 bits leave of a column.
+Eigen::VectorXd remainderOf(const Eigen::VectorXd& column) {
+    const float scale = scaleOf(column);
+    return column.unaryExpr([&](double value) { return value - double(scale) * rounded(value, scale); });
+}
+
 /// In 16 bits, row by row, each column by a scale of its own.
 void pack(const Eigen::MatrixXd& matrix, UnsetVector<std::int16_t>& entries, std::vector<float>& scales) {
-    for (Eigen::Index m = 0; m < matrix.cols(); ++m)
-        scales.push_back(static_cast<float>(matrix.col(m).cwiseAbs().maxCoeff() / largest_entry));
+    for (Eigen::Index m = 0; m < matrix.cols(); ++m) scales.push_back(scaleOf(matrix.col(m)));
     entries.reserve(static_cast<std::size_t>(matrix.size()));
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-        for (Eigen::Index m = 0; m < matrix.cols(); ++m) {
-            const double scale = scales[m] > 0 ? scales[m] : 1;
-            entries.push_back(static_cast<std::int16_t>(
-                std::clamp(std::round(matrix(i, m) / scale), -largest_entry, largest_entry)));
-        }
+        for (Eigen::Index m = 0; m < matrix.cols(); ++m) entries.push_back(rounded(matrix(i, m), scales[m]));
+}
+
+/// How many of the first modes strain more than they may when they are rounded, in whole lanes. Rounding
+/// differs from unknown to unknown, so that the diagonal of the stiffness says what it strains.
+int fineModes(const Eigen::MatrixXd& modes, const std::vector<double>& diagonal) {
+    constexpr double largest_energy = 1e-4;  // each mode has 1/2
+    constexpr int lanes = ProperModes::lanes;
+    if (diagonal.empty()) return 0;
+    const Eigen::Map<const Eigen::VectorXd> stiffness(diagonal.data(), modes.rows());
+    Eigen::Index fine = modes.cols();
+    while (fine > 0 && !(0.5 * remainderOf(modes.col(fine - 1)).cwiseAbs2().dot(stiffness) > largest_energy))
+        --fine;
+    return static_cast<int>((fine + lanes - 1) / lanes * lanes);
 }
 
 void sortByFunction(const SparseColumns& columns, int function_count, ProperModes& modes) {
@@ -106,7 +129,7 @@ void setToUnitLoads(const ProperModes::UnitLoad* loads, int load_count, const Pr
 }  // namespace
 
 Result<ProperModes> ProperModes::make(const SplineProblem& problem, const UnitResponses& unit,
-                                      int largest_count) {
+                                      int largest_count, const std::vector<double>& diagonal) {
     const SparseColumns& columns = unit.loads;
     const Eigen::MatrixXd &responses = unit.displacements, &accelerations = unit.accelerations;
     Eigen::MatrixXd vectors = workOf(columns, responses);
@@ -127,7 +150,11 @@ Result<ProperModes> ProperModes::make(const SplineProblem& problem, const UnitRe
                                          values.tail(count).reverse().cwiseSqrt().cwiseInverse().asDiagonal();
     ProperModes modes;
     modes.count = count;
-    pack(product(responses, combinations), modes.entries, modes.scales);
+    Eigen::MatrixXd displacements = product(responses, combinations);
+    const int fine = fineModes(displacements, diagonal);
+    displacements.conservativeResize(Eigen::NoChange, count + fine);
+    for (int m = 0; m < fine; ++m) displacements.col(count + m) = remainderOf(displacements.col(m));
+    pack(displacements, modes.entries, modes.scales);
     pack(combinations, modes.combinations, modes.combination_scales);
     modes.accelerations = rowByRow(accelerations * combinations);
     sortByFunction(columns, problem.space->function_count, modes);
@@ -135,16 +162,19 @@ Result<ProperModes> ProperModes::make(const SplineProblem& problem, const UnitRe
 }
 
 Eigen::VectorXf ProperModes::displacement(const Eigen::VectorXf& coefficients) const {
-    const Eigen::VectorXf scaled =
-        coefficients.cwiseProduct(Eigen::Map<const Eigen::VectorXf>(scales.data(), count));
-    const auto unknowns = static_cast<long>(entries.size()) / count;
+    Eigen::VectorXf scaled(width());
+    scaled << coefficients, coefficients.head(fineCount());
+    scaled = scaled.cwiseProduct(Eigen::Map<const Eigen::VectorXf>(scales.data(), width())).eval();
+    const auto unknowns = static_cast<long>(entries.size()) / width();
     Eigen::VectorXf u(unknowns);
-    multiplyRows(entries.data(), scaled.data(), count, 0, unknowns, u.data());
+    multiplyRows(entries.data(), scaled.data(), width(), 0, unknowns, u.data());
     return u;
 }
 
 void ProperModes::addWork(int unknown, float force, Eigen::VectorXf& sum) const {
-    addScaled(entries.data() + static_cast<long>(unknown) * count, scales.data(), force, count, sum.data());
+    const std::int16_t* row = entries.data() + static_cast<long>(unknown) * width();
+    addScaled(row, scales.data(), force, count, sum.data());
+    addScaled(row + count, scales.data() + count, force, fineCount(), sum.data());
 }
 
 void ProperModes::forcesOn(const SplineProblem& problem, int function, float* forces) const {

@@ -16,9 +16,10 @@ namespace sherd {
 struct ProperModes {
     static constexpr int lanes = 16;  ///< sums are made in so many parts, whatever the processor
 
-    int count = 0;                      ///< a multiple of `lanes`
-    UnsetVector<std::int16_t> entries;  ///< #unknowns x count, row by row
-    std::vector<float> scales;          ///< per mode: m per unit of `entries`
+    int count = 0;  ///< a multiple of `lanes`
+    /// #unknowns x width(), row by row: the modes in 16 bits, then what these leave of the first fineCount().
+    UnsetVector<std::int16_t> entries;
+    std::vector<float> scales;  ///< per column of `entries`: m per unit
 
     struct UnitLoad {
         int patch;
@@ -31,9 +32,15 @@ struct ProperModes {
     std::vector<float> combination_scales;  ///< per mode: N per unit of `combinations`
     std::vector<float> accelerations;       ///< 6 #components x count, row by row: those that balance them
 
-    /// From what unit loads do. An error if there are no modes.
+    int width() const { return static_cast<int>(scales.size()); }
+    /// Of the softest modes, those that are kept in twice as many bits: a multiple of `lanes`. A slender
+    /// solid moves far and strains little, so that rounding would strain it more than the mode does.
+    int fineCount() const { return width() - count; }
+
+    /// From what unit loads do. `diagonal` of the stiffness (#unknowns) tells what rounding strains; without
+    /// it (size 0) no mode is kept finer. An error if there are no modes.
     static Result<ProperModes> make(const SplineProblem& problem, const UnitResponses& unit,
-                                    int largest_count);
+                                    int largest_count, const std::vector<double>& diagonal = {});
 
     /// u = V c, #unknowns.
     Eigen::VectorXf displacement(const Eigen::VectorXf& coefficients) const;

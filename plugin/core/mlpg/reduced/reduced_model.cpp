@@ -36,7 +36,7 @@ ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedS
 Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> problem,
                                         const SparseMatrix& stiffness, const UnitResponses& unit,
                                         const ReducedModelLimits& limits) {
-    auto modes = ProperModes::make(*problem, unit, limits.modes);
+    auto modes = ProperModes::make(*problem, unit, limits.modes, diagonalOf(stiffness));
     if (!modes) return Error{modes.error()};
     VibrationModes vibrations = VibrationModes::make(*problem, modes.value());
     ReducedModel model(std::move(problem), PackedStiffness(stiffness), std::move(modes).value(),
