@@ -230,8 +230,9 @@ struct FractureSettings {
     /// For this time after they were made, fragments cannot be broken by what belongs to the same blow: the
     /// bodies that touched the one that broke, what came of these, and other fragments as young as they are.
     /// What else strikes them does so as it would strike any body. Fragments that supports still hold stand
-    /// in the way of what broke the whole: what is at least four times as heavy as one tears it out of its
-    /// supports in one piece (Outcome::broke with one fragment, Level::gate), and what is lighter breaks it.
+    /// in the way of what broke the whole: what is twice as heavy as one or more tears it out of its supports
+    /// in one piece (Outcome::broke with one fragment, Level::gate), what is half as heavy or more breaks it
+    /// at once, and what is lighter is stopped.
     double same_blow_s = 0.05;
     /// How often a body may break in turn: at 1 its fragments never break, at 2 theirs never do. At 0 there
     /// is no limit.

@@ -16,6 +16,7 @@
 #include "bullet/piles.h"
 #include "bullet/same_blow.h"
 #include "bullet/shapes.h"
+#include "bullet/torn_out.h"
 
 namespace sherd {
 
@@ -166,12 +167,11 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     entry.striker = &partner;
 }
 
-/// Whether the contact belongs to the blow that made the piece. What goes on through the whole may well
-/// strike what its supports still hold: that does not give way.
+/// Whether the contact belongs to the blow that made the piece.
 bool ContactCollector::isExempt(const Side& own, const Side& other) const {
     const Breakable *piece = own.party->breakable, *striker = other.party->breakable;
-    if (piece->isHeldRest() && !(striker && striker->isFragment())) return false;
-    return isOfTheSameBlow(*piece, *other.party->object, striker, time_s_);
+    return !goesOnThrough(*piece, *other.party->object, striker, time_s_) &&
+           isOfTheSameBlow(*piece, *other.party->object, striker, time_s_);
 }
 
 bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {

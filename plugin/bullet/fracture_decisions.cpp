@@ -138,11 +138,12 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     for (std::size_t i = 0; i < struck.size(); ++i) {
         const Breakable& body = *struck[i].breakable;
         if (gated.held[i] || isToBeRemoved(body)) continue;
-        gated.torn[i] = isTornOut(struck[i], time_s_);
-        if (gated.torn[i])
+        if (isLightRest(struck[i], time_s_)) {
+            gated.torn[i] = isInTheWay(struck[i]);
             times_.blows += gated.ms[i];
-        else if (body.breaksAt(time_s_))
+        } else if (body.breaksAt(time_s_)) {
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
+        }
     }
     if (time_step_s > 0) thinOut(struck, time_step_s, gated);
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];

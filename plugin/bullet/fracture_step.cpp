@@ -127,7 +127,7 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
     });
     if (!swept.empty()) resolveIslands(breaks, swept, false, info, drawer);
     breaks = evaluateBlows(struck(info), info.m_timeStep);
-    bool rests = false;  // whether supports still hold pieces of what broke
+    bool rests = false;  // whether supports may still hold pieces of what broke
     for (int round = 1; !breaks.empty(); ++round) {
         const auto is_broken = [&](const auto& object) {
             return std::any_of(breaks.begin(), breaks.end(),
@@ -135,7 +135,7 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
         };
         const auto through = timed(times_.steps.sweep, [&] { return sweptInto(world_, is_broken); });
         const auto next = resolveIslands(breaks, through, round == most_rounds, info, drawer);
-        rests = rests || leaveHeldRests(breaks);
+        rests = rests || anyWasHeld(breaks);
         const bool look_at_rests = rests && round < most_rounds;
         std::vector<StruckBreakable> blows;
         if (!next.empty() || look_at_rests)
@@ -149,21 +149,19 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
     }
 }
 
-/// Whether supports still hold pieces of what broke: what goes on through the whole is about to strike them.
-bool FractureWorld::Impl::leaveHeldRests(const std::vector<Break>& breaks) const {
+/// Whether supports held something that broke: what goes on through it is about to strike what they still
+/// hold.
+bool FractureWorld::Impl::anyWasHeld(const std::vector<Break>& breaks) const {
     return std::any_of(breaks.begin(), breaks.end(), [&](const Break& broken) {
-        const auto& fragments = current_[broken.event].event.fragments;
-        return std::any_of(fragments.begin(), fragments.end(), [&](const btRigidBody* fragment) {
-            const Breakable* breakable = breakables_.find(fragment);
-            return breakable && breakable->isHeldRest();
-        });
+        const auto& whole = current_[broken.event].broken;
+        return whole && whole->asset.solid()->isAnchored();
     });
 }
 
 /// Whether more than the gate has decided a blow on the body in this step.
 bool FractureWorld::Impl::wasDecided(const Breakable& breakable) const {
     return std::any_of(current_.begin(), current_.end(), [&](const QueuedEvent& queued) {
-        return queued.event.body == breakable.body && queued.event.level > Level::gate;
+        return queued.event.body == breakable.body && queued.event.level != Level::gate;
     });
 }
 

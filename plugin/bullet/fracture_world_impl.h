@@ -120,7 +120,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
-    bool leaveHeldRests(const std::vector<Break>& breaks) const;
+    bool anyWasHeld(const std::vector<Break>& breaks) const;
     bool wasDecided(const Breakable& breakable) const;
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<const Breakable*> bodiesInWorld() const;

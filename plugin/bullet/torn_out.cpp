@@ -1,29 +1,63 @@
 #include "bullet/torn_out.h"
 
+#include <algorithm>
 #include <utility>
+
+#include "bullet/contact_motion.h"
 
 namespace sherd {
 
 namespace {
 
-/// Whether the piece hardly slows down what strikes it there, or cannot.
-bool isHeavyAgainst(const btCollisionObject& striker, double piece_kg) {
-    constexpr double heavy = 4;  // times as heavy
-    const btRigidBody* body = btRigidBody::upcast(&striker);
-    if (!body || body->isKinematicObject()) return true;
-    return body->getInvMass() > 0 && 1 / double(body->getInvMass()) >= heavy * piece_kg;
+constexpr double heavy = 2;  // times as heavy: the one hardly slows down the other
+
+/// 0 of what does not give way: it goes on through nothing.
+double movingMass(const btCollisionObject& object) {
+    const Mobility mobility =
+        mobilityOf(object, btTransform::getIdentity(), object.getWorldTransform().getOrigin());
+    return mobility.inverse_mass > 0 ? 1 / mobility.inverse_mass : 0;
+}
+
+/// The share of what a partner moves with that the body takes from it.
+double takenShare(const Blow& blow, int partner, double mass_kg) {
+    double impulse = 0, speed = 0;
+    for (const ContactImpulse& contact : blow.contacts) {
+        if (contact.partner != partner) continue;
+        impulse += std::max(0.0, contact.pushed());
+        speed = std::max(speed, contact.approach_m_s);
+    }
+    return impulse > 0 ? impulse / (mass_kg * speed) : 0;
+}
+
+/// The largest share that is taken from a heavy partner; below zero if none strikes.
+double takenOfHeavy(const StruckBreakable& rest) {
+    double taken = -1;
+    for (std::size_t p = 0; p < rest.partners.size(); ++p) {
+        const int number = static_cast<int>(p);
+        const double mass_kg = movingMass(*rest.partners[p]);
+        if (mass_kg >= heavy * rest.breakable->asset.mass() && rest.blow.isStruckBy(number))
+            taken = std::max(taken, takenShare(rest.blow, number, mass_kg));
+    }
+    return taken;
 }
 
 }  // namespace
 
-bool isTornOut(const StruckBreakable& struck, double time_s) {
+bool goesOnThrough(const Breakable& rest, const btCollisionObject& striker, const Breakable* breakable,
+                   double time_s) {
+    return rest.isHeldRest() && !(breakable && time_s < breakable->young_until_s) &&
+           heavy * movingMass(striker) >= rest.asset.mass();
+}
+
+bool isLightRest(const StruckBreakable& struck, double time_s) {
     const Breakable& piece = *struck.breakable;
-    if (!piece.isHeldRest() || (time_s >= piece.young_until_s && piece.breaksAt(time_s))) return false;
-    for (std::size_t p = 0; p < struck.partners.size(); ++p)
-        if (struck.blow.isStruckBy(static_cast<int>(p)) && !struck.partners[p]->isStaticObject() &&
-            isHeavyAgainst(*struck.partners[p], piece.asset.mass()))
-            return true;
-    return false;
+    const bool may_break = time_s >= piece.young_until_s && piece.breaksAt(time_s);
+    return piece.isHeldRest() && !may_break && takenOfHeavy(struck) >= 0;
+}
+
+bool isInTheWay(const StruckBreakable& light_rest) {
+    constexpr double trifle = 0.01;
+    return takenOfHeavy(light_rest) > trifle;
 }
 
 std::shared_ptr<DecidedBlow> tornOut(const StruckBreakable& struck) {

@@ -9,12 +9,21 @@ namespace sherd {
 
 // What strikes a body that is held breaks it, and goes on into what its supports still hold: they would stop
 // a car for good that has just gone through a pane of glass. Where such a rest is light against the striker,
-// it comes out of its supports in one piece, since its stress is largest there; a heavier one breaks as any
-// body does, and what is left of it is light.
+// it comes out of its supports in one piece, since its stress is largest there; one that is about as heavy
+// breaks as any body does, and what is left of it is light; a heavier one stops what strikes it, whole or
+// broken.
 
-/// Whether a blow that the gate lets through tears the body out of its supports: a fragment that they hold,
-/// which belongs to the blow at `time_s` or may not break any further, struck by something heavy.
-bool isTornOut(const StruckBreakable& struck, double time_s);
+/// Whether a contact may break what supports still hold of a body, although it belongs to the blow that broke
+/// the whole: that of something which is not too light to go on, and flies in no cloud of young fragments.
+bool goesOnThrough(const Breakable& rest, const btCollisionObject& striker, const Breakable* breakable,
+                   double time_s);
+
+/// Whether the body is a fragment that supports hold, which belongs to the blow at `time_s` or may not break
+/// any further, and something heavy strikes it: that does not break it, but may tear it out.
+bool isLightRest(const StruckBreakable& struck, double time_s);
+
+/// Whether it takes more than a trifle of what strikes it; else that has not come to it yet.
+bool isInTheWay(const StruckBreakable& light_rest);
 
 /// What comes of that: the same piece, free. Nothing is solved.
 std::shared_ptr<DecidedBlow> tornOut(const StruckBreakable& struck);

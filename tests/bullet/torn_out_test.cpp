@@ -106,6 +106,40 @@ TEST(TornOut, TheEventHasThePieceThatItWasFree) {
     EXPECT_GT(torn, 2);
 }
 
+// What is torn out uncovers the rests beside it, which took nothing before.
+TEST(TornOut, WhatComesLongAfterTheBreakGoesThroughToo) {
+    for (const double hz : {60., 240.}) {
+        Window window;
+        btRigidBody* first = window.throwCrate(30, 0.3, 8);
+        window.fly(hz);
+        window.scene.world->removeRigidBody(first);
+        const btRigidBody* crate = window.throwCrate(40, 1, 10);
+        int torn = 0;
+        for (const BlowEvent& event : breaksIn(window.fly(hz))) torn += event.level == Level::gate;
+        EXPECT_GT(torn, 0);
+        EXPECT_GT(crate->getLinearVelocity().y(), 0.7 * 10 * 40 / (40 + window.mass_kg)) << hz;
+    }
+}
+
+TEST(TornOut, ABallThatAThickRestStopsBreaksNoMoreOfItInTheStep) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Settings settings = Settings::forQuality(Quality::preview);
+    const auto wall =
+        BreakableAsset::fromMesh(shapes::box({-1, -0.05, 0}, {1, 0.05, 1.5}), Material::plaster(), settings);
+    BodyOptions options;
+    options.supports = {BoxRegion{{-1, -1, 0}, {1, 1, 0.3}}};
+    ASSERT_TRUE(fracture.add(wall.value(), options).ok());
+    scene.addBall(5, 0.15, btVector3(0.1f, -0.5f, 0.4f), btVector3(0, 20, 0));
+    std::size_t most = 0;
+    for (int i = 0; i < 20; ++i) {
+        scene.step(1, 1. / 120);
+        most = std::max(most, breaksIn(fracture.takeEvents()).size());
+    }
+    EXPECT_GE(most, 1u);
+    EXPECT_LE(most, 3u);
+}
+
 TEST(TornOut, FragmentsThatNeverBreakComeOutAllTheSame) {
     Window window(1);
     const btRigidBody* crate = window.throwCrate(300, 1, 8);
