@@ -93,6 +93,7 @@ TEST(TornOut, TheEventHasThePieceThatItWasFree) {
         ++torn;
         EXPECT_GT(event.generation, 0);
         EXPECT_FALSE(event.message.empty());
+        EXPECT_GT(event.impulse_n_s, 0.01 * 300 * 5) << "what takes a trifle of the crate's momentum stays";
         ASSERT_LE(event.fragments.size(), 1u);
         if (event.fragments.empty()) continue;  // which has broken since
         const btRigidBody* piece = event.fragments[0];
