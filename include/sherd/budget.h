@@ -18,17 +18,18 @@ enum class Priority {
 /// lets the striker through. Other blows on fragments wait. So do, beyond `milliseconds_per_step`, blows on
 /// whole bodies that fragments strike; and where more than `solves_per_step` bodies are struck at once, or a
 /// ball breaks another one in the step, those that breakable bodies strike, the ground, or what is 50 times
-/// as heavy. Blows that wait are solved beside the steps that follow, by the world's executor; the body
-/// breaks steps later, where it is by then, a whole one before fragments. How many follows from simulated
-/// time, the size of bodies, and whether they are prepared by then, never from the clock: a run repeats bit
-/// for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's
-/// own: a frame may have several.
+/// as heavy, or an explosion. Blows that wait are solved beside the steps that follow, by the world's
+/// executor; the body breaks steps later, where it is by then, a whole one before fragments. How many follows
+/// from simulated time, the size of bodies, and whether they are prepared by then, never from the clock: a
+/// run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one
+/// of Bullet's own: a frame may have several.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
     double shortest_wait_s = 0.05;
     /// A blow that would wait longer is dropped. One that nothing has to wait for waits no longer either: the
-    /// step then takes what is left of it.
+    /// step then takes what is left of it. So it is with what explosions do to whole and held bodies, however
+    /// many these are.
     double longest_wait_s = 0.5;
     /// Computing time for blows that wait or may wait, ms a step: of one core of about 2020, estimated from
     /// the size of the bodies. At 0 it is half of the step's own length.
@@ -43,7 +44,7 @@ struct Budget {
     int fragments_per_step = 200;
     /// Fragments in the world at most: bodies are made into fewer pieces, and where there is no room for two
     /// they stay whole (Outcome::dropped). So does a body whose blow waited, if other bodies took the room
-    /// meanwhile. applyBlow breaks a body all the same, and explode one that is whole or held.
+    /// meanwhile. applyBlow breaks a body all the same.
     int fragments_alive = 1000;
 
     /// No blow waits, and nothing is limited.

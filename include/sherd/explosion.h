@@ -19,10 +19,11 @@ struct Explosion {
 /// Strikes every breakable body around the centre (FractureWorld::applyBlow): each triangle that faces the
 /// centre is pushed away from it, with the share of the impulse that its solid angle has of the sphere,
 /// joined to one push an octant. Bodies do not shield each other, nor what lies behind in the same body, and
-/// other bodies than breakable ones are left alone: push them yourself. What is whole or held breaks in the
-/// call (inside a step: at its end); blows on other fragments wait for their turn, as the Budget has it,
-/// and may be dropped, though they are pushed. Returns how many were struck; the error says which figure is
-/// out of range.
+/// other bodies than breakable ones are left alone: push them yourself. Up to `Budget::solves_per_step` whole
+/// or held bodies break in the call (inside a step: at its end). Of more of them, each breaks when it is its
+/// turn, where it is by then, `Budget::longest_wait_s` later at most: none is dropped for want of time. Blows
+/// on other fragments wait too, and may be dropped, though they are pushed. Returns how many were struck; the
+/// error says which figure is out of range.
 Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 }  // namespace sherd

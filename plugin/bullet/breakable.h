@@ -97,8 +97,10 @@ struct Breakable {
     bool canBeStruck() const {
         return isDynamic() || (asset.solid()->isAnchored() && !body->isKinematicObject());
     }
+    /// Whether supports hold it.
+    bool isHeld() const { return !isDynamic() && canBeStruck(); }
     /// Whether it is a fragment that supports of the whole still hold.
-    bool isHeldRest() const { return isFragment() && !isDynamic() && canBeStruck(); }
+    bool isHeldRest() const { return isFragment() && isHeld(); }
     /// Whether it may break at that simulated time: neither debris nor just born.
     bool breaksAt(double time_s) const;
 };

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BulletCollision/CollisionDispatch/btCollisionWorld.h>
+#include <sherd/push.h>
 
 #include <memory>
 #include <tuple>
@@ -30,7 +31,12 @@ struct StruckBreakable {
     Vec3 normal = Vec3::Zero();  ///< direction in which the body was pushed there, world frame
     const btCollisionObject* striker = nullptr;  ///< what pushed it there; nullptr: the app itself
     std::tuple<bool, double, double> foremost;   ///< strikes, how long ago it was met, normal impulse there
+    bool is_of_explosion = false;
+    std::vector<Push> for_pieces;  ///< of a held body: what its loose pieces are still to be given
 
+    /// Whether it is never left undecided for want of time: so is what an explosion does to whole and to held
+    /// bodies, which nothing will strike again.
+    bool isKept() const { return is_of_explosion && (!breakable->isFragment() || breakable->isHeld()); }
     /// The number of a partner; a new one gets the next.
     int numberOf(const btCollisionObject* partner);
 };

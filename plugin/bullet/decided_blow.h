@@ -39,6 +39,7 @@ class DecidedBlow {
     bool isSubmitted() const { return submitted_; }
     /// Decides it here if no thread has begun.
     void decideIfFree() { job_->doIfFree(); }
+    bool isDecided() const { return !job_ || job_->isDone(); }
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
     void finish(double& waiting_ms);
 

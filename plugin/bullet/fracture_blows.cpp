@@ -1,7 +1,6 @@
 // Blows that the app asks for, and what else waits for the end of a step.
 
 #include <algorithm>
-#include <map>
 #include <utility>
 
 #include "bullet/applied_blow.h"
@@ -93,38 +92,29 @@ void FractureWorld::Impl::removeRequested() {
     }
 }
 
-/// A blow by itself, or all of an explosion: decided side by side, but those of an explosion on fragments
-/// when the budget has their turn. What is held takes no impulse itself; what comes loose of it does.
+/// A blow by itself, or all of an explosion: those are decided side by side, or when the budget has their
+/// turn. What is held takes no impulse itself; what comes loose of it does.
 void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
-    std::vector<StruckBreakable> at_once, in_turn;
-    std::map<std::uint64_t, std::vector<Push>> on_held;
+    std::vector<StruckBreakable> blows_now, of_explosion;
     for (const QueuedBlow& blow : blows)
         for (const auto& [body, pushes] : targetsOf(blow)) {
             if (!isInWorld(world_, body->body) || !body->canBeStruck()) continue;
-            const bool is_held = body->asset.solid()->isAnchored();
             const auto struck = timed(times_.steps.contacts, [&, struck_body = body, by = &pushes] {
                 return asContacts(*struck_body, *by);
             });
-            if (is_held)
-                on_held.emplace(body->serial, pushes);
-            else
-                push(*body->body, pushes);
+            const bool is_held = body->isHeld();
+            if (!is_held) push(*body->body, pushes);
             if (!body->breaksAt(time_s_)) continue;
-            const bool has_turn = blow.explosion > 0 && body->isFragment() && !is_held;
-            (has_turn ? in_turn : at_once).push_back(struck);
+            auto& together = blow.explosion > 0 ? of_explosion : blows_now;
+            together.push_back(struck);
+            together.back().is_of_explosion = blow.explosion > 0;
+            if (is_held) together.back().for_pieces = pushes;
         }
-    std::vector<Break> breaks = evaluateBlows(at_once, 0);
-    for (Break& broken : breaks)
-        if (const auto held = on_held.find(broken.serial); held != on_held.end())
-            broken.pushes = &held->second;
-    replaceBroken(std::move(breaks), time_step_s);
-    for (const auto& breakable : breakables_.all())
-        if (const auto held = on_held.find(breakable->serial); held != on_held.end())
-            push(*breakable->body, held->second);
-    if (in_turn.empty()) return;
+    replaceBroken(evaluateBlows(blows_now, 0), time_step_s);
+    if (of_explosion.empty()) return;
     // Where Sherd's solver was replaced no step would end their waiting.
     const btScalar wait_by_s = decorator_.inPlace() ? world_.getSolverInfo().m_timeStep : btScalar(0);
-    replaceBroken(evaluateBlows(in_turn, wait_by_s), time_step_s);
+    replaceBroken(evaluateBlows(of_explosion, wait_by_s), time_step_s);
 }
 
 void FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {

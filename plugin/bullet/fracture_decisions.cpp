@@ -107,7 +107,8 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) return std::nullopt;
-    return Break{struck.breakable->body, decided, current_.size() - 1, nullptr, struck.breakable->serial};
+    return Break{struck.breakable->body, decided, current_.size() - 1, struck.for_pieces,
+                 struck.breakable->serial};
 }
 
 /// What the gate says of each blow; nothing where a stress problem is to be solved.

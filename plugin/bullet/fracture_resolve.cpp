@@ -146,7 +146,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
                                                               std::vector<std::unique_ptr<Breakable>> pieces,
                                                               btScalar time_step_s) {
     BlowEvent& event = current_[broken.event].event;
-    if (broken.pushes) pushLoose(pieces, *broken.pushes);
+    pushLoose(pieces, broken.for_pieces);
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.decided->outcome.fragments, pieces);
     // Between steps, too: the ball of a fragment tells the side of the ground at any time.

@@ -63,11 +63,24 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
     return true;
 }
 
+/// What the time that the queue has left is short of the work that may not be dropped: so many times faster
+/// than the budget says it is done.
+double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& blows,
+                                     btScalar time_step_s) const {
+    double needed_s = 0;
+    for (const StruckBreakable* struck : blows)
+        if (struck->isKept())
+            needed_s += WaitingBlows::turn_s(estimatedMilliseconds(*struck->breakable->asset.solid()),
+                                             budget_, time_step_s);
+    return needed_s > 0 ? std::max(1.0, needed_s / waiting_.left_s(budget_, time_s_)) : 1;
+}
+
 void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
         return urgency(*a) > urgency(*b);
     });
     const int room = roomForFragments();
+    const double haste = hasteFor(blows, time_step_s);
     for (const StruckBreakable* struck : blows) {
         const Breakable& breakable = *struck->breakable;
         const int most_fragments = std::min(room + breakable.ownPlaces(), budget_.fragments_per_step);
@@ -89,8 +102,11 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
             blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
         }
         blow.decided = DecidedBlow::make(toDecide(*struck, most_fragments));
-        const double work_ms = estimatedMilliseconds(solid);
-        switch (waiting_.add(std::move(blow), work_ms, budget_, time_s_, time_step_s)) {
+        blow.is_kept = struck->isKept();
+        blow.for_pieces = struck->for_pieces;
+        const double turn_s = WaitingBlows::turn_s(estimatedMilliseconds(solid), budget_, time_step_s) /
+                              (blow.is_kept ? haste : 1);
+        switch (waiting_.add(std::move(blow), turn_s, budget_, time_s_)) {
             case WaitingBlows::Fate::waits:
                 break;
             case WaitingBlows::Fate::merged:
@@ -126,7 +142,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         waiting_.submit(executor(), time_s_);
     }
     while (const WaitingBlow* due = waiting_.due(time_s_)) {
-        due->decided->finish(times_.steps.waiting);
+        waiting_.finishFirst(time_s_ + time_step_s, times_.steps.waiting);
         const auto& all = breakables_.all();
         const auto found = std::find_if(all.begin(), all.end(), [&](const auto& breakable) {
             return breakable->serial == due->serial && isInWorld(world_, breakable->body);
@@ -151,6 +167,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         const auto broken = tell(struckNow(**found, blow), outcome, blow.decided);
         if (!broken) continue;
         Break due_break = *broken;
+        due_break.for_pieces = blow.for_pieces;
         const auto fragments = swap(due_break, time_step_s);
         if (fragments.empty()) continue;
         before_.add(fragments);  // for `stopAtGround`: they are still to move in this step

@@ -71,9 +71,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Break {
         btRigidBody* body = nullptr;
         std::shared_ptr<const DecidedBlow> decided;
-        std::size_t event = 0;                      // in current_
-        const std::vector<Push>* pushes = nullptr;  // that its loose fragments are still to be given
-        std::uint64_t serial = 0;                   // of the body
+        std::size_t event = 0;         // in current_
+        std::vector<Push> for_pieces;  // as in StruckBreakable
+        std::uint64_t serial = 0;      // of the body
     };
     /// A blow of the app's, from inside a step.
     struct QueuedBlow {
@@ -103,6 +103,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
+    double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;
     void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);

@@ -34,12 +34,25 @@ double millisecondsPerStep(const Budget& budget, double time_step_s) {
     return budget.milliseconds_per_step > 0 ? budget.milliseconds_per_step : 1e3 * time_step_s / 2;
 }
 
-WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s,
-                                     double time_step_s) {
+double WaitingBlows::turn_s(double work_ms, const Budget& budget, double time_step_s) {
+    return time_step_s *
+           std::max(work_ms / millisecondsPerStep(budget, time_step_s), 1.0 / budget.solves_per_step);
+}
+
+double WaitingBlows::left_s(const Budget& budget, double time_s) const {
+    return std::max(0.0, time_s + budget.longest_wait_s - std::max(busy_until_s_, time_s));
+}
+
+WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s) {
     for (WaitingBlow& other : blows_) {
         if (other.serial != blow.serial) continue;
-        if (other.energy_j >= blow.energy_j) return Fate::merged;
-        if (isWorkedOn(other, time_s) || other.due_s < time_s + budget.shortest_wait_s) continue;
+        const bool is_harder = other.energy_j < blow.energy_j;
+        if (is_harder && (isWorkedOn(other, time_s) || other.due_s < time_s + budget.shortest_wait_s))
+            continue;
+        WaitingBlow& kept = is_harder ? blow : other;
+        WaitingBlow& left_out = is_harder ? other : blow;
+        kept.for_pieces.insert(kept.for_pieces.end(), left_out.for_pieces.begin(), left_out.for_pieces.end());
+        if (!is_harder) return Fate::merged;
         blow.struck_at_s = time_s;
         blow.begun_s = other.begun_s;
         blow.worked_by_s = other.worked_by_s;
@@ -47,19 +60,17 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double work_ms, const Bud
         other = std::move(blow);
         return Fate::merged;
     }
-    const double steps =
-        std::max(work_ms / millisecondsPerStep(budget, time_step_s), 1.0 / budget.solves_per_step);
-    const double length_s = steps * time_step_s, last_s = time_s + budget.longest_wait_s;
+    const double last_s = time_s + budget.longest_wait_s;
     const auto place = std::find_if(blows_.begin(), blows_.end(), [&](const WaitingBlow& other) {
         return !blow.is_on_fragment && other.is_on_fragment && !isWorkedOn(other, time_s);
     });
     const bool is_alone = busy_until_s_ <= time_s;
     blow.begun_s = place == blows_.end() ? std::max(busy_until_s_, time_s) : place->begun_s;
-    const double done_s = blow.begun_s + length_s;
-    if (!is_alone && done_s > last_s) return Fate::dropped;
-    busy_until_s_ = is_alone ? std::min(done_s, last_s) : busy_until_s_ + length_s;
+    const double done_s = blow.begun_s + turn_s;
+    if (!is_alone && !blow.is_kept && done_s > last_s) return Fate::dropped;
+    busy_until_s_ = is_alone ? std::min(done_s, last_s) : busy_until_s_ + turn_s;
     for (auto later = place; later != blows_.end(); ++later)
-        for (double* moment : {&later->begun_s, &later->worked_by_s, &later->due_s}) *moment += length_s;
+        for (double* moment : {&later->begun_s, &later->worked_by_s, &later->due_s}) *moment += turn_s;
     blow.worked_by_s = std::min(done_s, last_s);
     blow.struck_at_s = time_s;
     blow.due_s = std::max(blow.worked_by_s, time_s + budget.shortest_wait_s);
@@ -100,6 +111,14 @@ void WaitingBlows::workUntil(double time_s) {
 
 const WaitingBlow* WaitingBlows::due(double time_s) const {
     return !blows_.empty() && blows_.front().due_s <= time_s + rounding_s ? &blows_.front() : nullptr;
+}
+
+void WaitingBlows::finishFirst(double until_s, double& waiting_ms) {
+    DecidedBlow& first = *blows_.front().decided;
+    first.decideIfFree();
+    for (std::size_t i = 1; i < blows_.size() && !first.isDecided(); ++i)
+        if (blows_[i].worked_by_s <= until_s && isFirstOfItsBody(i)) blows_[i].decided->decideIfFree();
+    first.finish(waiting_ms);
 }
 
 WaitingBlow WaitingBlows::takeFirst() {

@@ -16,6 +16,7 @@ namespace sherd {
 struct WaitingBlow {
     std::uint64_t serial = 0;  ///< of the body
     bool is_on_fragment = true;
+    bool is_kept = false;  ///< never dropped
     double impulse_n_s = 0;
     double energy_j = 0;  ///< that it brings at most: of two, the one with more is the harder
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
@@ -23,6 +24,7 @@ struct WaitingBlow {
     BodyToken striker_token = no_token;
     double struck_at_s = 0, begun_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
     std::shared_ptr<DecidedBlow> decided;
+    std::vector<Push> for_pieces;  ///< as in StruckBreakable
 };
 
 /// What a blow on a solid that is not prepared takes about, ms of one core; of the solid's size alone.
@@ -40,10 +42,14 @@ class WaitingBlows {
 
     bool empty() const { return blows_.empty(); }
 
-    /// `work_ms`: what the blow is estimated to take; `time_step_s`: of the step in which it fell. Of two
-    /// blows on a body the harder one waits, in the place of the other if that is not begun; the weaker one
-    /// is merged.
-    Fate add(WaitingBlow blow, double work_ms, const Budget& budget, double time_s, double time_step_s);
+    /// How long the one worker is busy with a blow that is estimated to take `work_ms` and fell in a step of
+    /// `time_step_s`.
+    static double turn_s(double work_ms, const Budget& budget, double time_step_s);
+    /// How long the worker has until the last moment to which a blow may wait.
+    double left_s(const Budget& budget, double time_s) const;
+    /// Of two blows on a body the harder one waits, in the place of the other if that is not begun; the
+    /// weaker one is merged.
+    Fate add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s);
     /// For another budget: none waits for longer than it says.
     void keepTo(const Budget& budget, double time_s);
     /// Has blows worked on whose turn comes next: those of bodies that have no earlier one.
@@ -52,6 +58,9 @@ class WaitingBlows {
     void workUntil(double time_s);
     /// The next blow, if it is its turn.
     const WaitingBlow* due(double time_s) const;
+    /// Returns when the next blow is decided. While another thread is at it, this one takes those that are to
+    /// be done by `until_s`.
+    void finishFirst(double until_s, double& waiting_ms);
     WaitingBlow takeFirst();
     /// The blow that the body's next one has to wait for is decided when this returns: what a solid keeps of
     /// a blow must not depend on which thread was faster.

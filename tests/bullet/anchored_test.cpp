@@ -296,6 +296,31 @@ TEST(Anchored, AnExplosionThrowsWhatComesLoose) {
     EXPECT_LT(momentumOf(wall.fracture).y(), 1000);
 }
 
+// In a crowd the walls wait for their turn, and what comes loose of them is thrown when they break.
+TEST(Anchored, AnExplosionAmongManyThrowsWhatComesLooseLater) {
+    WeakWall walls;
+    walls.scene.world->setGravity(btVector3(0, 0, 0));
+    for (const btTransform& start : {at(-1.1f, 0, 0), at(1.1f, 0, 0), at(0, -0.8f, 0)}) {
+        BodyOptions beside;
+        beside.start = start;
+        ASSERT_TRUE(walls.fracture.add(*walls.fracture.asset(walls.body), beside).ok());
+    }
+    Budget budget;
+    budget.milliseconds_per_step = 0.1;
+    ASSERT_TRUE(walls.fracture.setBudget(budget).ok());
+    ASSERT_EQ(explode(walls.fracture, Explosion{btVector3(0, -0.4f, 0.6f), 2000, 5}).value(), 4);
+    EXPECT_TRUE(inWorld(walls.scene, walls.body));
+    EXPECT_EQ(momentumOf(walls.fracture).y(), 0);
+    for (int step = 0; step < 130 && inWorld(walls.scene, walls.body); ++step) walls.scene.step();
+    ASSERT_FALSE(inWorld(walls.scene, walls.body));
+    btScalar ahead = 0;
+    for (const btRigidBody* piece : walls.fracture.bodies())
+        if (!piece->isStaticObject() && piece->getCenterOfMassPosition().y() > -0.4f)
+            ahead += piece->getLinearVelocity().y() / piece->getInvMass();
+    EXPECT_GT(ahead, 100);
+    EXPECT_LT(ahead, 1000);
+}
+
 TEST(Anchored, AnExplosionBetweenTwoHeldWallsThrowsEachOutwards) {
     WeakWall walls;
     BodyOptions behind;

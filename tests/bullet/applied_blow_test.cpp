@@ -309,6 +309,12 @@ TEST(Explosion, BreaksAHollowBodyFromWithin) {
     EXPECT_LT(momentumOf(events.front().fragments).linear.length(), 100);
 }
 
+double massOf(const FractureWorld& fracture) {
+    double sum = 0;
+    for (const btRigidBody* body : fracture.bodies()) sum += 1 / double(body->getInvMass());
+    return sum;
+}
+
 /// Breaks of a second explosion, among the pieces of a first one: in the call, and in the half second after.
 struct SecondExplosion {
     explicit SecondExplosion(const Budget& budget) {
@@ -338,11 +344,6 @@ struct SecondExplosion {
         }
         EXPECT_NEAR(massOf(fracture), mass, 1e-6 * mass);
     }
-    static double massOf(const FractureWorld& fracture) {
-        double sum = 0;
-        for (const btRigidBody* body : fracture.bodies()) sum += 1 / double(body->getInvMass());
-        return sum;
-    }
     int struck = 0, in_call = 0, later = 0;
 };
 
@@ -354,6 +355,71 @@ TEST(Explosion, LetsBlowsOnFragmentsWaitForTheirTurn) {
     EXPECT_EQ(at_once.later, 0);
     EXPECT_EQ(in_turn.in_call, 0);
     EXPECT_GT(in_turn.later, 0);
+}
+
+/// An explosion over the middle of a spiral of plates: what breaks in the call, and when the others do.
+struct Plates {
+    Plates(int count, const Budget& budget) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, 0));
+        FractureWorld fracture(scene.world.get());
+        EXPECT_TRUE(fracture.setBudget(budget).ok());
+        const auto asset = plate(crumbly(), 0.1);
+        for (int i = 0; i < count; ++i) {
+            const btScalar away_m = 1 + 0.05f * i, angle = SIMD_2_PI * i / count;
+            EXPECT_TRUE(fracture.add(asset, at(away_m * btCos(angle), away_m * btSin(angle), 0)).ok());
+        }
+        const double mass = massOf(fracture);
+        EXPECT_EQ(explode(fracture, {btVector3(0, 0, 0.6f), 5000, 3}).value(), count);
+        const btVector3 momentum = momentumOf(fracture.bodies()).linear;
+        take(fracture);
+        in_call = waited_s.size();
+        const int steps = static_cast<int>((budget.longest_wait_s + 0.01) * 240);
+        for (int step = 0; step < steps; ++step) {
+            scene.step();
+            take(fracture);
+        }
+        EXPECT_NEAR(massOf(fracture), mass, 1e-6 * mass);
+        EXPECT_LT((momentumOf(fracture.bodies()).linear - momentum).length(), 1e-4f * momentum.length());
+    }
+    void take(FractureWorld& fracture) {
+        for (const BlowEvent& event : fracture.takeEvents()) {
+            if (event.generation > 0) continue;
+            EXPECT_EQ(event.outcome, Outcome::broke) << event.message;
+            waited_s.push_back(event.waited_s);
+            away_m.push_back(event.asset_transform.getOrigin().length());
+        }
+    }
+    std::size_t in_call = 0;
+    std::vector<double> waited_s, away_m;  // of the plates, in the order in which they broke
+};
+
+TEST(Explosion, BreaksACrowdInTurnTheNearestFirst) {
+    constexpr int count = 8;
+    Budget budget;
+    budget.milliseconds_per_step = 0.5;
+    const Plates crowd(count, budget);
+    EXPECT_EQ(crowd.in_call, 0u);
+    ASSERT_EQ(crowd.waited_s.size(), std::size_t(count)) << "none is dropped";
+    EXPECT_TRUE(std::is_sorted(crowd.waited_s.begin(), crowd.waited_s.end()));
+    EXPECT_GT(crowd.waited_s.back(), crowd.waited_s.front());
+    EXPECT_LT(crowd.away_m.front(), crowd.away_m.back());
+    EXPECT_LE(crowd.waited_s.back(), budget.longest_wait_s + 1e-6);
+
+    EXPECT_EQ(Plates(count, Budget::none()).in_call, std::size_t(count));
+    EXPECT_EQ(Plates(3, budget).in_call, 3u) << "as many as a step may solve";
+}
+
+// They could not all be done in time as the budget has it, and are all done nevertheless.
+TEST(Explosion, DropsNoWholeBodyForWantOfTime) {
+    constexpr int count = 6;
+    Budget budget;
+    budget.milliseconds_per_step = 0.001;
+    const Plates crowd(count, budget);
+    ASSERT_EQ(crowd.waited_s.size(), std::size_t(count));
+    EXPECT_LE(crowd.waited_s.back(), budget.longest_wait_s + 1e-6);
+    for (std::size_t i = 1; i < count; ++i)
+        EXPECT_GT(crowd.waited_s[i], crowd.waited_s[i - 1]) << "spread over the time that there is";
 }
 
 TEST(Explosion, FollowsAnotherInTheSameStep) {

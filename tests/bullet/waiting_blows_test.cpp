@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
 #include <vector>
 
 namespace sherd {
@@ -16,20 +17,25 @@ WaitingBlow blowOn(std::uint64_t serial) {
 
 constexpr double step_s = 1.0 / 60, ages_ms = 1e5;
 
+WaitingBlows::Fate add(WaitingBlows& waiting, WaitingBlow blow, double work_ms, const Budget& budget,
+                       double time_s) {
+    return waiting.add(std::move(blow), WaitingBlows::turn_s(work_ms, budget, step_s), budget, time_s);
+}
+
 TEST(WaitingBlows, NoneWaitsForLongerThanTheBudgetSays) {
     const Budget budget;
     WaitingBlows waiting;
-    ASSERT_EQ(waiting.add(blowOn(1), ages_ms, budget, 2, step_s), WaitingBlows::Fate::waits);
+    ASSERT_EQ(add(waiting, blowOn(1), ages_ms, budget, 2), WaitingBlows::Fate::waits);
     EXPECT_EQ(waiting.due(2 + budget.longest_wait_s - step_s), nullptr);
     EXPECT_NE(waiting.due(2 + budget.longest_wait_s), nullptr);
     // The worker is as busy as if it did all of it.
-    EXPECT_EQ(waiting.add(blowOn(2), 1, budget, 2, step_s), WaitingBlows::Fate::dropped);
+    EXPECT_EQ(add(waiting, blowOn(2), 1, budget, 2), WaitingBlows::Fate::dropped);
 }
 
 TEST(WaitingBlows, ASmallOneIsDueAfterTheShortestWait) {
     const Budget budget;
     WaitingBlows waiting;
-    ASSERT_EQ(waiting.add(blowOn(1), 0.1, budget, 2, step_s), WaitingBlows::Fate::waits);
+    ASSERT_EQ(add(waiting, blowOn(1), 0.1, budget, 2), WaitingBlows::Fate::waits);
     EXPECT_EQ(waiting.due(2 + budget.shortest_wait_s - 1e-3), nullptr);
     EXPECT_NE(waiting.due(2 + budget.shortest_wait_s), nullptr);
 }
@@ -39,12 +45,12 @@ TEST(WaitingBlows, AHarderBlowTakesThePlaceOfOneThatIsNotBegun) {
     WaitingBlows waiting;
     constexpr double work_ms = 100;  // of which the budget does 500 a second
     for (const int body : {1, 2})
-        ASSERT_EQ(waiting.add(blowOn(body), work_ms, budget, 2, step_s), WaitingBlows::Fate::waits);
+        ASSERT_EQ(add(waiting, blowOn(body), work_ms, budget, 2), WaitingBlows::Fate::waits);
     WaitingBlow harder = blowOn(2);
     harder.energy_j = 5;
     harder.position = Vec3::UnitX();
-    EXPECT_EQ(waiting.add(harder, work_ms, budget, 2 + step_s, step_s), WaitingBlows::Fate::merged);
-    EXPECT_EQ(waiting.add(blowOn(2), work_ms, budget, 2 + step_s, step_s), WaitingBlows::Fate::merged);
+    EXPECT_EQ(add(waiting, harder, work_ms, budget, 2 + step_s), WaitingBlows::Fate::merged);
+    EXPECT_EQ(add(waiting, blowOn(2), work_ms, budget, 2 + step_s), WaitingBlows::Fate::merged);
     ASSERT_EQ(waiting.takeFirst().serial, 1);
     const WaitingBlow second = waiting.takeFirst();
     EXPECT_EQ(second.energy_j, 5);
@@ -59,11 +65,11 @@ TEST(WaitingBlows, AnotherBudgetHoldsForWhatWaits) {
     patient.shortest_wait_s = 5;
     patient.longest_wait_s = 6;
     WaitingBlows waiting;
-    waiting.add(blowOn(1), ages_ms, patient, 2, step_s);
+    add(waiting, blowOn(1), ages_ms, patient, 2);
     const Budget usual;
     waiting.keepTo(usual, 3);
     EXPECT_NE(waiting.due(3), nullptr);
-    ASSERT_EQ(waiting.add(blowOn(2), 1, usual, 3.5, step_s), WaitingBlows::Fate::waits);
+    ASSERT_EQ(add(waiting, blowOn(2), 1, usual, 3.5), WaitingBlows::Fate::waits);
     waiting.takeFirst();
     EXPECT_NE(waiting.due(3.5 + usual.longest_wait_s), nullptr);
 }
@@ -72,11 +78,11 @@ TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
     const Budget budget;
     WaitingBlows waiting;
     constexpr double work_ms = 50;  // a tenth of a second
-    for (const int body : {1, 2, 3}) waiting.add(blowOn(body), work_ms, budget, 2, step_s);
+    for (const int body : {1, 2, 3}) add(waiting, blowOn(body), work_ms, budget, 2);
     for (const int body : {4, 5}) {
         WaitingBlow whole = blowOn(body);
         whole.is_on_fragment = false;
-        ASSERT_EQ(waiting.add(whole, work_ms / 5, budget, 2, step_s), WaitingBlows::Fate::waits);
+        ASSERT_EQ(add(waiting, whole, work_ms / 5, budget, 2), WaitingBlows::Fate::waits);
     }
     std::vector<std::uint64_t> order;
     std::vector<double> due_s;
@@ -93,10 +99,10 @@ TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
 TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     const Budget budget;
     WaitingBlows waiting;
-    ASSERT_EQ(waiting.add(blowOn(1), 50, budget, 2, step_s), WaitingBlows::Fate::waits);
+    ASSERT_EQ(add(waiting, blowOn(1), 50, budget, 2), WaitingBlows::Fate::waits);
     WaitingBlow harder = blowOn(1);
     harder.energy_j = 5;
-    EXPECT_EQ(waiting.add(harder, 50, budget, 2, step_s), WaitingBlows::Fate::waits);
+    EXPECT_EQ(add(waiting, harder, 50, budget, 2), WaitingBlows::Fate::waits);
     EXPECT_EQ(waiting.takeFirst().energy_j, 1);
     EXPECT_EQ(waiting.takeFirst().energy_j, 5);
 }

@@ -40,6 +40,11 @@ void Job::finish() {
     ended_.wait(lock, [this] { return done_; });
 }
 
+bool Job::isDone() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return done_;
+}
+
 bool Job::begin() {
     const std::lock_guard<std::mutex> lock(mutex_);
     return !std::exchange(begun_, true);

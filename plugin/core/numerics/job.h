@@ -24,6 +24,7 @@ class Job : public std::enable_shared_from_this<Job> {
     void doIfFree();
     /// Returns when the work is done; does it here if nobody has begun.
     void finish();
+    bool isDone();
     /// After `finish`: whether the thread that called it, or `doIfFree`, did the work.
     bool doneHere() const { return done_here_; }
 
