@@ -82,13 +82,24 @@ void Game::putThere(Place& place) {
     place.missing_since = -1;
 }
 
+void Game::setOffBomb(const render::Ray& ray) {
+    constexpr float bang_kg = 15;  // it sounds, and is seen, as what weighs that much
+    sherd::Explosion bomb;
+    bomb.centre = hall_.aimOf(ray) - 0.25f * demo::toBullet(ray.direction);
+    bomb.impulse_n_s = 2000;
+    bomb.reach_m = 2;
+    if (!sherd::explode(fracture_, bomb)) return;
+    happenings_.push_back({Timbre::plaster, bomb.centre, float(bomb.impulse_n_s), bang_kg, true,
+                           render::Vec3(1.0f, 0.85f, 0.6f)});
+}
+
 void Game::takeEvents() {
     for (const sherd::BlowEvent& event : fracture_.takeEvents()) {
         Place& place = placeOf(*event.body);
         const bool broke = event.outcome == sherd::Outcome::broke;
         if (broke) count(event, place);
         happenings_.push_back(
-            {&ready_.level.kinds[place.prop->kind],
+            {ready_.level.kinds[place.prop->kind].timbre,
              btVector3(float(event.position.x()), float(event.position.y()), float(event.position.z())),
              float(event.impulse_n_s), float(event.asset.mass()), broke, place.prop->look.inside});
     }

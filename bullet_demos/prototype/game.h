@@ -14,12 +14,12 @@ struct Score {
     double broken_kg = 0;  ///< of things that were whole
 };
 
-/// A blow that is heard, and seen as dust if something broke.
+/// What is heard: a blow or a bang; and seen as dust, but for blows that break nothing.
 struct Happening {
-    const Kind* kind = nullptr;
+    Timbre timbre = Timbre::plaster;
     btVector3 position = btVector3(0, 0, 0);
     float impulse_n_s = 0, mass_kg = 0;
-    bool broke = false;
+    bool with_dust = false;
     render::Vec3 colour = render::Vec3::Ones();  ///< of what is inside
 };
 
@@ -33,6 +33,8 @@ class Game {
     /// Moves on by a part of a second, in steps of a sixtieth; what is drawn lies between them.
     void advance(float seconds);
     void throwBall(const render::Ray& ray) { hall_.throwBall(ray); }
+    /// Sets off a bomb before what the ray meets.
+    void setOffBomb(const render::Ray& ray);
 
     const Level& level() const { return ready_.level; }
     Hall& hall() { return hall_; }

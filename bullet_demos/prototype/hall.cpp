@@ -54,12 +54,15 @@ void Hall::addBox(const btVector3& centre, const btVector3& size) {
     world_.addRigidBody(&blocks_.back()->body);
 }
 
-void Hall::throwBall(const render::Ray& ray) {
+btVector3 Hall::aimOf(const render::Ray& ray) const {
     constexpr float into_nothing_m = 6;
     const demo::RayHit hit = demo::castRay(world_, ray);
+    return hit.body ? hit.point : toBullet(ray.origin) + into_nothing_m * toBullet(ray.direction);
+}
+
+void Hall::throwBall(const render::Ray& ray) {
     const btVector3 from = toBullet(ray.origin) + 0.3f * toBullet(ray.direction) - btVector3(0, 0, 0.25f);
-    const btVector3 aim =
-        hit.body ? hit.point : toBullet(ray.origin) + into_nothing_m * toBullet(ray.direction);
+    const btVector3 aim = aimOf(ray);
     const float seconds = std::max((aim - from).length() / ball_speed_m_s, 0.02f);
     balls_.push_back(std::make_unique<Rigid>(nullptr, ball_shape_, ball_kg, from));
     btRigidBody& body = balls_.back()->body;

@@ -21,6 +21,8 @@ class Hall {
     Hall(const Hall&) = delete;
     Hall& operator=(const Hall&) = delete;
 
+    /// What the ray meets, or a place in the air.
+    btVector3 aimOf(const render::Ray& ray) const;
     /// Throws a ball from below the ray's origin so that it comes down where the ray leads.
     void throwBall(const render::Ray& ray);
     /// Takes a ball out of the world; other bodies are left alone.

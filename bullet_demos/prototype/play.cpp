@@ -42,14 +42,20 @@ std::optional<sherd::Result<ReadyLevel>> load(const Arguments& arguments, Screen
     return level;
 }
 
-/// Throws where the player clicks, turns the camera while he holds the right button.
-void obeyMouse(Game& game, Screen& screen) {
+/// Throws where the player clicks, turns the camera while he holds the right button; sets off a bomb where
+/// the mouse points. False: he has had enough.
+bool obey(const std::vector<int>& keys, Game& game, Screen& screen) {
     const ImGuiIO& io = ImGui::GetIO();
     const float x = io.MousePos.x / io.DisplaySize.x, y = io.MousePos.y / io.DisplaySize.y;
+    for (const int key : keys) {
+        if (key == GLFW_KEY_ESCAPE) return false;
+        if (key == GLFW_KEY_SPACE) game.setOffBomb(screen.ray(x, y));
+    }
     if (ImGui::IsMouseClicked(ImGuiMouseButton_Left)) game.throwBall(screen.ray(x, y));
     if (ImGui::IsMouseDown(ImGuiMouseButton_Right))
         screen.camera().orbit(-2 * io.MouseDelta.x / io.DisplaySize.y,
                               -2 * io.MouseDelta.y / io.DisplaySize.y);
+    return true;
 }
 
 }  // namespace
@@ -67,9 +73,7 @@ sherd::Status play(const Arguments& arguments, render::Context& context) {
     while (!context.closed()) {
         const float seconds = std::min(watch.lap(), 0.1f);
         screen.begin(seconds);
-        obeyMouse(game, screen);
-        for (const int key : context.takePressedKeys())
-            if (key == GLFW_KEY_ESCAPE) return sherd::success();
+        if (!obey(context.takePressedKeys(), game, screen)) break;
         game.advance(seconds);
         sound.listenFrom(screen.camera());
         for (const Happening& happening : game.takeHappenings()) {

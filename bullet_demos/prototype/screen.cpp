@@ -16,7 +16,7 @@ void describeScore(const Score& score) {
     ImGui::Text("%d points", score.points);
     ImGui::SetWindowFontScale(1);
     ImGui::Text("%d things broken, %.1f kg, in %d pieces", score.breaks, score.broken_kg, score.pieces);
-    ImGui::TextDisabled("click: throw    right button: look around    Esc: leave");
+    ImGui::TextDisabled("click: throw    Space: bomb    right button: look around    Esc: leave");
     ImGui::End();
 }
 

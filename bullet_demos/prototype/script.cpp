@@ -60,15 +60,20 @@ class Script {
     void print();
 
   private:
-    /// Throws at where each thing stands when it is there, in a fixed order.
+    /// Throws at where each thing stands when it is there, in a fixed order; now and then a bomb.
     void throwInTurn(int step) {
-        constexpr int steps_between_throws = 24;
+        constexpr int steps_between_throws = 24, throws_between_bombs = 8;
         if (step % steps_between_throws != 1) return;
+        const int number = step / steps_between_throws;
         const std::vector<Prop>& props = game_.level().props;
-        const Prop& target = props[std::size_t(7 * (step / steps_between_throws)) % props.size()];
+        const Prop& target = props[std::size_t(7 * number) % props.size()];
         const render::Vec3 aim = demo::toRender(target.home.getOrigin()) + render::Vec3(0, 0, 0.06f);
         const render::Vec3 eye = screen_.camera().eye();
-        game_.throwBall({eye, (aim - eye).normalized()});
+        const render::Ray ray{eye, (aim - eye).normalized()};
+        if (number % throws_between_bombs == throws_between_bombs - 1)
+            game_.setOffBomb(ray);
+        else
+            game_.throwBall(ray);
     }
 
     void stepOnce() {
