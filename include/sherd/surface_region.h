@@ -29,6 +29,16 @@ struct CylinderRegion {
     double radius_m = 0;
 };
 
+inline bool operator==(const SphereRegion& a, const SphereRegion& b) {
+    return a.centre == b.centre && a.radius_m == b.radius_m;
+}
+inline bool operator==(const BoxRegion& a, const BoxRegion& b) {
+    return a.lo == b.lo && a.hi == b.hi;
+}
+inline bool operator==(const CylinderRegion& a, const CylinderRegion& b) {
+    return a.point == b.point && a.axis == b.axis && a.radius_m == b.radius_m;
+}
+
 /// A part of a body's surface.
 using SurfaceRegion = std::variant<SphereRegion, BoxRegion, CylinderRegion>;
 

@@ -47,7 +47,8 @@ struct Breakable {
     btRigidBody* body = nullptr;  ///< may be dangling if the app owns it and `in_world` is false: compare
                                   ///< only, never dereference
     BreakableAsset asset;
-    std::shared_ptr<const FractureSettings> fracture;  ///< how it breaks; shared with its fragments
+    std::shared_ptr<const BreakableAsset> of_all_alike;  ///< of a body of the app's: see AssetStore
+    std::shared_ptr<const FractureSettings> fracture;    ///< how it breaks; shared with its fragments
     btTransform body_from_asset = btTransform::getIdentity();
     std::string name;
     std::optional<std::uint64_t> seed;  ///< given by the app, or derived from that of the body it was part of
@@ -68,6 +69,7 @@ struct Breakable {
     double young_until_s = 0;        ///< simulated time; 0 for what is no fragment
     bool in_world = true;            ///< at the last syncWithWorld
     bool warned = false;             ///< an event has said what the asset warns of
+    bool prepared_free = false;      ///< its asset was, but not as the body is held
     bool told_unbreakable = false;   ///< an event has said why nothing breaks it
     BodyToken token = no_token;      ///< tells `body` from a new one at its address
     int generation = 0;              ///< how many breaks in this world made it

@@ -134,6 +134,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     breakable->filter = CollisionFilter::usual(is_static);
     breakable->name = options.name;
     breakable->seed = options.seed;
+    breakable->prepared_free = free_asset.prepared() && !asset.prepared();
     return putIntoWorld(std::move(breakable), options);
 }
 
@@ -199,12 +200,11 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     Material own = material;
     if (body->getInvMass() > 0)
         own.density_kg_m3 = 1 / (body->getInvMass() * solidMoments(surface.value()).volume);
-    auto asset = BreakableAsset::fromMesh(surface.value(), own, settings);
-    if (asset && !options.supports.empty()) asset = asset.value().anchored(options.supports);
-    if (!asset) return Error{asset.error()};
-    if (options.seed) asset = asset.value().ofBody(*options.seed);
-    auto breakable =
-        std::make_unique<Breakable>(asset.value(), fractureSettingsFor(asset.value(), settings.fracture));
+    const auto alike = assets_.assetOf(surface.value(), own, settings, options.supports);
+    if (!alike) return Error{alike.error()};
+    const BreakableAsset asset = options.seed ? alike.value()->ofBody(*options.seed) : *alike.value();
+    auto breakable = std::make_unique<Breakable>(asset, fractureSettingsFor(asset, settings.fracture));
+    breakable->of_all_alike = alike.value();
     breakable->body = body;
     breakable->name = options.name;
     breakable->seed = options.seed;

@@ -18,7 +18,12 @@ namespace {
 /// What the asset warns of, with the first blow on its body.
 std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     if (std::exchange(breakable.warned, true)) return {};
-    return breakable.asset.warnings();
+    std::vector<std::string> warnings = breakable.asset.warnings();
+    if (breakable.prepared_free && !breakable.asset.prepared())
+        warnings.push_back(
+            "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
+            "prepare what BreakableAsset::anchored makes of it, and add bodies of that");
+    return warnings;
 }
 
 BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {

@@ -79,11 +79,14 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
         return urgency(*a) > urgency(*b);
     });
-    const int room = roomForFragments();
+    const auto kept =
+        std::count_if(blows.begin(), blows.end(), [](const auto* blow) { return blow->isKept(); });
+    const int room = roomForFragments(), share = room / std::max(1, static_cast<int>(kept));
     const double haste = hasteFor(blows, time_step_s);
     for (const StruckBreakable* struck : blows) {
         const Breakable& breakable = *struck->breakable;
-        const int most_fragments = std::min(room + breakable.ownPlaces(), budget_.fragments_per_step);
+        const int places = (struck->isKept() ? share : room) + breakable.ownPlaces();
+        const int most_fragments = std::min(places, budget_.fragments_per_step);
         if (most_fragments < fewest_fragments) {
             tellTooMany(*struck, normalImpulse(struck->blow));
             continue;

@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "bullet/asset_store.h"
 #include "bullet/birth_overlaps.h"
 #include "bullet/breakable.h"
 #include "bullet/contact_collector.h"
@@ -167,6 +168,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     btDiscreteDynamicsWorld& world_;
     BreakableRegistry breakables_;
     ShapeStore shapes_;
+    AssetStore assets_;
     BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;

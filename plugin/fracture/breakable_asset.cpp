@@ -106,7 +106,7 @@ Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>
         return Error{
             "the supports hold the body by no more than a line or a point, about which it can turn; give "
             "them more of its surface"};
-    return BreakableAsset(solid_->anchored(supports), repairs_, warnings_);
+    return BreakableAsset(solid_->anchoredTogether(supports), repairs_, warnings_);
 }
 
 Status BreakableAsset::prepare(const std::function<void(double done)>& progress) const {

@@ -78,6 +78,21 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::anchored(std::vector<Surfa
     return solid;
 }
 
+std::shared_ptr<const BreakableSolid> BreakableSolid::anchoredTogether(
+    const std::vector<SurfaceRegion>& supports) const {
+    const std::lock_guard<std::mutex> lock(shared_->holding);
+    auto& held = shared_->held;
+    held.erase(std::remove_if(held.begin(), held.end(), [](const auto& solid) { return solid.expired(); }),
+               held.end());
+    for (const auto& known : held)
+        if (const auto solid = known.lock(); solid && solid->supports_ == supports &&
+                                             solid->settings_.strength.seed == settings_.strength.seed)
+            return solid;
+    const auto made = anchored(supports);
+    held.push_back(made);
+    return made;
+}
+
 std::shared_ptr<const BreakableSolid> BreakableSolid::ofBody(std::uint64_t seed) const {
     std::shared_ptr<BreakableSolid> body(new BreakableSolid(*this));
     body->settings_.strength.seed = splitMix64(settings_.strength.seed + golden_step * (seed + 1));

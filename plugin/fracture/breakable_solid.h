@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -102,6 +103,8 @@ class BreakableSolid {
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
     std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
+    /// One like it, for all who hold the solid alike for as long as one of them does.
+    std::shared_ptr<const BreakableSolid> anchoredTogether(const std::vector<SurfaceRegion>& supports) const;
     /// The same solid as that of one body: its strength scatters in another way for each seed. All else that
     /// is made once is made for both.
     std::shared_ptr<const BreakableSolid> ofBody(std::uint64_t seed) const;
@@ -133,6 +136,8 @@ class BreakableSolid {
         std::atomic<bool> prepared{false};
         /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.
         MadeOnce<Sampled> complete;
+        std::mutex holding;
+        std::vector<std::weak_ptr<const BreakableSolid>> held;  ///< by `anchoredTogether`
     };
 
     std::shared_ptr<Shared> shared_;

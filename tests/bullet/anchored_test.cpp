@@ -222,6 +222,27 @@ TEST(Anchored, WhatIsNoSupportIsRefusedWithASentence) {
     EXPECT_NE(fracture.add(asset, options).error().find("static"), std::string::npos);
 }
 
+TEST(Anchored, SaysThatOnlyTheFreeBodyWasPrepared) {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.05, 0), Vec3(0.5, 0.05, 1)),
+                                                crumbly(), coarse(0.1));
+    ASSERT_TRUE(asset.value().prepare().ok());
+    BodyOptions options;
+    options.supports = {foot()};
+    const auto warnings = [&] {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(asset.value(), options).value();
+        EXPECT_TRUE(fracture.applyBlow(body, {btVector3(0, -0.05f, 0.8f), btVector3(0, 100, 0)}).ok());
+        return fracture.takeEvents().at(0).warnings;
+    };
+    const std::vector<std::string> not_prepared = warnings();
+    ASSERT_EQ(not_prepared.size(), 1u);
+    EXPECT_NE(not_prepared[0].find("not as supports hold this body"), std::string::npos) << not_prepared[0];
+    const BreakableAsset held = asset.value().anchored(options.supports).value();
+    ASSERT_TRUE(held.prepare().ok());
+    EXPECT_TRUE(warnings().empty()) << "bodies that are held alike share what is prepared";
+}
+
 /// Of the bodies that move, kg m/s.
 btVector3 momentumOf(const FractureWorld& fracture) {
     btVector3 sum(0, 0, 0);

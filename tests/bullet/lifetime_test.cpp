@@ -24,6 +24,34 @@ btRigidBody* addAppsBody(TestWorld& scene, double mass = 7) {
     return scene.addBody(std::move(compound), mass, btVector3(0, 0, 0));
 }
 
+TEST(MakeBreakable, BodiesThatAreAlikeShareTheirAsset) {
+    TestWorld scene;
+    btBoxShape brick(btVector3(0.1f, 0.05f, 0.05f)), another(btVector3(0.1f, 0.05f, 0.05f)),
+        longer(btVector3(0.2f, 0.05f, 0.05f));
+    std::vector<std::unique_ptr<btRigidBody>> bodies;
+    FractureWorld fracture(scene.world.get());
+    const auto breakable = [&](btCollisionShape& shape, btScalar mass, const BreakableOptions& options = {}) {
+        btVector3 inertia;
+        shape.calculateLocalInertia(mass, inertia);
+        bodies.push_back(std::make_unique<btRigidBody>(mass, nullptr, &shape, inertia));
+        bodies.back()->setWorldTransform(at(btScalar(bodies.size()), 0, 0));
+        scene.world->addRigidBody(bodies.back().get());
+        EXPECT_TRUE(fracture.makeBreakable(bodies.back().get(), Material::brick(), {}, options).ok());
+        return bodies.back().get();
+    };
+    BreakableOptions of_its_own;
+    of_its_own.seed = 3;
+    btRigidBody *first = breakable(brick, 2), *seeded = breakable(brick, 2, of_its_own);
+    const auto solidOf = [&](const btRigidBody* body) { return fracture.asset(body)->solid(); };
+    EXPECT_EQ(solidOf(breakable(brick, 2)), solidOf(first));
+    EXPECT_EQ(solidOf(breakable(another, 2)), solidOf(first));
+    EXPECT_NE(solidOf(breakable(longer, 2)), solidOf(first));
+    EXPECT_NE(solidOf(breakable(brick, 3)), solidOf(first)) << "another density";
+    ASSERT_TRUE(fracture.asset(first)->prepare().ok());
+    EXPECT_TRUE(fracture.asset(seeded)->prepared());
+    for (const auto& body : bodies) scene.world->removeRigidBody(body.get());
+}
+
 TEST(MakeBreakable, AppsCompoundBreaksAndKeepsItsMass) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());

@@ -107,6 +107,25 @@ TEST(Asset, ThinPanesAreHeldAtTheirFoot) {
     }
 }
 
+TEST(Asset, BodiesThatAreHeldAlikeShareWhatIsMadeOnce) {
+    const BreakableAsset block =
+        BreakableAsset::fromMesh(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), Material::plaster()).value();
+    const std::vector<SurfaceRegion> foot{BoxRegion{{-2, -2, 0}, {2, 2, 0}}},
+        top{BoxRegion{{-2, -2, 1}, {2, 2, 1}}}, corner{SphereRegion{Vec3(0, 0, 0), 0.4}};
+    const BreakableAsset held = block.anchored(foot).value();
+    EXPECT_EQ(block.anchored(foot).value().solid(), held.solid());
+    EXPECT_NE(block.anchored(top).value().solid(), held.solid());
+    EXPECT_NE(block.anchored(corner).value().solid(), held.solid());
+    EXPECT_NE(block.ofBody(7).anchored(foot).value().solid(), held.solid())
+        << "its strength scatters in another way";
+    std::weak_ptr<const BreakableSolid> kept;
+    {
+        const BreakableAsset passing = block.anchored(top).value();
+        kept = passing.solid();
+    }
+    EXPECT_TRUE(kept.expired());
+}
+
 TEST(Asset, ConstantsOutOfRangeAreNamed) {
     const TriangleMesh box = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
     const auto sentence = [&](void (*spoil)(Material&)) {
