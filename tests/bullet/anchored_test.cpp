@@ -317,6 +317,27 @@ TEST(Anchored, AnExplosionThrowsWhatComesLoose) {
     EXPECT_LT(momentumOf(wall.fracture).y(), 1000);
 }
 
+// Cracks part a wall before a harder blast has damaged all of it: what is left does not hang together again.
+TEST(Anchored, AHarderExplosionLeavesHardlyFewerPieces) {
+    Settings settings;
+    settings.sampling.spacing_m = 0.09;
+    const auto wall = BreakableAsset::fromMesh(boxMesh({2, 0.12, 1.5}), Material::brick(), settings)
+                          .value()
+                          .anchored({BoxRegion{{-1, -1, -0.75}, {1, 1, -0.75}}});
+    ASSERT_TRUE(wall.value().prepare().ok());
+    std::size_t most = 1;
+    for (double impulse_n_s = 5000; impulse_n_s < 60000; impulse_n_s *= 1.3) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        ASSERT_TRUE(fracture.add(wall.value()).ok());
+        ASSERT_TRUE(explode(fracture, Explosion{btVector3(0, -1.5f, 0), impulse_n_s, 5}).ok());
+        const std::size_t pieces = fracture.bodies().size();
+        EXPECT_GE(pieces + 1, most) << impulse_n_s;
+        most = std::max(most, pieces);
+    }
+    EXPECT_EQ(most, 20u);
+}
+
 // In a crowd the walls wait for their turn, and what comes loose of them is thrown when they break.
 TEST(Anchored, AnExplosionAmongManyThrowsWhatComesLooseLater) {
     WeakWall walls;

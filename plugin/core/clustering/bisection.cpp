@@ -247,7 +247,10 @@ FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Ve
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
     if (labelWholeParts(solid, region.damaged, labels).empty()) return labels;
-    const int pieces = std::min(clusters + labels.count, most_pieces);
+    int parted = labels.count;
+    if (clusters + parted < most_pieces)
+        parted = std::max(parted, partedOnTheWay(solid, axes, damage, wall_thickness_m));
+    const int pieces = std::min(clusters + parted, most_pieces);
     labels.count = 0;
     const auto metrics = tensionMetrics(solid, axes, region, pieces, wall_thickness_m, guide, blow);
     Bisection bisection(solid, axes, metrics, holds, seed);

@@ -119,6 +119,32 @@ Damage damagedRegion(const Discretisation& solid, const std::vector<Vec3>& axes,
     return region;
 }
 
+int partedOnTheWay(const Discretisation& solid, const std::vector<Vec3>& axes, const Damage& damage,
+                   double wall_thickness_m) {
+    constexpr double half = 0.5, step = 1.189207115002721;
+    constexpr int steps = 16;  // of the load, down to a sixteenth of its peak
+    double all = 0, damaged = 0;
+    for (std::size_t i = 0; i < damage.damaged.size(); ++i) {
+        all += solid.particles[i].volume;
+        if (damage.damaged[i]) damaged += solid.particles[i].volume;
+    }
+    if (!(damaged > half * all)) return 0;
+    int most = 0;
+    double threshold = 1;
+    for (int k = 0; k < steps; ++k) {
+        threshold *= step;
+        Damage earlier = damage;
+        earlier.count = 0;
+        for (std::size_t i = 0; i < damage.damaged.size(); ++i)
+            earlier.count += earlier.damaged[i] = damage.damaged[i] && damage.overstress[i] > threshold;
+        if (earlier.count == 0) break;
+        FragmentLabels labels;
+        labelWholeParts(solid, damagedRegion(solid, axes, earlier, wall_thickness_m).damaged, labels);
+        most = std::max(most, labels.count);
+    }
+    return most;
+}
+
 std::vector<int> labelWholeParts(const Discretisation& solid, const std::vector<char>& damaged,
                                  FragmentLabels& labels) {
     labels.of_particle.assign(damaged.size(), -1);
