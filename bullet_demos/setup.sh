@@ -71,16 +71,19 @@ add_option() {
 # build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal; elsewhere
 # a line that it builds, once that takes longer than a look at what is there.
 build_targets() {
-  local quiet=() notice= status=0
+  local notice= status=0
   if [ ! -t 2 ]; then
-    quiet=(--quiet)
     (
       sleep 5 >/dev/null 2>&1
       say "building on $(nproc) cores; the first time this takes minutes"
     ) &
     notice=$!
   fi
-  in_turn ninja -C "$build" "${quiet[@]}" "$@" >&2 || status=$?
+  if [ "$notice" ]; then
+    { in_turn ninja -C "$build" --quiet "$@" 2>&1 | sed -u '/^ninja: no work to do\.$/d' >&2; } || status=$?
+  else
+    in_turn ninja -C "$build" "$@" >&2 || status=$?
+  fi
   if [ "$notice" ]; then { kill "$notice" && wait "$notice"; } 2>/dev/null || true; fi
   [ "$status" -eq 0 ] || die "The build in $build failed (see above)."
 }

@@ -10,8 +10,8 @@ class FractureWorld;
 /// An explosion, by what a game wants of it: a push that falls with the square of the distance.
 struct Explosion {
     btVector3 centre = btVector3(0, 0, 0);  ///< m
-    /// Sent out evenly in all directions, all together: at a distance of 1 m a cup or a held pane breaks at
-    /// about 1000, a brick wall of 12 cm at 1.5 m at 10,000.
+    /// Sent out evenly in all directions, all together: 1 m away a cup or a held pane breaks at 500 and is in
+    /// many pieces at 1500, a brick wall of 12 cm breaks at 5000 to 10,000 from 1.5 m.
     double impulse_n_s = 0;
     double reach_m = 0;  ///< surface further away than this is left alone
 };
