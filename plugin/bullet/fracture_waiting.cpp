@@ -81,7 +81,8 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
     });
     const auto kept =
         std::count_if(blows.begin(), blows.end(), [](const auto* blow) { return blow->isKept(); });
-    const int room = roomForFragments(), share = room / std::max(1, static_cast<int>(kept));
+    const int room = roomForFragments();
+    const int share = std::min(room, std::max(fewest_fragments, room / std::max(1, static_cast<int>(kept))));
     const double haste = hasteFor(blows, time_step_s);
     for (const StruckBreakable* struck : blows) {
         const Breakable& breakable = *struck->breakable;

@@ -379,18 +379,23 @@ struct Plates {
             scene.step();
             take(fracture);
         }
+        bodies = fracture.bodies().size();
         EXPECT_NEAR(massOf(fracture), mass, 1e-6 * mass);
         EXPECT_LT((momentumOf(fracture.bodies()).linear - momentum).length(), 1e-4f * momentum.length());
     }
     void take(FractureWorld& fracture) {
         for (const BlowEvent& event : fracture.takeEvents()) {
             if (event.generation > 0) continue;
-            EXPECT_EQ(event.outcome, Outcome::broke) << event.message;
+            if (event.outcome != Outcome::broke) {
+                EXPECT_EQ(event.outcome, Outcome::dropped) << event.message;
+                ++dropped;
+                continue;
+            }
             waited_s.push_back(event.waited_s);
             away_m.push_back(event.asset_transform.getOrigin().length());
         }
     }
-    std::size_t in_call = 0;
+    std::size_t in_call = 0, dropped = 0, bodies = 0;
     std::vector<double> waited_s, away_m;  // of the plates, in the order in which they broke
 };
 
@@ -401,6 +406,7 @@ TEST(Explosion, BreaksACrowdInTurnTheNearestFirst) {
     const Plates crowd(count, budget);
     EXPECT_EQ(crowd.in_call, 0u);
     ASSERT_EQ(crowd.waited_s.size(), std::size_t(count)) << "none is dropped";
+    EXPECT_EQ(crowd.dropped, 0u);
     EXPECT_TRUE(std::is_sorted(crowd.waited_s.begin(), crowd.waited_s.end()));
     EXPECT_GT(crowd.waited_s.back(), crowd.waited_s.front());
     EXPECT_LT(crowd.away_m.front(), crowd.away_m.back());
@@ -420,6 +426,20 @@ TEST(Explosion, DropsNoWholeBodyForWantOfTime) {
     EXPECT_LE(crowd.waited_s.back(), budget.longest_wait_s + 1e-6);
     for (std::size_t i = 1; i < count; ++i)
         EXPECT_GT(crowd.waited_s[i], crowd.waited_s[i - 1]) << "spread over the time that there is";
+}
+
+TEST(Explosion, ACrowdSharesTheRoomForFragments) {
+    constexpr int count = 8;
+    Budget budget;
+    budget.milliseconds_per_step = 0.5;
+    budget.fragments_alive = 24;
+    const Plates all(count, budget);
+    EXPECT_EQ(all.waited_s.size(), std::size_t(count));
+    budget.fragments_alive = 9;
+    const Plates some(count, budget);
+    EXPECT_EQ(some.waited_s.size(), 4u) << "into two pieces each";
+    EXPECT_EQ(some.dropped, 4u);
+    EXPECT_EQ(some.bodies, 12u);
 }
 
 TEST(Explosion, FollowsAnotherInTheSameStep) {
