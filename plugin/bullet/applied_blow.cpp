@@ -161,6 +161,14 @@ void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std:
     }
 }
 
+std::vector<Push> moved(std::vector<Push> pushes, const btTransform& transform) {
+    for (Push& push : pushes) {
+        push.point = transform * push.point;
+        push.impulse_n_s = transform.getBasis() * push.impulse_n_s;
+    }
+    return pushes;
+}
+
 double distanceTo(const Breakable& breakable, const btVector3& point) {
     const Vec3 x = fromBullet(breakable.placed(breakable.body->getWorldTransform()).inverse() * point);
     return (nearestSurfacePoint(breakable.asset.solid()->surfaceTree(), x, Vec3::Zero()).point - x).norm();

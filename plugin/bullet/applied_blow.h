@@ -32,6 +32,9 @@ void push(btRigidBody& body, const std::vector<Push>& pushes);
 /// falls on a piece that is still held goes to what holds it.
 void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std::vector<Push>& pushes);
 
+/// The same pushes in another frame.
+std::vector<Push> moved(std::vector<Push> pushes, const btTransform& transform);
+
 /// How far the surface of a body is from a point of the world, m.
 double distanceTo(const Breakable& breakable, const btVector3& point);
 

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "geometry/mass_properties.h"
+#include "geometry/solid_union.h"
+
 namespace sherd {
 
 namespace {
@@ -12,29 +15,28 @@ bool hasFunctions(const Settings& settings) {
     return settings.strength.field || settings.fracture.guide.custom;
 }
 
-bool areEqual(const TriangleMesh& a, const TriangleMesh& b) {
-    return a.vertices == b.vertices && a.triangles == b.triangles;
-}
-
 }  // namespace
 
 Result<std::shared_ptr<const BreakableAsset>> AssetStore::assetOf(
-    const TriangleMesh& surface, const Material& material, const Settings& settings,
+    const Parts& parts, double mass_kg, Material material, const Settings& settings,
     const std::vector<SurfaceRegion>& supports) {
     const auto is_dead = [](const Entry& entry) { return entry.asset.expired(); };
     entries_.erase(std::remove_if(entries_.begin(), entries_.end(), is_dead), entries_.end());
     const std::string constants = material.toJson() + settings.toJson();
     if (!hasFunctions(settings))
         for (const Entry& entry : entries_)
-            if (const auto known = entry.asset.lock(); known && entry.constants == constants &&
-                                                       known->supports() == supports &&
-                                                       areEqual(known->surface(), surface))
+            if (const auto known = entry.asset.lock();
+                known && entry.parts == parts && entry.mass_kg == mass_kg && entry.constants == constants &&
+                known->supports() == supports)
                 return known;
-    auto made = BreakableAsset::fromMesh(surface, material, settings);
+    const auto surface = uniteConvexParts(parts);
+    if (!surface) return Error{surface.error()};
+    if (mass_kg > 0) material.density_kg_m3 = mass_kg / solidMoments(surface.value()).volume;
+    auto made = BreakableAsset::fromMesh(surface.value(), material, settings);
     if (made && !supports.empty()) made = made.value().anchored(supports);
     if (!made) return Error{made.error()};
     auto asset = std::make_shared<const BreakableAsset>(std::move(made).value());
-    if (!hasFunctions(settings)) entries_.push_back({constants, asset});
+    if (!hasFunctions(settings)) entries_.push_back({parts, mass_kg, constants, asset});
     return std::shared_ptr<const BreakableAsset>(std::move(asset));
 }
 

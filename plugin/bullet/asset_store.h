@@ -12,13 +12,18 @@ namespace sherd {
 /// keeps it. So the blocks of a wall are sampled, factored and prepared together.
 class AssetStore {
   public:
-    /// As BreakableAsset::fromMesh; anchored, if there are supports.
-    Result<std::shared_ptr<const BreakableAsset>> assetOf(const TriangleMesh& surface,
-                                                          const Material& material, const Settings& settings,
+    using Parts = std::vector<std::vector<Vec3>>;
+
+    /// The union of convex parts, as BreakableAsset::fromMesh has it; anchored, if there are supports. The
+    /// density follows from the mass; where that is 0 the material says it.
+    Result<std::shared_ptr<const BreakableAsset>> assetOf(const Parts& parts, double mass_kg,
+                                                          Material material, const Settings& settings,
                                                           const std::vector<SurfaceRegion>& supports);
 
   private:
     struct Entry {
+        Parts parts;
+        double mass_kg = 0;
         std::string constants;
         std::weak_ptr<const BreakableAsset> asset;
     };

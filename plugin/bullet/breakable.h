@@ -47,7 +47,7 @@ struct Breakable {
     btRigidBody* body = nullptr;  ///< may be dangling if the app owns it and `in_world` is false: compare
                                   ///< only, never dereference
     BreakableAsset asset;
-    std::shared_ptr<const BreakableAsset> of_all_alike;  ///< of a body of the app's: see AssetStore
+    std::shared_ptr<const BreakableAsset> of_all_alike;  ///< kept for those that are to share it
     std::shared_ptr<const FractureSettings> fracture;    ///< how it breaks; shared with its fragments
     btTransform body_from_asset = btTransform::getIdentity();
     std::string name;

@@ -81,6 +81,8 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
 }
 
 void FractureWorld::Impl::finishBetweenSteps() {
+    decided_now_ = 0;  // what the last step decided is done
+    decided_now_ms_ = 0;
     timed(times_.whole, [&] { finish(0); });
 }
 

@@ -12,8 +12,6 @@
 #include "bullet/shapes.h"
 #include "bullet/world_internals.h"
 #include "fracture/can_break.h"
-#include "geometry/mass_properties.h"
-#include "geometry/solid_union.h"
 
 namespace sherd {
 
@@ -134,6 +132,8 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     breakable->filter = CollisionFilter::usual(is_static);
     breakable->name = options.name;
     breakable->seed = options.seed;
+    // With a seed the body's own asset is another one.
+    if (!options.supports.empty()) breakable->of_all_alike = std::make_shared<const BreakableAsset>(asset);
     breakable->prepared_free = free_asset.prepared() && !asset.prepared();
     return putIntoWorld(std::move(breakable), options);
 }
@@ -195,12 +195,8 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     if (const Status refused = refusal(body, options); !refused) return refused;
     const auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
-    const auto surface = uniteConvexParts(parts.value());
-    if (!surface) return Error{surface.error()};
-    Material own = material;
-    if (body->getInvMass() > 0)
-        own.density_kg_m3 = 1 / (body->getInvMass() * solidMoments(surface.value()).volume);
-    const auto alike = assets_.assetOf(surface.value(), own, settings, options.supports);
+    const double mass_kg = body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
+    const auto alike = assets_.assetOf(parts.value(), mass_kg, material, settings, options.supports);
     if (!alike) return Error{alike.error()};
     const BreakableAsset asset = options.seed ? alike.value()->ofBody(*options.seed) : *alike.value();
     auto breakable = std::make_unique<Breakable>(asset, fractureSettingsFor(asset, settings.fracture));

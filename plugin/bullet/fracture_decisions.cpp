@@ -147,6 +147,9 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
         if (isLightRest(struck[i], time_s_)) {
             gated.torn[i] = isInTheWay(struck[i]);
             times_.blows += gated.ms[i];
+        } else if (time_step_s > 0 && isOutdone(struck[i])) {
+            ++counts_.merged;
+            times_.blows += gated.ms[i];
         } else if (body.breaksAt(time_s_)) {
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
         }
@@ -163,10 +166,14 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     Gated gated = gate(struck, time_step_s);
     const std::vector<std::size_t>& now = gated.now;
     int room = now.empty() ? 0 : roomForFragments();
+    const int room_before = room;
     if (time_step_s > 0) dropWithoutRoom(struck, gated, room);
     std::vector<BlowToDecide> blows;
-    const int sharing = std::max(1, static_cast<int>(now.size()));
-    const int share = room / sharing, share_of_step = (budget_.fragments_per_step - new_fragments_) / sharing;
+    const auto kept = std::count_if(gated.later.begin(), gated.later.end(),
+                                    [&](std::size_t i) { return struck[i].isKept(); });
+    const int deciding = std::max(1, static_cast<int>(now.size()));
+    const int share = room / (deciding + static_cast<int>(kept)),
+              share_of_step = (budget_.fragments_per_step - new_fragments_) / deciding;
     for (const std::size_t i : now) {
         const Breakable& breakable = *struck[i].breakable;
         // A factor that one blow leaves serves the next; a reduced model has all that it needs.
@@ -192,7 +199,8 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     }
     std::vector<const StruckBreakable*> to_wait;
     for (const std::size_t i : gated.later) to_wait.push_back(&struck[i]);
-    if (!to_wait.empty()) timed(times_.steps.waiting, [&] { letWait(to_wait, time_step_s); });
+    if (!to_wait.empty())
+        timed(times_.steps.waiting, [&] { letWait(to_wait, room_before - room, time_step_s); });
     return breaks;
 }
 

@@ -24,7 +24,7 @@ double FractureWorld::Impl::urgency(const StruckBreakable& struck) const {
 /// back by what is broken in truth.
 bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
     const Breakable& breakable = *struck.breakable;
-    if (budget_.shortest_wait_s == 0 || !breakable.isFragment()) return false;
+    if (budget_.shortest_wait_s == 0 || !breakable.isFragment() || struck.isKept()) return false;
     const double mass =
         breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
@@ -62,8 +62,8 @@ bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck
 
 /// Lets blows on whole bodies wait, the least urgent first, until the others take no longer than the budget
 /// has milliseconds: those that nothing flies through, where there is more to be decided in the step than it
-/// has solves, or where a ball breaks others, and those that fragments strike. Of the last, one is decided in
-/// any case if the step has no more.
+/// has solves, or where a ball breaks others, and those that fragments strike. Of the last, and of an
+/// explosion's, one is decided in any case if the step has no more.
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
                                   Gated& gated) const {
     if (budget_.shortest_wait_s == 0) return;
@@ -87,7 +87,8 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     for (; first != end; ++first, ++count) {
         ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
         const bool has_no_room = ms > most_ms || count >= budget_.solves_per_step;
-        if (first >= may_wait && has_no_room && (count > 0 || is_crowd)) break;
+        const bool may_be_none = is_crowd && !struck[*first].is_of_explosion;
+        if (first >= may_wait && has_no_room && (count > 0 || may_be_none)) break;
     }
     gated.later.insert(gated.later.end(), first, end);
     gated.now.erase(first, end);

@@ -147,6 +147,8 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
                                                               btScalar time_step_s) {
     BlowEvent& event = current_[broken.event].event;
     pushLoose(pieces, broken.for_pieces);
+    pushLoose(pieces,
+              moved(waiting_.pushesFor(parent.serial), parent.placed(broken.body->getWorldTransform())));
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.decided->outcome.fragments, pieces);
     // Between steps, too: the ball of a fragment tells the side of the ground at any time.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "bullet/applied_blow.h"
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
@@ -63,6 +64,18 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
     return true;
 }
 
+/// Whether an explosion has struck the body harder, what comes of that waits for its turn, and nothing flies
+/// through the body until then.
+bool FractureWorld::Impl::isOutdone(const StruckBreakable& struck) const {
+    const WaitingBlow* waiting = waiting_.keptFor(struck.breakable->serial);
+    return waiting && waiting->energy_j >= energyOf(struck) && lastsWhileItWaits(struck);
+}
+
+double FractureWorld::Impl::energyOf(const StruckBreakable& struck) const {
+    const BreakableSolid& solid = *struck.breakable->asset.solid();
+    return blowEnergy(struck.blow, solid.mass(), isHeld(solid, struck.blow));
+}
+
 /// What the time that the queue has left is short of the work that may not be dropped: so many times faster
 /// than the budget says it is done.
 double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& blows,
@@ -75,13 +88,15 @@ double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& 
     return needed_s > 0 ? std::max(1.0, needed_s / waiting_.left_s(budget_, time_s_)) : 1;
 }
 
-void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s) {
+/// `promised`: places of fragments that are not in the world yet.
+void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int promised,
+                                  btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
         return urgency(*a) > urgency(*b);
     });
     const auto kept =
         std::count_if(blows.begin(), blows.end(), [](const auto* blow) { return blow->isKept(); });
-    const int room = roomForFragments();
+    const int room = std::max(0, roomForFragments() - waiting_.promised() - promised);
     const int share = std::min(room, std::max(fewest_fragments, room / std::max(1, static_cast<int>(kept))));
     const double haste = hasteFor(blows, time_step_s);
     for (const StruckBreakable* struck : blows) {
@@ -97,8 +112,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
         blow.serial = breakable.serial;
         blow.is_on_fragment = breakable.isFragment();
         blow.impulse_n_s = normalImpulse(struck->blow);
-        const BreakableSolid& solid = *breakable.asset.solid();
-        blow.energy_j = blowEnergy(struck->blow, solid.mass(), isHeld(solid, struck->blow));
+        blow.energy_j = energyOf(*struck);
         blow.position = fromBullet(from_world * toBullet(struck->position));
         blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
         if (struck->striker) {
@@ -107,9 +121,11 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, btS
         }
         blow.decided = DecidedBlow::make(toDecide(*struck, most_fragments));
         blow.is_kept = struck->isKept();
-        blow.for_pieces = struck->for_pieces;
-        const double turn_s = WaitingBlows::turn_s(estimatedMilliseconds(solid), budget_, time_step_s) /
-                              (blow.is_kept ? haste : 1);
+        if (blow.is_kept) blow.promised = most_fragments - breakable.ownPlaces();
+        blow.for_pieces = moved(struck->for_pieces, from_world);
+        const double turn_s =
+            WaitingBlows::turn_s(estimatedMilliseconds(*breakable.asset.solid()), budget_, time_step_s) /
+            (blow.is_kept ? haste : 1);
         switch (waiting_.add(std::move(blow), turn_s, budget_, time_s_)) {
             case WaitingBlows::Fate::waits:
                 break;
@@ -171,7 +187,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         const auto broken = tell(struckNow(**found, blow), outcome, blow.decided);
         if (!broken) continue;
         Break due_break = *broken;
-        due_break.for_pieces = blow.for_pieces;
+        due_break.for_pieces = moved(blow.for_pieces, (*found)->placed((*found)->body->getWorldTransform()));
         const auto fragments = swap(due_break, time_step_s);
         if (fragments.empty()) continue;
         before_.add(fragments);  // for `stopAtGround`: they are still to move in this step

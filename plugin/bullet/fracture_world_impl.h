@@ -104,8 +104,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
+    bool isOutdone(const StruckBreakable& struck) const;
+    double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;
-    void letWait(std::vector<const StruckBreakable*> blows, btScalar time_step_s);
+    void letWait(std::vector<const StruckBreakable*> blows, int promised, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);
     void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);

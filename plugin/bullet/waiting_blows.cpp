@@ -40,7 +40,11 @@ double WaitingBlows::turn_s(double work_ms, const Budget& budget, double time_st
 }
 
 double WaitingBlows::left_s(const Budget& budget, double time_s) const {
-    return std::max(0.0, time_s + budget.longest_wait_s - std::max(busy_until_s_, time_s));
+    double begin_s = std::max(busy_until_s_, time_s);
+    for (auto blow = blows_.rbegin(); blow != blows_.rend(); ++blow)
+        if (blow->is_on_fragment && !isWorkedOn(*blow, time_s)) begin_s = blow->begun_s;
+    constexpr double least = 0.5;  // a second explosion's bodies wait longer, rather than break all at once
+    return std::max(least * budget.longest_wait_s, time_s + budget.longest_wait_s - begin_s);
 }
 
 WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s) {
@@ -71,7 +75,7 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budg
     busy_until_s_ = is_alone ? std::min(done_s, last_s) : busy_until_s_ + turn_s;
     for (auto later = place; later != blows_.end(); ++later)
         for (double* moment : {&later->begun_s, &later->worked_by_s, &later->due_s}) *moment += turn_s;
-    blow.worked_by_s = std::min(done_s, last_s);
+    blow.worked_by_s = blow.is_kept ? done_s : std::min(done_s, last_s);
     blow.struck_at_s = time_s;
     blow.due_s = std::max(blow.worked_by_s, time_s + budget.shortest_wait_s);
     if (place != blows_.begin()) blow.due_s = std::max(blow.due_s, std::prev(place)->due_s);
@@ -125,6 +129,26 @@ WaitingBlow WaitingBlows::takeFirst() {
     WaitingBlow first = std::move(blows_.front());
     blows_.pop_front();
     return first;
+}
+
+const WaitingBlow* WaitingBlows::keptFor(std::uint64_t serial) const {
+    for (const WaitingBlow& blow : blows_)
+        if (blow.serial == serial && blow.is_kept) return &blow;
+    return nullptr;
+}
+
+std::vector<Push> WaitingBlows::pushesFor(std::uint64_t serial) const {
+    std::vector<Push> pushes;
+    for (const WaitingBlow& blow : blows_)
+        if (blow.serial == serial)
+            pushes.insert(pushes.end(), blow.for_pieces.begin(), blow.for_pieces.end());
+    return pushes;
+}
+
+int WaitingBlows::promised() const {
+    int fragments = 0;
+    for (const WaitingBlow& blow : blows_) fragments += blow.promised;
+    return fragments;
 }
 
 void WaitingBlows::settle(std::uint64_t serial, double& waiting_ms) {

@@ -2,10 +2,12 @@
 
 #include <sherd/budget.h>
 #include <sherd/executor.h>
+#include <sherd/push.h>
 
 #include <cstdint>
 #include <deque>
 #include <memory>
+#include <vector>
 
 #include "bullet/body_token.h"
 #include "bullet/decided_blow.h"
@@ -17,6 +19,7 @@ struct WaitingBlow {
     std::uint64_t serial = 0;  ///< of the body
     bool is_on_fragment = true;
     bool is_kept = false;  ///< never dropped
+    int promised = 0;      ///< fragments, of one that is kept
     double impulse_n_s = 0;
     double energy_j = 0;  ///< that it brings at most: of two, the one with more is the harder
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
@@ -24,7 +27,7 @@ struct WaitingBlow {
     BodyToken striker_token = no_token;
     double struck_at_s = 0, begun_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
     std::shared_ptr<DecidedBlow> decided;
-    std::vector<Push> for_pieces;  ///< as in StruckBreakable
+    std::vector<Push> for_pieces;  ///< as in StruckBreakable, in the asset's frame
 };
 
 /// What a blow on a solid that is not prepared takes about, ms of one core; of the solid's size alone.
@@ -45,7 +48,8 @@ class WaitingBlows {
     /// How long the one worker is busy with a blow that is estimated to take `work_ms` and fell in a step of
     /// `time_step_s`.
     static double turn_s(double work_ms, const Budget& budget, double time_step_s);
-    /// How long the worker has until the last moment to which a blow may wait.
+    /// How long the worker has for blows on whole bodies until the last moment to which one may wait, and
+    /// half of that wait at least.
     double left_s(const Budget& budget, double time_s) const;
     /// Of two blows on a body the harder one waits, in the place of the other if that is not begun; the
     /// weaker one is merged.
@@ -62,6 +66,12 @@ class WaitingBlows {
     /// be done by `until_s`.
     void finishFirst(double until_s, double& waiting_ms);
     WaitingBlow takeFirst();
+    /// Of the blow of an explosion that waits for the body; nullptr: none does.
+    const WaitingBlow* keptFor(std::uint64_t serial) const;
+    /// What all blows on the body that wait have for its pieces, in the asset's frame.
+    std::vector<Push> pushesFor(std::uint64_t serial) const;
+    /// Fragments that bodies may become whose blows are kept.
+    int promised() const;
     /// The blow that the body's next one has to wait for is decided when this returns: what a solid keeps of
     /// a blow must not depend on which thread was faster.
     void settle(std::uint64_t serial, double& waiting_ms);

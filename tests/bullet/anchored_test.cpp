@@ -338,29 +338,48 @@ TEST(Anchored, AHarderExplosionLeavesHardlyFewerPieces) {
     EXPECT_EQ(most, 20u);
 }
 
-// In a crowd the walls wait for their turn, and what comes loose of them is thrown when they break.
-TEST(Anchored, AnExplosionAmongManyThrowsWhatComesLooseLater) {
-    WeakWall walls;
-    walls.scene.world->setGravity(btVector3(0, 0, 0));
-    for (const btTransform& start : {at(-1.1f, 0, 0), at(1.1f, 0, 0), at(0, -0.8f, 0)}) {
-        BodyOptions beside;
-        beside.start = start;
-        ASSERT_TRUE(walls.fracture.add(*walls.fracture.asset(walls.body), beside).ok());
+/// Four walls about an explosion: all but the nearest wait for their turn.
+struct WallsInTurn : WeakWall {
+    WallsInTurn() {
+        scene.world->setGravity(btVector3(0, 0, 0));
+        for (const btTransform& start : {at(-1.1f, 0, 0), at(1.1f, 0, 0), at(0, -0.7f, 0)}) {
+            BodyOptions beside;
+            beside.start = start;
+            EXPECT_TRUE(fracture.add(*fracture.asset(body), beside).ok());
+        }
+        Budget budget;
+        budget.milliseconds_per_step = 0.1;
+        EXPECT_TRUE(fracture.setBudget(budget).ok());
+        EXPECT_EQ(explode(fracture, Explosion{btVector3(0, -0.4f, 0.6f), 2000, 5}).value(), 4);
+        EXPECT_TRUE(inWorld(scene, body));
+        EXPECT_EQ(ahead(), 0);
+        EXPECT_LT(momentumOf(fracture).y(), -100) << "the nearest";
     }
-    Budget budget;
-    budget.milliseconds_per_step = 0.1;
-    ASSERT_TRUE(walls.fracture.setBudget(budget).ok());
-    ASSERT_EQ(explode(walls.fracture, Explosion{btVector3(0, -0.4f, 0.6f), 2000, 5}).value(), 4);
-    EXPECT_TRUE(inWorld(walls.scene, walls.body));
-    EXPECT_EQ(momentumOf(walls.fracture).y(), 0);
+    /// The momentum of what is beyond the explosion, kg m/s.
+    btScalar ahead() const {
+        btScalar sum = 0;
+        for (const btRigidBody* piece : fracture.bodies())
+            if (!piece->isStaticObject() && piece->getCenterOfMassPosition().y() > -0.4f)
+                sum += piece->getLinearVelocity().y() / piece->getInvMass();
+        return sum;
+    }
+};
+
+TEST(Anchored, AnExplosionAmongManyThrowsWhatComesLooseLater) {
+    WallsInTurn walls;
     for (int step = 0; step < 130 && inWorld(walls.scene, walls.body); ++step) walls.scene.step();
     ASSERT_FALSE(inWorld(walls.scene, walls.body));
-    btScalar ahead = 0;
-    for (const btRigidBody* piece : walls.fracture.bodies())
-        if (!piece->isStaticObject() && piece->getCenterOfMassPosition().y() > -0.4f)
-            ahead += piece->getLinearVelocity().y() / piece->getInvMass();
-    EXPECT_GT(ahead, 100);
-    EXPECT_LT(ahead, 1000);
+    EXPECT_GT(walls.ahead(), 100);
+    EXPECT_LT(walls.ahead(), 1000);
+}
+
+TEST(Anchored, AnotherBlowDoesNotTakeAwayWhatAnExplosionIsStillToThrow) {
+    WallsInTurn walls;
+    Push push = walls.push();
+    push.impulse_n_s *= 0.4f;
+    ASSERT_TRUE(walls.fracture.applyBlow(walls.body, push).ok());
+    ASSERT_FALSE(inWorld(walls.scene, walls.body));
+    EXPECT_GT(walls.ahead(), 100 + push.impulse_n_s.y());
 }
 
 TEST(Anchored, AnExplosionBetweenTwoHeldWallsThrowsEachOutwards) {

@@ -404,7 +404,7 @@ TEST(Explosion, BreaksACrowdInTurnTheNearestFirst) {
     Budget budget;
     budget.milliseconds_per_step = 0.5;
     const Plates crowd(count, budget);
-    EXPECT_EQ(crowd.in_call, 0u);
+    EXPECT_EQ(crowd.in_call, 1u);
     ASSERT_EQ(crowd.waited_s.size(), std::size_t(count)) << "none is dropped";
     EXPECT_EQ(crowd.dropped, 0u);
     EXPECT_TRUE(std::is_sorted(crowd.waited_s.begin(), crowd.waited_s.end()));
@@ -424,6 +424,7 @@ TEST(Explosion, DropsNoWholeBodyForWantOfTime) {
     const Plates crowd(count, budget);
     ASSERT_EQ(crowd.waited_s.size(), std::size_t(count));
     EXPECT_LE(crowd.waited_s.back(), budget.longest_wait_s + 1e-6);
+    EXPECT_EQ(crowd.in_call, 1u);
     for (std::size_t i = 1; i < count; ++i)
         EXPECT_GT(crowd.waited_s[i], crowd.waited_s[i - 1]) << "spread over the time that there is";
 }
