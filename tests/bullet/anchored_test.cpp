@@ -241,6 +241,8 @@ TEST(Anchored, SaysThatOnlyTheFreeBodyWasPrepared) {
     const BreakableAsset held = asset.value().anchored(options.supports).value();
     ASSERT_TRUE(held.prepare().ok());
     EXPECT_TRUE(warnings().empty()) << "bodies that are held alike share what is prepared";
+    options.seed = 4;
+    EXPECT_TRUE(warnings().empty()) << "also those with a seed of their own";
 }
 
 /// Of the bodies that move, kg m/s.

@@ -28,6 +28,7 @@ TEST(MakeBreakable, BodiesThatAreAlikeShareTheirAsset) {
     TestWorld scene;
     btBoxShape brick(btVector3(0.1f, 0.05f, 0.05f)), another(btVector3(0.1f, 0.05f, 0.05f)),
         longer(btVector3(0.2f, 0.05f, 0.05f));
+    btCylinderShape column(btVector3(0.1f, 0.3f, 0.1f));
     std::vector<std::unique_ptr<btRigidBody>> bodies;
     FractureWorld fracture(scene.world.get());
     const auto breakable = [&](btCollisionShape& shape, btScalar mass, const BreakableOptions& options = {}) {
@@ -46,6 +47,7 @@ TEST(MakeBreakable, BodiesThatAreAlikeShareTheirAsset) {
     EXPECT_EQ(solidOf(breakable(brick, 2)), solidOf(first));
     EXPECT_EQ(solidOf(breakable(another, 2)), solidOf(first));
     EXPECT_NE(solidOf(breakable(longer, 2)), solidOf(first));
+    EXPECT_EQ(solidOf(breakable(column, 5)), solidOf(breakable(column, 5)));
     EXPECT_NE(solidOf(breakable(brick, 3)), solidOf(first)) << "another density";
     ASSERT_TRUE(fracture.asset(first)->prepare().ok());
     EXPECT_TRUE(fracture.asset(seeded)->prepared());
