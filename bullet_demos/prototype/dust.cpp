@@ -9,7 +9,7 @@ namespace prototype {
 
 void Dust::add(const Happening& happening) {
     constexpr std::size_t most_motes = 1500;
-    if (!happening.with_dust || motes_.size() > most_motes) return;
+    if (!happening.shatters || motes_.size() > most_motes) return;
     std::normal_distribution<float> normal;
     std::uniform_real_distribution<float> share(0.5f, 1.0f);
     const float size = std::cbrt(happening.mass_kg);  // of the thing, about in tenths of a metre

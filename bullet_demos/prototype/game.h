@@ -14,12 +14,12 @@ struct Score {
     double broken_kg = 0;  ///< of things that were whole
 };
 
-/// What is heard: a blow or a bang; and seen as dust, but for blows that break nothing.
+/// A blow or a bang: what is heard, and seen as dust where something shatters.
 struct Happening {
     Timbre timbre = Timbre::plaster;
     btVector3 position = btVector3(0, 0, 0);
     float impulse_n_s = 0, mass_kg = 0;
-    bool with_dust = false;
+    bool shatters = false;
     render::Vec3 colour = render::Vec3::Ones();  ///< of what is inside
 };
 

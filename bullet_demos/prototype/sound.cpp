@@ -60,9 +60,9 @@ void Sound::listenFrom(const render::OrbitCamera& camera) {
 void Sound::play(const Happening& happening) {
     constexpr float loud_impulse_n_s = 8, usual_kg = 0.5f;
     const float loudness = std::min(1.0f, std::sqrt(happening.impulse_n_s / loud_impulse_n_s));
-    if (silent() || (!happening.with_dust && loudness < 0.05f)) return;
+    if (silent() || (!happening.shatters && loudness < 0.05f)) return;
     const ALuint source = device_->sources[device_->next++ % device_->sources.size()];
-    const std::size_t buffer = 2 * std::size_t(happening.timbre) + (happening.with_dust ? 1 : 0);
+    const std::size_t buffer = 2 * std::size_t(happening.timbre) + (happening.shatters ? 1 : 0);
     // Small things sound higher.
     const float pitch =
         std::clamp(std::pow(usual_kg / std::max(happening.mass_kg, 1e-4f), 0.15f), 0.7f, 1.8f);
@@ -71,7 +71,7 @@ void Sound::play(const Happening& happening) {
     alSource3f(source, AL_POSITION, happening.position.x(), happening.position.y(), happening.position.z());
     alSourcef(source, AL_REFERENCE_DISTANCE, 3);
     alSourcef(source, AL_PITCH, pitch);
-    alSourcef(source, AL_GAIN, happening.with_dust ? std::max(loudness, 0.25f) : 0.3f * loudness);
+    alSourcef(source, AL_GAIN, happening.shatters ? std::max(loudness, 0.25f) : 0.3f * loudness);
     alSourcePlay(source);
 }
 

@@ -96,6 +96,18 @@ TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
     for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(due_s[i], expected[i], 1e-9);
 }
 
+TEST(WaitingBlows, WholeBodiesHaveTheTimeOfFragmentsAndHalfOfTheLongestWaitAtLeast) {
+    const Budget budget;
+    WaitingBlows waiting;
+    for (const int body : {1, 2}) add(waiting, blowOn(body), 100, budget, 2);
+    EXPECT_NEAR(waiting.left_s(budget, 2), 0.3, 1e-9) << "the second fragment is overtaken";
+    WaitingBlow kept = blowOn(3);
+    kept.is_on_fragment = false;
+    kept.is_kept = true;
+    ASSERT_EQ(waiting.add(kept, 0.3, budget, 2), WaitingBlows::Fate::waits);
+    EXPECT_NEAR(waiting.left_s(budget, 2), budget.longest_wait_s / 2, 1e-9);
+}
+
 TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     const Budget budget;
     WaitingBlows waiting;
