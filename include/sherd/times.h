@@ -43,6 +43,7 @@ struct StepTimes {
     double restore = 0;   ///< finding the islands of broken bodies, and setting them back to before the solve
     double resolve = 0;   ///< contacts of the fragments, and solving their islands once more, by Bullet
     double waiting = 0;   ///< choosing the blows that wait (Budget), and waiting for other threads
+    double foresight = 0;  ///< looking for blows that are about to fall (Budget::foresight_s)
 
     double total() const;  ///< sum of all fields
 };
@@ -88,10 +89,12 @@ inline constexpr TimeField<StageTimes> time_fields<StageTimes>[] = {
 
 template <>
 inline constexpr TimeField<StepTimes> time_fields<StepTimes>[] = {
-    {"sync", &StepTimes::sync},         {"release", &StepTimes::release}, {"snapshot", &StepTimes::snapshot},
-    {"overlaps", &StepTimes::overlaps}, {"ground", &StepTimes::ground},   {"sweep", &StepTimes::sweep},
-    {"contacts", &StepTimes::contacts}, {"restore", &StepTimes::restore}, {"resolve", &StepTimes::resolve},
-    {"waiting", &StepTimes::waiting},
+    {"sync", &StepTimes::sync},           {"release", &StepTimes::release},
+    {"snapshot", &StepTimes::snapshot},   {"overlaps", &StepTimes::overlaps},
+    {"ground", &StepTimes::ground},       {"sweep", &StepTimes::sweep},
+    {"contacts", &StepTimes::contacts},   {"restore", &StepTimes::restore},
+    {"resolve", &StepTimes::resolve},     {"waiting", &StepTimes::waiting},
+    {"foresight", &StepTimes::foresight},
 };
 
 /// Whether each field of a struct of times has its line.

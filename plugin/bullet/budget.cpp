@@ -17,7 +17,7 @@ Status check(bool in_range, const char* field, const char* possible) {
 
 Budget Budget::none() {
     Budget budget;
-    budget.shortest_wait_s = 0;
+    budget.shortest_wait_s = budget.foresight_s = 0;
     budget.fragments_per_step = budget.fragments_alive = std::numeric_limits<int>::max();
     return budget;
 }
@@ -33,6 +33,10 @@ Status Budget::validate() const {
         return ok;
     if (Status ok = check(not_below(milliseconds_per_step, 0), "milliseconds_per_step",
                           "0 (half of the step's length) or more");
+        !ok)
+        return ok;
+    if (Status ok = check(not_below(foresight_s, 0) && foresight_s <= 1, "foresight_s",
+                          "between 0 (none is foreseen) and 1, in s");
         !ok)
         return ok;
     if (Status ok = check(solves_per_step > 0, "solves_per_step", "1 or more"); !ok) return ok;

@@ -67,9 +67,7 @@ BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int mo
 
 /// What came of blows that must not wait, on all threads there are.
 std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
-    const std::vector<BlowToDecide>& blows) {
-    std::vector<std::shared_ptr<DecidedBlow>> decided;
-    for (const BlowToDecide& blow : blows) decided.push_back(DecidedBlow::make(blow));
+    std::vector<std::shared_ptr<DecidedBlow>> decided) {
     for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executor());
     for (const auto& one : decided) one->decideIfFree();
     for (const auto& one : decided) one->finish(times_.steps.waiting);
@@ -168,7 +166,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     int room = now.empty() ? 0 : roomForFragments();
     const int room_before = room;
     if (time_step_s > 0) dropWithoutRoom(struck, gated, room);
-    std::vector<BlowToDecide> blows;
+    std::vector<std::shared_ptr<DecidedBlow>> blows;
     const auto kept = std::count_if(gated.later.begin(), gated.later.end(),
                                     [&](std::size_t i) { return struck[i].isKept(); });
     const int deciding = std::max(1, static_cast<int>(now.size()));
@@ -180,11 +178,18 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         if (!breakable.asset.solid()->reducedStress())
             waiting_.settle(breakable.serial, times_.steps.waiting);
         decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid());
-        blows.push_back(toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step)));
-        blows.back().before = gated.ms[i];
+        BlowToDecide blow = toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step));
+        if (auto foreseen = foresight_.take(struck[i], blow)) {
+            ++counts_.foreseen;
+            times_.blows += gated.ms[i];
+            blows.push_back(std::move(foreseen));
+            continue;
+        }
+        blow.before = gated.ms[i];
+        blows.push_back(DecidedBlow::make(std::move(blow)));
     }
     decided_now_ += static_cast<int>(now.size());
-    const auto decided = decideNow(blows);
+    const auto decided = decideNow(std::move(blows));
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;

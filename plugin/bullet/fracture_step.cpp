@@ -69,6 +69,7 @@ void FractureWorld::Impl::afterIntegration() {
         });
     integrating_ = false;
     markBetweenSteps(world_);
+    if (!released_ && (awake_ || !foresight_.empty())) timed(times_.whole, [&] { lookAhead(); });
     deleteIfReleased();
 }
 

@@ -13,6 +13,7 @@
 #include "bullet/contact_collector.h"
 #include "bullet/continuous_collision.h"
 #include "bullet/event_queue.h"
+#include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
 #include "bullet/shape_store.h"
@@ -103,7 +104,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
-    std::vector<std::shared_ptr<DecidedBlow>> decideNow(const std::vector<BlowToDecide>& blows);
+    std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
+    void lookAhead();
+    void rehearse(const btRigidBody& mover, const std::vector<Role>& roles);
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;
@@ -186,6 +189,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Budget budget_;
     std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
     WaitingBlows waiting_;
+    Foresight foresight_;
     int new_fragments_ = 0, decided_now_ = 0;  // in this step
     double decided_now_ms_ = 0;                // what these are estimated to take
     Stopwatch solve_watch_;                    // of Bullet's own solve

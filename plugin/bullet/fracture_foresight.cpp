@@ -1,0 +1,79 @@
+// Which blows are about to fall, so that they are solved beside the steps before.
+
+#include <algorithm>
+#include <utility>
+
+#include "bullet/contact_motion.h"
+#include "bullet/fracture_world_impl.h"
+#include "bullet/rehearsal.h"
+#include "core/numerics/parallel_chunks.h"
+#include "fracture/decide_blow.h"
+
+namespace sherd {
+
+/// At the end of a step: rehearses the ways of bodies that may break something soon.
+void FractureWorld::Impl::lookAhead() {
+    if (budget_.foresight_s == 0 || !awake_ || !decorator_.inPlace() || !Rehearsal::mayRehearse(world_)) {
+        counts_.foreseen_in_vain += foresight_.clear();
+        return;
+    }
+    const AddedTime time(times_.steps.foresight);
+    counts_.foreseen_in_vain += foresight_.follow(world_, time_s_);
+    double least_energy_j = -1;
+    for (const auto& breakable : breakables_.all())
+        if (isForeseeable(*breakable, time_s_) &&
+            (least_energy_j < 0 || breakable->least_energy_j < least_energy_j))
+            least_energy_j = breakable->least_energy_j;
+    if (least_energy_j < 0) return;
+    std::optional<OnThisThreadAlone> alone;
+    if (executor_ && !*executor_) alone.emplace();
+    const auto& objects = world_.getCollisionObjectArray();
+    int rehearsals = 0;
+    for (int i = 0; i < objects.size() && rehearsals < budget_.solves_per_step; ++i) {
+        btRigidBody* body = btRigidBody::upcast(objects[i]);
+        if (!body || !body->isActive() || !canMove(*body)) continue;
+        if (body->getNumConstraintRefs() > 0 || isFragmentOfAny(*body)) continue;
+        if (!mayBring(*body, least_energy_j)) continue;
+        if (!foresight_.isToBeLookedAt(*body, time_s_, budget_.foresight_s)) continue;
+        const std::vector<Role> roles =
+            rolesAround(world_, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
+        if (roles.empty()) continue;
+        rehearse(*body, roles);
+        ++rehearsals;
+    }
+}
+
+/// Until something whole is struck such that it may break.
+void FractureWorld::Impl::rehearse(const btRigidBody& mover, const std::vector<Role>& roles) {
+    Rehearsal rehearsal(world_, roles, time_s_);
+    std::vector<BodyState> way;
+    std::vector<ForeseenBlow> found;
+    const double until_s = time_s_ + 2 * budget_.foresight_s;
+    while (found.empty() && rehearsal.time() < until_s) {
+        for (const StruckBreakable& struck : rehearsal.step()) {
+            Breakable& body = *struck.breakable;
+            StageTimes unused;
+            if (!isForeseeable(body, rehearsal.time()) || foresight_.isForeseen(body.serial) ||
+                heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), unused.gate,
+                           body.damaged))
+                continue;
+            ForeseenBlow blow;
+            blow.serial = body.serial;
+            blow.mover = &mover;
+            blow.strikes_at_s = rehearsal.time();
+            blow.partners = struck.partners;
+            blow.blow =
+                toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
+            found.push_back(std::move(blow));
+        }
+        way.push_back(rehearsal.stateOf(mover));
+    }
+    foresight_.note(mover, std::move(way), rehearsal.time());
+    for (ForeseenBlow& blow : found) {
+        blow.decided = DecidedBlow::make(blow.blow);
+        if (!executor_ || *executor_) blow.decided->submit(executor());
+        foresight_.note(std::move(blow));
+    }
+}
+
+}  // namespace sherd

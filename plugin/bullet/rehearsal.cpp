@@ -1,0 +1,242 @@
+#include "bullet/rehearsal.h"
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/CollisionDispatch/btSimulationIslandManager.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btRigidBody.h>
+
+#include <unordered_set>
+#include <utility>
+
+#include "bullet/contact_motion.h"
+#include "bullet/extra_contacts.h"
+#include "bullet/ground_contact.h"
+#include "bullet/steady_contacts.h"
+
+namespace sherd {
+
+namespace {
+
+void copyCollision(const btCollisionObject& from, btCollisionObject& to) {
+    // The app's callback for contacts of such objects would be asked of bodies that it does not know.
+    to.setCollisionFlags(from.getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    to.setFriction(from.getFriction());
+    to.setRollingFriction(from.getRollingFriction());
+    to.setSpinningFriction(from.getSpinningFriction());
+    to.setRestitution(from.getRestitution());
+    to.setContactStiffnessAndDamping(from.getContactStiffness(), from.getContactDamping());
+    to.setCollisionFlags(from.getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+    to.setContactProcessingThreshold(from.getContactProcessingThreshold());
+    to.setAnisotropicFriction(
+        from.getAnisotropicFriction(),
+        from.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION)
+            ? btCollisionObject::CF_ANISOTROPIC_FRICTION
+        : from.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION)
+            ? btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION
+            : btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED);
+    to.setCcdMotionThreshold(from.getCcdMotionThreshold());
+    to.setCcdSweptSphereRadius(from.getCcdSweptSphereRadius());
+    to.forceActivationState(from.getActivationState());
+    to.setDeactivationTime(from.getDeactivationTime());
+}
+
+std::unique_ptr<btRigidBody> standInFor(const btRigidBody& body, const Role& role) {
+    const btScalar mass = body.getInvMass() > 0 ? 1 / body.getInvMass() : btScalar(0);
+    btRigidBody::btRigidBodyConstructionInfo info(
+        mass, nullptr, const_cast<btCollisionShape*>(body.getCollisionShape()), body.getLocalInertia());
+    info.m_startWorldTransform = body.getWorldTransform();
+    auto stand_in = std::make_unique<btRigidBody>(info);
+    copyCollision(body, *stand_in);
+    stand_in->setInvInertiaDiagLocal(body.getInvInertiaDiagLocal());
+    stand_in->updateInertiaTensor();
+    stand_in->setDamping(role.is_driven ? 0 : body.getLinearDamping(), body.getAngularDamping());
+    stand_in->setSleepingThresholds(body.getLinearSleepingThreshold(), body.getAngularSleepingThreshold());
+    stand_in->setLinearFactor(body.getLinearFactor());
+    stand_in->setAngularFactor(body.getAngularFactor());
+    stand_in->setLinearVelocity(body.getLinearVelocity());
+    stand_in->setAngularVelocity(body.getAngularVelocity());
+    stand_in->setFlags(body.getFlags() | BT_DISABLE_WORLD_GRAVITY);
+    stand_in->setGravity(role.is_driven ? role.acceleration : body.getGravity());
+    return stand_in;
+}
+
+std::unique_ptr<btCollisionObject> standInFor(const btCollisionObject& object) {
+    auto stand_in = std::make_unique<btCollisionObject>();
+    stand_in->setCollisionShape(const_cast<btCollisionShape*>(object.getCollisionShape()));
+    stand_in->setWorldTransform(object.getWorldTransform());
+    copyCollision(object, *stand_in);
+    return stand_in;
+}
+
+/// What decides whether and how the stand-in of a breakable body is struck.
+std::unique_ptr<Breakable> standInFor(const Breakable& breakable) {
+    auto stand_in = std::make_unique<Breakable>(breakable.asset, breakable.fracture);
+    stand_in->body_from_asset = breakable.body_from_asset;
+    stand_in->seed = breakable.seed;
+    stand_in->damaged = breakable.damaged;
+    stand_in->filter = breakable.filter;
+    stand_in->serial = breakable.serial;
+    stand_in->unbreakable_until_s = breakable.unbreakable_until_s;
+    stand_in->young_until_s = breakable.young_until_s;
+    stand_in->generation = breakable.generation;
+    stand_in->least_energy_j = breakable.least_energy_j;
+    stand_in->inner_ball = breakable.inner_ball;
+    stand_in->moved_from = breakable.moved_from;
+    stand_in->moved_to = breakable.moved_to;
+    stand_in->clear_at = breakable.clear_at;
+    stand_in->since_clear_s = breakable.since_clear_s;
+    return stand_in;
+}
+
+}  // namespace
+
+bool Rehearsal::mayRehearse(btDiscreteDynamicsWorld& world) {
+    if (gContactProcessedCallback || gContactStartedCallback || gContactEndedCallback) return false;
+    return dynamic_cast<btCollisionDispatcher*>(world.getDispatcher()) != nullptr;
+}
+
+Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s)
+    : time_step_s_(world.getSolverInfo().m_timeStep),
+      time_s_(time_s),
+      dispatcher_(static_cast<btCollisionDispatcher*>(world.getDispatcher())->getCollisionConfiguration()),
+      world_(&dispatcher_, &broadphase_, &solver_, nullptr),
+      decorator_(world_, *this) {
+    dispatcher_.setDispatcherFlags(
+        static_cast<btCollisionDispatcher*>(world.getDispatcher())->getDispatcherFlags());
+    world_.getSolverInfo() = world.getSolverInfo();
+    btDispatcherInfo& dispatch = world_.getDispatchInfo();
+    dispatch = world.getDispatchInfo();
+    dispatch.m_debugDraw = nullptr;
+    world_.setGravity(world.getGravity());
+    world_.setForceUpdateAllAabbs(world.getForceUpdateAllAabbs());
+    world_.setApplySpeculativeContactRestitution(world.getApplySpeculativeContactRestitution());
+    world_.getSimulationIslandManager()->setSplitIslands(
+        world.getSimulationIslandManager()->getSplitIslands());
+    for (const Role& role : roles) add(role);
+    noteContacts(world);
+}
+
+void Rehearsal::add(const Role& role) {
+    const btCollisionObject& object = *role.object;
+    const btBroadphaseProxy& proxy = *object.getBroadphaseHandle();
+    btCollisionObject* stand_in = nullptr;
+    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
+        std::unique_ptr<btRigidBody> twin = standInFor(*body, role);
+        stand_in = twin.get();
+        world_.addRigidBody(twin.get(), proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask);
+        if (role.breakable) {
+            std::unique_ptr<Breakable> breakable = standInFor(*role.breakable);
+            breakable->body = twin.get();
+            if (role.breakable->ownedHere()) {
+                breakable->owned.shape = role.breakable->owned.shape;
+                breakable->owned.body = std::move(twin);
+            }
+            original_breakable_of_[&breakables_.add(std::move(breakable))] = role.breakable;
+        }
+        if (twin) stand_ins_.push_back(std::move(twin));
+    } else {
+        stand_ins_.push_back(standInFor(object));
+        stand_in = stand_ins_.back().get();
+        world_.addCollisionObject(stand_in, proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask);
+    }
+    stand_in_of_[&object] = stand_in;
+    original_of_[stand_in] = &object;
+}
+
+void Rehearsal::noteContacts(btDiscreteDynamicsWorld& world) {
+    const btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold =
+            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const auto a = stand_in_of_.find(manifold.getBody0()), b = stand_in_of_.find(manifold.getBody1());
+        if (a == stand_in_of_.end() || b == stand_in_of_.end()) continue;
+        KnownContacts known{a->second, b->second, {}};
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+            known.points.push_back(manifold.getContactPoint(p));
+            known.points.back().m_userPersistentData = nullptr;  // the app's, of another contact
+        }
+        if (!known.points.empty()) known_contacts_.push_back(std::move(known));
+    }
+}
+
+/// Bullet finds a contact a step between some shapes: what it has found so far is part of what comes. Two
+/// bodies may have several manifolds, one for each pair of children of their shapes.
+void Rehearsal::takeOverContacts() {
+    std::unordered_set<const btPersistentManifold*> taken;
+    for (const KnownContacts& known : std::exchange(known_contacts_, {})) {
+        btPersistentManifold* of_pair = nullptr;
+        for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
+            btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);
+            if (manifold.getBody0() != known.a || manifold.getBody1() != known.b || taken.count(&manifold))
+                continue;
+            const bool is_of_children =
+                manifold.getNumContacts() > 0 &&
+                manifold.getContactPoint(0).m_index0 == known.points.front().m_index0 &&
+                manifold.getContactPoint(0).m_index1 == known.points.front().m_index1;
+            if (is_of_children || (!of_pair && manifold.getNumContacts() == 0)) of_pair = &manifold;
+            if (is_of_children) break;
+        }
+        if (!of_pair) continue;
+        taken.insert(of_pair);
+        of_pair->clearManifold();
+        for (const btManifoldPoint& point : known.points) of_pair->addManifoldPoint(point);
+        of_pair->refreshContactPoints(known.a->getWorldTransform(), known.b->getWorldTransform());
+    }
+}
+
+std::vector<StruckBreakable> Rehearsal::step() {
+    struck_.clear();
+    world_.stepSimulation(time_step_s_, 0, time_step_s_);
+    stopAtGround(world_, breakables_, before_);
+    for (StruckBreakable& struck : struck_) {
+        struck.breakable = original_breakable_of_.at(struck.breakable);
+        for (const btCollisionObject*& partner : struck.partners) partner = original(partner);
+        struck.striker = original(struck.striker);
+    }
+    return std::move(struck_);
+}
+
+BodyState Rehearsal::stateOf(const btCollisionObject& object) const {
+    const btCollisionObject& stand_in = *stand_in_of_.at(&object);
+    if (const btRigidBody* body = btRigidBody::upcast(&stand_in)) return sherd::stateOf(*body);
+    return {&stand_in, stand_in.getWorldTransform()};
+}
+
+const btCollisionObject* Rehearsal::original(const btCollisionObject* stand_in) const {
+    const auto found = original_of_.find(stand_in);
+    return found == original_of_.end() ? nullptr : found->second;
+}
+
+void Rehearsal::beforeSolve() {
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    takeOverContacts();
+    steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
+    std::vector<const Breakable*> bodies;
+    for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());
+    addGroundContacts(world_, bodies);
+    before_.take(world_);
+    write_back_.begin(world_);
+}
+
+void Rehearsal::afterSolve(const btContactSolverInfo& info, btIDebugDraw*) {
+    time_s_ += info.m_timeStep;
+    ContactCollector collector(breakables_, before_, time_s_, info);
+    feedSolvedContacts(world_, collector);
+    struck_ = collector.takeStruck();
+    write_back_.end(world_);
+}
+
+void Rehearsal::endSolve(const btContactSolverInfo&) {
+    releaseExtraManifolds(world_);
+}
+
+bool Rehearsal::isBreakable(const btCollisionObject& object) const {
+    return breakables_.of(object) != nullptr;
+}
+
+bool Rehearsal::isFragment(const btCollisionObject& object) const {
+    const Breakable* breakable = breakables_.of(object);
+    return breakable && breakable->isFragment();
+}
+
+}  // namespace sherd

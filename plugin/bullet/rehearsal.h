@@ -1,0 +1,88 @@
+#pragma once
+
+#include <BulletCollision/BroadphaseCollision/btDbvtBroadphase.h>
+#include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
+#include <BulletCollision/NarrowPhaseCollision/btManifoldPoint.h>
+#include <BulletDynamics/ConstraintSolver/btSequentialImpulseConstraintSolver.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <memory>
+#include <unordered_map>
+#include <vector>
+
+#include "bullet/breakable.h"
+#include "bullet/contact_collector.h"
+#include "bullet/impulse_write_back.h"
+#include "bullet/island_state.h"
+#include "bullet/solver_decorator.h"
+
+namespace sherd {
+
+/// An object of a world that takes part in a rehearsal.
+struct Role {
+    const btCollisionObject* object = nullptr;
+    Breakable* breakable = nullptr;  ///< of the object, if it is breakable
+    /// How its velocity changes while nothing touches it, m/s^2; of what flies.
+    btVector3 acceleration = btVector3(0, 0, 0);
+    bool is_driven = false;  ///< something else than gravity and damping does that
+};
+
+/// Some bodies of a world, as they stand and move now, in a world of their own, which runs ahead of the
+/// first: what will strike what, and how, as a step of the first will find it if nothing else comes between.
+/// The bodies themselves are stand-ins with the same shapes. Nothing of the first world changes, and nothing
+/// of the app's is called (`mayRehearse`).
+class Rehearsal final : private StepListener {
+  public:
+    /// The roles are in the order of the world's array of objects.
+    Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s);
+
+    /// Whether a rehearsal of the world finds what the world's own steps do, and calls nobody.
+    static bool mayRehearse(btDiscreteDynamicsWorld& world);
+
+    /// Takes one step. Returns the blows of it, in terms of the world's own bodies.
+    std::vector<StruckBreakable> step();
+    /// At the end of the last step; simulated time.
+    double time() const { return time_s_; }
+    /// Where the stand-in of an object is now.
+    BodyState stateOf(const btCollisionObject& object) const;
+
+  private:
+    /// The contacts that two bodies had at the end of the world's last step.
+    struct KnownContacts {
+        const btCollisionObject *a, *b;  // stand-ins
+        std::vector<btManifoldPoint> points;
+    };
+
+    void beforeSolve() override;
+    void afterSolve(const btContactSolverInfo& info, btIDebugDraw* drawer) override;
+    void endSolve(const btContactSolverInfo& info) override;
+    void bodiesEnter(const std::vector<btCollisionObject*>&) override {}
+    bool isBreakable(const btCollisionObject& object) const override;
+    bool isFragment(const btCollisionObject& object) const override;
+    void deleteIfReleased() override {}
+
+    void add(const Role& role);
+    void noteContacts(btDiscreteDynamicsWorld& world);
+    void takeOverContacts();
+    const btCollisionObject* original(const btCollisionObject* stand_in) const;
+
+    btScalar time_step_s_;
+    double time_s_;
+    // The world goes before the bodies do.
+    std::vector<std::unique_ptr<btCollisionObject>> stand_ins_;
+    BreakableRegistry breakables_;
+    std::unordered_map<const btCollisionObject*, btCollisionObject*> stand_in_of_;        // for look-up only
+    std::unordered_map<const btCollisionObject*, const btCollisionObject*> original_of_;  // the same
+    std::unordered_map<const Breakable*, Breakable*> original_breakable_of_;              // the same
+    btDbvtBroadphase broadphase_;
+    btCollisionDispatcher dispatcher_;
+    btSequentialImpulseConstraintSolver solver_;
+    btDiscreteDynamicsWorld world_;
+    SolverDecorator decorator_;
+    StepSnapshot before_;
+    ImpulseWriteBack write_back_;
+    std::vector<KnownContacts> known_contacts_;
+    std::vector<StruckBreakable> struck_;
+};
+
+}  // namespace sherd

@@ -1,0 +1,239 @@
+// Blows that are solved before they fall.
+
+#include <BulletCollision/CollisionDispatch/btManifoldResult.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "bullet/support.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+BreakableAsset preparedPlate(const Material& material = crumbly()) {
+    const BreakableAsset asset = plate(material);
+    EXPECT_TRUE(asset.prepare().ok());
+    return asset;
+}
+
+/// A plate that stands on the floor, and a ball that flies at it. Jobs are done as soon as they are there.
+struct BallAtPlate {
+    explicit BallAtPlate(double foresight_s = Budget().foresight_s, WorldKind kind = WorldKind::plain)
+        : scene(kind) {
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        floor = scene.addFloor();
+        fracture = std::make_unique<FractureWorld>(scene.world.get());
+        Budget budget;
+        budget.foresight_s = foresight_s;
+        EXPECT_TRUE(fracture->setBudget(budget).ok());
+        fracture->setExecutor([this](std::function<void()> job) {
+            ++jobs;
+            job();
+        });
+        BodyOptions options;
+        options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
+        target = fracture->add(preparedPlate(), options).value();
+        ball = scene.addBall(1, 0.05, {0.05f, -1, 0.35f}, {0, 6, 0.5f});
+    }
+    ~BallAtPlate() { fracture.reset(); }
+
+    /// Until the plate breaks, at most so many steps. How many it took.
+    int breakIt(int most = 100, double dt = 1.0 / 240) {
+        for (int i = 0; i < most; ++i) {
+            scene.step(1, dt);
+            for (BlowEvent& event : fracture->takeEvents())
+                if (event.outcome == Outcome::broke) {
+                    broken.push_back(std::move(event));
+                    return i + 1;
+                }
+        }
+        return most + 1;
+    }
+    std::vector<btScalar> numbers() const {
+        std::vector<btScalar> all;
+        const auto& objects = scene.world->getCollisionObjectArray();
+        for (int i = 0; i < objects.size(); ++i) {
+            btScalar matrix[16];
+            objects[i]->getWorldTransform().getOpenGLMatrix(matrix);
+            all.insert(all.end(), matrix, matrix + 16);
+            for (int axis = 0; axis < 3; ++axis)
+                all.push_back(objects[i]->getInterpolationLinearVelocity()[axis]);
+        }
+        return all;
+    }
+
+    TestWorld scene;
+    btRigidBody *floor = nullptr, *target = nullptr, *ball = nullptr;
+    std::unique_ptr<FractureWorld> fracture;
+    std::vector<BlowEvent> broken;
+    int jobs = 0;
+};
+
+TEST(Foresight, ABlowIsSolvedBeforeItFalls) {
+    BallAtPlate scene;
+    const double ahead_s = scene.fracture->budget().foresight_s;
+    int before_break = 0;
+    const int most = 100;
+    int step = 0;
+    for (; step < most && scene.broken.empty(); ++step) {
+        if (scene.jobs == 0) before_break = step;
+        scene.breakIt(1);
+    }
+    ASSERT_FALSE(scene.broken.empty());
+    EXPECT_EQ(scene.fracture->counts().foreseen, 1);
+    EXPECT_EQ(scene.fracture->counts().foreseen_in_vain, 0);
+    EXPECT_GE(step - before_break, 0.9 * std::min(ahead_s, step / 240.0) * 240)
+        << "steps between the job and the break";
+    EXPECT_EQ(scene.broken.front().waited_s, 0);
+    EXPECT_EQ(scene.broken.front().striker, scene.ball);
+}
+
+/// A body that falls freely breaks as if nothing had been foreseen, to the last bit.
+TEST(Foresight, ChangesNothingOfWhatFlies) {
+    for (const double rate : {60.0, 240.0}) {
+        std::vector<std::vector<btScalar>> numbers;
+        for (const double foresight_s : {0.0, 0.1}) {
+            BallAtPlate scene(foresight_s);
+            scene.fracture->remove(scene.target);
+            scene.ball->translate(btVector3(3, 0, 0));
+            BodyOptions options;
+            options.start =
+                btTransform(btQuaternion(btVector3(1, 0.4f, 0).normalized(), 0.5f), btVector3(0, 0, 1));
+            options.velocity = btVector3(0.5f, 0, -2);
+            options.angular_velocity = btVector3(1, 2, 0.5f);
+            ASSERT_TRUE(scene.fracture->add(preparedPlate(), options).ok());
+            ASSERT_LE(scene.breakIt(200, 1 / rate), 200);
+            EXPECT_EQ(scene.fracture->counts().foreseen, foresight_s > 0 ? 1 : 0) << rate << " Hz";
+            scene.scene.step(10, 1 / rate);
+            numbers.push_back(scene.numbers());
+        }
+        EXPECT_EQ(numbers[0], numbers[1]) << rate << " Hz";
+    }
+}
+
+TEST(Foresight, IsTheSameWithAnyThreads) {
+    std::vector<std::vector<btScalar>> numbers;
+    for (int threads = -1; threads <= 2; ++threads) {
+        BallAtPlate scene;
+        if (threads == 0) scene.fracture->setExecutor({});
+        if (threads > 0) scene.fracture->setExecutor(workerThreads(threads));
+        ASSERT_LE(scene.breakIt(), 100);
+        EXPECT_EQ(scene.fracture->counts().foreseen, 1);
+        scene.scene.step(20);
+        numbers.push_back(scene.numbers());
+    }
+    for (const auto& other : numbers) EXPECT_EQ(numbers.front(), other);
+}
+
+TEST(Foresight, WorksInAllWorlds) {
+    for (const WorldKind kind :
+         {WorldKind::owns_its_solver, WorldKind::threaded, WorldKind::soft, WorldKind::multi_body}) {
+        BallAtPlate scene(0.1, kind);
+        EXPECT_LE(scene.breakIt(), 100) << int(kind);
+        EXPECT_EQ(scene.fracture->counts().foreseen, 1) << int(kind);
+    }
+}
+
+/// A blow that falls otherwise than foreseen is that which falls.
+TEST(Foresight, WhatTheAppTurnsAsideIsSolvedWhenItFalls) {
+    std::vector<double> stresses;
+    for (const double foresight_s : {0.0, 0.1}) {
+        BallAtPlate scene(foresight_s);
+        scene.breakIt(20);
+        EXPECT_EQ(scene.jobs > 0, foresight_s > 0) << "the blow is foreseen by then";
+        scene.ball->setLinearVelocity({0, 6.6f, 0.5f});
+        ASSERT_LE(scene.breakIt(1), 1 + 100);
+        if (scene.broken.empty()) {
+            scene.fracture->setExecutor({});  // nothing more is begun: what is to come is solved as it falls
+            ASSERT_LE(scene.breakIt(), 100);
+        }
+        stresses.push_back(scene.broken.front().largest_stress_pa);
+        EXPECT_EQ(scene.fracture->counts().foreseen_in_vain > 0, foresight_s > 0);
+    }
+    EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
+}
+
+TEST(Foresight, ABallThatGoesAwayBreaksNothing) {
+    BallAtPlate scene;
+    scene.breakIt(20);
+    EXPECT_GT(scene.jobs, 0);
+    scene.scene.world->removeRigidBody(scene.ball);
+    scene.scene.bodies.pop_back();  // deletes it
+    EXPECT_EQ(scene.breakIt(60), 61);
+    EXPECT_EQ(scene.fracture->counts().foreseen_in_vain, 1);
+    EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+}
+
+TEST(Foresight, ABodyThatIsRemovedIsStruckByNothing) {
+    BallAtPlate scene;
+    scene.breakIt(20);
+    EXPECT_GT(scene.jobs, 0);
+    scene.fracture->remove(scene.target);
+    EXPECT_EQ(scene.breakIt(60), 61);
+    EXPECT_EQ(scene.fracture->counts().foreseen_in_vain, 1);
+}
+
+TEST(Foresight, NoneWithoutBudgetForIt) {
+    BallAtPlate scene(0);
+    EXPECT_LE(scene.breakIt(), 100);
+    EXPECT_EQ(scene.jobs, 0);
+    BallAtPlate none;
+    ASSERT_TRUE(none.fracture->setBudget(Budget::none()).ok());
+    EXPECT_LE(none.breakIt(), 100);
+    EXPECT_EQ(none.fracture->counts().foreseen, 0);
+}
+
+/// What is not prepared keeps something of each solve, so that its solves stay in their order.
+TEST(Foresight, NoneOfWhatIsNotPrepared) {
+    BallAtPlate scene;
+    scene.fracture->remove(scene.target);
+    BodyOptions options;
+    options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
+    ASSERT_TRUE(scene.fracture->add(plate(crumbly()), options).ok());
+    EXPECT_LE(scene.breakIt(), 100);
+    EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+}
+
+std::set<const void*> bodies_called_of;
+
+bool processed(btManifoldPoint&, void* a, void* b) {
+    bodies_called_of.insert({a, b});
+    return false;
+}
+
+bool added(btManifoldPoint&, const btCollisionObjectWrapper* a, int, int, const btCollisionObjectWrapper* b,
+           int, int) {
+    bodies_called_of.insert({a->getCollisionObject(), b->getCollisionObject()});
+    return false;
+}
+
+/// The app hears of contacts of its own bodies only.
+TEST(Foresight, NoCallbackSeesAStandIn) {
+    for (const bool of_added : {true, false}) {
+        BallAtPlate scene;
+        bodies_called_of.clear();
+        if (of_added) {
+            gContactAddedCallback = added;
+            scene.ball->setCollisionFlags(scene.ball->getCollisionFlags() |
+                                          btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
+        } else {
+            gContactProcessedCallback = processed;
+        }
+        const btRigidBody *target = scene.target, *ball = scene.ball, *floor = scene.floor;
+        const int steps = scene.breakIt();
+        gContactAddedCallback = nullptr;
+        gContactProcessedCallback = nullptr;
+        EXPECT_LE(steps, 100);
+        EXPECT_EQ(scene.fracture->counts().foreseen, of_added ? 1 : 0);
+        std::set<const void*> known{target, ball, floor};
+        for (const btRigidBody* fragment : scene.broken.front().fragments) known.insert(fragment);
+        for (const void* body : bodies_called_of) EXPECT_EQ(known.count(body), 1u);
+        EXPECT_FALSE(bodies_called_of.empty());
+    }
+}
+
+}  // namespace
