@@ -30,6 +30,7 @@ void showCounts(const sherd::BlowCounts& counts) {
     const double seen = std::max(1.0, double(counts.seen));
     ImGui::Text("blows seen %lld, the gate skips %.1f %%", counts.seen, 100 * double(counts.gate) / seen);
     ImGui::Text("coarse %lld   reduced %lld   full %lld", counts.coarse, counts.reduced, counts.full);
+    ImGui::Text("foreseen %lld   in vain %lld", counts.foreseen, counts.foreseen_in_vain);
     ImGui::Text("waited %lld   merged %lld   dropped %lld", counts.waited, counts.merged, counts.dropped);
 }
 

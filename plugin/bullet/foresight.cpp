@@ -333,6 +333,8 @@ bool Foresight::isForeseen(std::uint64_t serial) const {
 }
 
 std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {
+    // A push of the app's own has no bodies for partners.
+    if (static_cast<int>(struck.partners.size()) < blow.blow.partnerCount()) return nullptr;
     const auto known = std::find_if(blows_.begin(), blows_.end(), [&](const ForeseenBlow& foreseen) {
         return foreseen.serial == struck.breakable->serial;
     });

@@ -179,8 +179,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
             waiting_.settle(breakable.serial, times_.steps.waiting);
         decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid());
         BlowToDecide blow = toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step));
-        if (auto foreseen = foresight_.take(struck[i], blow)) {
-            ++counts_.foreseen;
+        if (auto foreseen = takeForeseen(struck[i], blow)) {
             times_.blows += gated.ms[i];
             blows.push_back(std::move(foreseen));
             continue;

@@ -1,6 +1,7 @@
 // Which blows are about to fall, so that they are solved beside the steps before.
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "bullet/contact_motion.h"
@@ -41,6 +42,14 @@ void FractureWorld::Impl::lookAhead() {
         rehearse(*body, roles);
         ++rehearsals;
     }
+}
+
+/// What comes of a blow that falls as it was foreseen; nullptr for others.
+std::shared_ptr<DecidedBlow> FractureWorld::Impl::takeForeseen(const StruckBreakable& struck,
+                                                               const BlowToDecide& blow) {
+    auto foreseen = foresight_.take(struck, blow);
+    if (foreseen) ++counts_.foreseen;
+    return foreseen;
 }
 
 /// Until something whole is struck such that it may break.

@@ -119,7 +119,9 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
             blow.striker = struck->striker;
             blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
         }
-        blow.decided = DecidedBlow::make(toDecide(*struck, most_fragments));
+        BlowToDecide question = toDecide(*struck, most_fragments);
+        blow.decided = takeForeseen(*struck, question);
+        if (!blow.decided) blow.decided = DecidedBlow::make(std::move(question));
         blow.is_kept = struck->isKept();
         if (blow.is_kept) blow.promised = most_fragments - breakable.ownPlaces();
         blow.for_pieces = moved(struck->for_pieces, from_world);

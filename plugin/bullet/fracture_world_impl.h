@@ -106,6 +106,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
+    std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, const std::vector<Role>& roles);
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;

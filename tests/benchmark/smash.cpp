@@ -159,8 +159,10 @@ void run(const Options& options) {
             residentMegabytes() - memory_before, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
             1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
             ball_after);
-        std::printf("blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld\n", counts.seen, counts.gate,
-                    counts.coarse, counts.reduced, counts.full);
+        std::printf(
+            "blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld; foreseen %lld, in vain %lld\n",
+            counts.seen, counts.gate, counts.coarse, counts.reduced, counts.full, counts.foreseen,
+            counts.foreseen_in_vain);
         on_cups.print("  on cups");
         on_fragments.print("  on fragments");
         std::printf("blows, ms:");

@@ -14,9 +14,12 @@ namespace {
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-BreakableAsset preparedPlate(const Material& material = crumbly()) {
-    const BreakableAsset asset = plate(material);
-    EXPECT_TRUE(asset.prepare().ok());
+const BreakableAsset& preparedPlate() {
+    static const BreakableAsset asset = [] {
+        const BreakableAsset of_plate = plate(crumbly());
+        EXPECT_TRUE(of_plate.prepare().ok());
+        return of_plate;
+    }();
     return asset;
 }
 
@@ -155,6 +158,24 @@ TEST(Foresight, WhatTheAppTurnsAsideIsSolvedWhenItFalls) {
         EXPECT_EQ(scene.fracture->counts().foreseen_in_vain > 0, foresight_s > 0);
     }
     EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
+}
+
+/// A push of the app's comes first.
+TEST(Foresight, APushBetweenIsABlowOfItsOwn) {
+    for (const double foresight_s : {0.0, 0.1}) {
+        BallAtPlate scene(foresight_s);
+        scene.breakIt(20);
+        EXPECT_EQ(scene.jobs > 0, foresight_s > 0);
+        Push push;
+        push.point = scene.target->getWorldTransform().getOrigin() + btVector3(0, -0.03f, 0);
+        push.impulse_n_s = btVector3(0, 5, 0);
+        ASSERT_TRUE(scene.fracture->applyBlow(scene.target, push).ok());
+        const auto events = scene.fracture->takeEvents();
+        ASSERT_EQ(events.size(), 1u);
+        EXPECT_EQ(events.front().outcome, Outcome::broke);
+        EXPECT_EQ(events.front().striker, nullptr);
+        EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+    }
 }
 
 TEST(Foresight, ABallThatGoesAwayBreaksNothing) {
