@@ -289,7 +289,7 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
     }
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
-    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
+    const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;

@@ -34,7 +34,7 @@ void releaseExtraManifolds(btDiscreteDynamicsWorld& world) {
     }
 }
 
-std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world) {
+std::vector<const btPersistentManifold*> predictiveContacts(btDiscreteDynamicsWorld& world) {
     const auto& predictive = WorldInternals::predictiveManifolds(world);
     std::vector<const btPersistentManifold*> foreseen;
     for (int i = 0; i < predictive.size(); ++i)

@@ -21,6 +21,6 @@ bool isExtra(const btPersistentManifold& manifold);
 void releaseExtraManifolds(btDiscreteDynamicsWorld& world);
 
 /// The predictive contacts of continuous collision, without the extra manifolds.
-std::vector<const btPersistentManifold*> foreseenContacts(btDiscreteDynamicsWorld& world);
+std::vector<const btPersistentManifold*> predictiveContacts(btDiscreteDynamicsWorld& world);
 
 }  // namespace sherd

@@ -177,13 +177,13 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         // A factor that one blow leaves serves the next; a reduced model has all that it needs.
         if (!breakable.asset.solid()->reducedStress())
             waiting_.settle(breakable.serial, times_.steps.waiting);
-        decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid());
         BlowToDecide blow = toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step));
         if (auto foreseen = takeForeseen(struck[i], blow)) {
             times_.blows += gated.ms[i];
             blows.push_back(std::move(foreseen));
             continue;
         }
+        decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid());
         blow.before = gated.ms[i];
         blows.push_back(DecidedBlow::make(std::move(blow)));
     }

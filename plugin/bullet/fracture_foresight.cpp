@@ -25,22 +25,19 @@ void FractureWorld::Impl::lookAhead() {
         if (isForeseeable(*breakable, time_s_) &&
             (least_energy_j < 0 || breakable->least_energy_j < least_energy_j))
             least_energy_j = breakable->least_energy_j;
-    if (least_energy_j < 0) return;
+    if (least_energy_j < 0 || roomForFragments() < fewest_fragments) return;
     std::optional<OnThisThreadAlone> alone;
     if (executor_ && !*executor_) alone.emplace();
     const auto& objects = world_.getCollisionObjectArray();
-    int rehearsals = 0;
-    for (int i = 0; i < objects.size() && rehearsals < budget_.solves_per_step; ++i) {
+    for (int i = 0; i < objects.size() && foresight_.mayRehearse(); ++i) {
         btRigidBody* body = btRigidBody::upcast(objects[i]);
-        if (!body || !body->isActive() || !canMove(*body)) continue;
-        if (body->getNumConstraintRefs() > 0 || isFragmentOfAny(*body)) continue;
-        if (!mayBring(*body, least_energy_j)) continue;
-        if (!foresight_.isToBeLookedAt(*body, time_s_, budget_.foresight_s)) continue;
+        if (!body || !body->isActive() || !canMove(*body) || isFragmentOfAny(*body)) continue;
+        if (body->getNumConstraintRefs() > 0 || !mayBring(*body, least_energy_j)) continue;
+        const BodyToken token = giveToken(*body);
+        if (token == no_token || !foresight_.isToBeLookedAt(token, time_s_, budget_.foresight_s)) continue;
         const std::vector<Role> roles =
             rolesAround(world_, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
-        if (roles.empty()) continue;
-        rehearse(*body, roles);
-        ++rehearsals;
+        if (!roles.empty()) rehearse(*body, token, roles);
     }
 }
 
@@ -53,36 +50,43 @@ std::shared_ptr<DecidedBlow> FractureWorld::Impl::takeForeseen(const StruckBreak
 }
 
 /// Until something whole is struck such that it may break.
-void FractureWorld::Impl::rehearse(const btRigidBody& mover, const std::vector<Role>& roles) {
+void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
+                                   const std::vector<Role>& roles) {
+    constexpr std::size_t most_steps = 100;
     Rehearsal rehearsal(world_, roles, time_s_);
     std::vector<BodyState> way;
     std::vector<ForeseenBlow> found;
     const double until_s = time_s_ + 2 * budget_.foresight_s;
-    while (found.empty() && rehearsal.time() < until_s) {
-        for (const StruckBreakable& struck : rehearsal.step()) {
-            Breakable& body = *struck.breakable;
-            StageTimes unused;
-            if (!isForeseeable(body, rehearsal.time()) || foresight_.isForeseen(body.serial) ||
-                heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), unused.gate,
-                           body.damaged))
-                continue;
-            ForeseenBlow blow;
-            blow.serial = body.serial;
-            blow.mover = &mover;
-            blow.strikes_at_s = rehearsal.time();
-            blow.partners = struck.partners;
-            blow.blow =
-                toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
-            found.push_back(std::move(blow));
-        }
+    while (found.empty() && rehearsal.time() < until_s && way.size() < most_steps) {
+        for (const StruckBreakable& struck : rehearsal.step())
+            if (auto blow = worthSolving(struck, rehearsal.time())) found.push_back(std::move(*blow));
         way.push_back(rehearsal.stateOf(mover));
     }
-    foresight_.note(mover, std::move(way), rehearsal.time());
+    const auto cost = static_cast<int>(way.size() * roles.size());
+    foresight_.note(token, std::move(way), rehearsal.time(), cost);
     for (ForeseenBlow& blow : found) {
+        blow.mover = token;
         blow.decided = DecidedBlow::make(blow.blow);
         if (!executor_ || *executor_) blow.decided->submit(executor());
         foresight_.note(std::move(blow));
     }
+}
+
+/// A blow of a rehearsal that may break a body of which no other one is foreseen.
+std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreakable& struck,
+                                                              double time_s) const {
+    const Breakable& body = *struck.breakable;
+    double gate_ms = 0;  // part of looking ahead
+    if (!isForeseeable(body, time_s) || foresight_.isForeseen(body.serial) ||
+        heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged))
+        return std::nullopt;
+    ForeseenBlow blow;
+    blow.serial = body.serial;
+    blow.strikes_at_s = time_s;
+    for (const btCollisionObject* partner : struck.partners)
+        blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));
+    blow.blow = toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
+    return blow;
 }
 
 }  // namespace sherd

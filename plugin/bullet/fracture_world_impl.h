@@ -16,6 +16,7 @@
 #include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/roles.h"
 #include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
 #include "bullet/step_phase.h"
@@ -107,7 +108,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
-    void rehearse(const btRigidBody& mover, const std::vector<Role>& roles);
+    void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);
+    std::optional<ForeseenBlow> worthSolving(const StruckBreakable& struck, double time_s) const;
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;

@@ -11,6 +11,7 @@
 #include "bullet/contact_motion.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_contact.h"
+#include "bullet/pair_filter.h"
 #include "bullet/steady_contacts.h"
 
 namespace sherd {
@@ -18,13 +19,12 @@ namespace sherd {
 namespace {
 
 void copyCollision(const btCollisionObject& from, btCollisionObject& to) {
-    // The app's callback for contacts of such objects would be asked of bodies that it does not know.
-    to.setCollisionFlags(from.getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     to.setFriction(from.getFriction());
     to.setRollingFriction(from.getRollingFriction());
     to.setSpinningFriction(from.getSpinningFriction());
     to.setRestitution(from.getRestitution());
-    to.setContactStiffnessAndDamping(from.getContactStiffness(), from.getContactDamping());
+    to.setContactStiffnessAndDamping(from.getContactStiffness(), from.getContactDamping());  // sets a flag
+    // The app's callback for contacts of such objects would be asked of bodies that it does not know.
     to.setCollisionFlags(from.getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     to.setContactProcessingThreshold(from.getContactProcessingThreshold());
     to.setAnisotropicFriction(
@@ -91,12 +91,23 @@ std::unique_ptr<Breakable> standInFor(const Breakable& breakable) {
 }  // namespace
 
 bool Rehearsal::mayRehearse(btDiscreteDynamicsWorld& world) {
-    if (gContactProcessedCallback || gContactStartedCallback || gContactEndedCallback) return false;
-    return dynamic_cast<btCollisionDispatcher*>(world.getDispatcher()) != nullptr;
+    using Usual = btManifoldResult;
+    const bool is_silent =
+        !gContactProcessedCallback && !gContactStartedCallback && !gContactEndedCallback &&
+        gCalculateCombinedRestitutionCallback == Usual::calculateCombinedRestitution &&
+        gCalculateCombinedFrictionCallback == Usual::calculateCombinedFriction &&
+        gCalculateCombinedRollingFrictionCallback == Usual::calculateCombinedRollingFriction &&
+        gCalculateCombinedSpinningFrictionCallback == Usual::calculateCombinedSpinningFriction &&
+        gCalculateCombinedContactDampingCallback == Usual::calculateCombinedContactDamping &&
+        gCalculateCombinedContactStiffnessCallback == Usual::calculateCombinedContactStiffness;
+    const auto* dispatcher = dynamic_cast<const btCollisionDispatcher*>(world.getDispatcher());
+    return is_silent && dispatcher &&
+           dispatcher->getNearCallback() == btCollisionDispatcher::defaultNearCallback;
 }
 
 Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s)
-    : time_step_s_(world.getSolverInfo().m_timeStep),
+    : of_world_(world),
+      time_step_s_(world.getSolverInfo().m_timeStep),
       time_s_(time_s),
       dispatcher_(static_cast<btCollisionDispatcher*>(world.getDispatcher())->getCollisionConfiguration()),
       world_(&dispatcher_, &broadphase_, &solver_, nullptr),
@@ -112,6 +123,7 @@ Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& ro
     world_.setApplySpeculativeContactRestitution(world.getApplySpeculativeContactRestitution());
     world_.getSimulationIslandManager()->setSplitIslands(
         world.getSimulationIslandManager()->getSplitIslands());
+    broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(this);
     for (const Role& role : roles) add(role);
     noteContacts(world);
 }
@@ -119,28 +131,38 @@ Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& ro
 void Rehearsal::add(const Role& role) {
     const btCollisionObject& object = *role.object;
     const btBroadphaseProxy& proxy = *object.getBroadphaseHandle();
-    btCollisionObject* stand_in = nullptr;
-    if (const btRigidBody* body = btRigidBody::upcast(&object)) {
-        std::unique_ptr<btRigidBody> twin = standInFor(*body, role);
-        stand_in = twin.get();
-        world_.addRigidBody(twin.get(), proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask);
-        if (role.breakable) {
-            std::unique_ptr<Breakable> breakable = standInFor(*role.breakable);
-            breakable->body = twin.get();
-            if (role.breakable->ownedHere()) {
-                breakable->owned.shape = role.breakable->owned.shape;
-                breakable->owned.body = std::move(twin);
-            }
-            original_breakable_of_[&breakables_.add(std::move(breakable))] = role.breakable;
-        }
-        if (twin) stand_ins_.push_back(std::move(twin));
-    } else {
+    const auto note = [&](btCollisionObject& stand_in) {
+        stand_in_of_[&object] = &stand_in;
+        original_of_[&stand_in] = &object;
+    };
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    if (!body) {
         stand_ins_.push_back(standInFor(object));
-        stand_in = stand_ins_.back().get();
-        world_.addCollisionObject(stand_in, proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask);
+        note(*stand_ins_.back());
+        world_.addCollisionObject(stand_ins_.back().get(), proxy.m_collisionFilterGroup,
+                                  proxy.m_collisionFilterMask);
+        return;
     }
-    stand_in_of_[&object] = stand_in;
-    original_of_[stand_in] = &object;
+    std::unique_ptr<btRigidBody> stand_in = standInFor(*body, role);
+    note(*stand_in);
+    world_.addRigidBody(stand_in.get(), proxy.m_collisionFilterGroup, proxy.m_collisionFilterMask);
+    if (role.breakable) {
+        std::unique_ptr<Breakable> breakable = standInFor(*role.breakable);
+        breakable->body = stand_in.get();
+        if (role.breakable->ownedHere()) {
+            breakable->owned.shape = role.breakable->owned.shape;
+            breakable->owned.body = std::move(stand_in);
+        }
+        original_breakable_of_[&breakables_.add(std::move(breakable))] = role.breakable;
+    }
+    if (stand_in) stand_ins_.push_back(std::move(stand_in));
+}
+
+/// What the app lets push each other does so here.
+bool Rehearsal::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const {
+    const auto *of_a = original(static_cast<const btCollisionObject*>(a->m_clientObject)),
+               *of_b = original(static_cast<const btCollisionObject*>(b->m_clientObject));
+    return mayMeet(of_world_, *of_a, *of_b);
 }
 
 void Rehearsal::noteContacts(btDiscreteDynamicsWorld& world) {

@@ -14,29 +14,22 @@
 #include "bullet/contact_collector.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/roles.h"
 #include "bullet/solver_decorator.h"
 
 namespace sherd {
-
-/// An object of a world that takes part in a rehearsal.
-struct Role {
-    const btCollisionObject* object = nullptr;
-    Breakable* breakable = nullptr;  ///< of the object, if it is breakable
-    /// How its velocity changes while nothing touches it, m/s^2; of what flies.
-    btVector3 acceleration = btVector3(0, 0, 0);
-    bool is_driven = false;  ///< something else than gravity and damping does that
-};
 
 /// Some bodies of a world, as they stand and move now, in a world of their own, which runs ahead of the
 /// first: what will strike what, and how, as a step of the first will find it if nothing else comes between.
 /// The bodies themselves are stand-ins with the same shapes. Nothing of the first world changes, and nothing
 /// of the app's is called (`mayRehearse`).
-class Rehearsal final : private StepListener {
+class Rehearsal final : private StepListener, private btOverlapFilterCallback {
   public:
     /// The roles are in the order of the world's array of objects.
     Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s);
 
-    /// Whether a rehearsal of the world finds what the world's own steps do, and calls nobody.
+    /// Whether a rehearsal of the world finds what the world's own steps do, and calls nobody: the app hears
+    /// of no contact, and has not set how Bullet combines two materials or looks for contacts.
     static bool mayRehearse(btDiscreteDynamicsWorld& world);
 
     /// Takes one step. Returns the blows of it, in terms of the world's own bodies.
@@ -60,12 +53,14 @@ class Rehearsal final : private StepListener {
     bool isBreakable(const btCollisionObject& object) const override;
     bool isFragment(const btCollisionObject& object) const override;
     void deleteIfReleased() override {}
+    bool needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy* b) const override;
 
     void add(const Role& role);
     void noteContacts(btDiscreteDynamicsWorld& world);
     void takeOverContacts();
     const btCollisionObject* original(const btCollisionObject* stand_in) const;
 
+    btDiscreteDynamicsWorld& of_world_;
     btScalar time_step_s_;
     double time_s_;
     // The world goes before the bodies do.

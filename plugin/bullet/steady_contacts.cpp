@@ -130,7 +130,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
                     const std::function<bool(const btCollisionObject&)>& is_concerned) {
     const btContactSolverInfo& info = world.getSolverInfo();
     const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
-    const std::vector<const btPersistentManifold*> foreseen = foreseenContacts(world);
+    const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
     btDispatcher& dispatcher = *world.getDispatcher();
     const int count = dispatcher.getNumManifolds();  // without those that are added here
     for (int i = 0; i < count; ++i) {

@@ -160,6 +160,48 @@ TEST(Foresight, WhatTheAppTurnsAsideIsSolvedWhenItFalls) {
     EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
 }
 
+/// What the app changes of the striker after its blow was foreseen counts, though it goes the same way.
+TEST(Foresight, AStrikerOfAnotherMassOrFrictionIsAnother) {
+    const std::vector<std::function<void(btRigidBody&)>> changes{
+        [](btRigidBody& ball) {
+            btVector3 inertia;
+            ball.getCollisionShape()->calculateLocalInertia(0.1f, inertia);
+            ball.setMassProps(0.1f, inertia);
+            ball.updateInertiaTensor();
+            ball.setGravity(ball.getGravity());
+        },
+        [](btRigidBody& ball) { ball.setFriction(2); }};
+    for (const auto& change : changes) {
+        std::vector<double> stresses;
+        for (const double foresight_s : {0.0, 0.1}) {
+            BallAtPlate scene(foresight_s);
+            scene.ball->setLinearVelocity({0, 6, 0.5f});
+            scene.breakIt(20);
+            EXPECT_EQ(scene.jobs > 0, foresight_s > 0);
+            change(*scene.ball);
+            ASSERT_LE(scene.breakIt(), 100);
+            EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+            stresses.push_back(scene.broken.front().largest_stress_pa);
+        }
+        EXPECT_EQ(stresses[0], stresses[1]);
+    }
+}
+
+TEST(Foresight, AsksTheAppsFilters) {
+    BallAtPlate scene;
+    scene.ball->setIgnoreCollisionCheck(scene.target, true);
+    EXPECT_EQ(scene.breakIt(), 101);
+    EXPECT_EQ(scene.jobs, 0);
+}
+
+/// As many as the time to be looked at has would take minutes.
+TEST(Foresight, TinyStepsAreRehearsedForAWhileOnly) {
+    BallAtPlate scene;
+    EXPECT_EQ(scene.breakIt(200, 1e-6), 201);
+    EXPECT_EQ(scene.breakIt(10, 1e-8), 11);  // no step at all, for Bullet
+    EXPECT_EQ(scene.jobs, 0);
+}
+
 /// A push of the app's comes first.
 TEST(Foresight, APushBetweenIsABlowOfItsOwn) {
     for (const double foresight_s : {0.0, 0.1}) {
@@ -216,6 +258,20 @@ TEST(Foresight, NoneOfWhatIsNotPrepared) {
     options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
     ASSERT_TRUE(scene.fracture->add(plate(crumbly()), options).ok());
     EXPECT_LE(scene.breakIt(), 100);
+    EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+}
+
+btScalar nothing(const btCollisionObject*, const btCollisionObject*) {
+    return 0;
+}
+
+/// How the app combines two materials may depend on what it knows of the bodies.
+TEST(Foresight, NoneWhereTheAppCombinesMaterials) {
+    BallAtPlate scene;
+    gCalculateCombinedRestitutionCallback = nothing;
+    const int steps = scene.breakIt();
+    gCalculateCombinedRestitutionCallback = btManifoldResult::calculateCombinedRestitution;
+    EXPECT_LE(steps, 100);
     EXPECT_EQ(scene.fracture->counts().foreseen, 0);
 }
 

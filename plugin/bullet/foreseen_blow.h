@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "bullet/body_token.h"
+#include "bullet/contact_collector.h"
+#include "bullet/decided_blow.h"
+
+namespace sherd {
+
+/// A blow that a rehearsal has found.
+struct ForeseenBlow {
+    std::uint64_t serial = 0;    ///< of the body that will be struck
+    BodyToken mover = no_token;  ///< whose way was rehearsed
+    double strikes_at_s = 0;     ///< simulated time
+    std::vector<BodyToken> partners;
+    BlowToDecide blow;
+    std::shared_ptr<DecidedBlow> decided;
+};
+
+/// Whether a blow is the foreseen one, so that the same comes of it: the same strikes by the same bodies, as
+/// far as matters, on a body that rests on the same others, and about there. False for pushes of the app's.
+bool isAsForeseen(const ForeseenBlow& foreseen, const StruckBreakable& struck, const BlowToDecide& blow);
+
+}  // namespace sherd

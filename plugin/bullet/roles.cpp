@@ -1,0 +1,198 @@
+#include "bullet/roles.h"
+
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <LinearMath/btAabbUtil2.h>
+
+#include <algorithm>
+#include <optional>
+#include <unordered_set>
+#include <utility>
+
+#include "bullet/contact_motion.h"
+#include "bullet/decided_blow.h"
+#include "bullet/pair_filter.h"
+#include "bullet/world_internals.h"
+
+namespace sherd {
+
+namespace {
+
+constexpr std::size_t most_met = 4, most_roles = 16;
+constexpr double disturbing = 0.25;  // of a mover's mass: what touches it turns it aside
+
+using Objects = std::vector<const btCollisionObject*>;
+using ObjectSet = std::unordered_set<const btCollisionObject*>;  // for look-up only
+
+/// What the world's broadphase finds in a box.
+class Found final : public btBroadphaseAabbCallback {
+  public:
+    bool process(const btBroadphaseProxy* proxy) override {
+        objects.push_back(static_cast<const btCollisionObject*>(proxy->m_clientObject));
+        return true;
+    }
+    Objects objects;
+};
+
+/// Whether a stand-in does what the object does: of links of multi-bodies and soft bodies none would.
+bool canStandIn(const btCollisionObject& object) {
+    const bool is_rigid = btRigidBody::upcast(&object) != nullptr;
+    return object.hasContactResponse() &&
+           (is_rigid ||
+            (object.getInternalType() == btCollisionObject::CO_COLLISION_OBJECT && object.isStaticObject()));
+}
+
+/// Where a body may be within some time, as a box.
+void sweptBox(const btRigidBody& body, double ahead_s, btVector3& low, btVector3& high) {
+    body.getAabb(low, high);
+    const auto t = static_cast<btScalar>(ahead_s);
+    const btVector3 way = body.getLinearVelocity() * t, fall = body.getGravity() * (t * t / 2);
+    btVector3 furthest_low = low, furthest_high = high;
+    for (const btVector3& shift : {way, btVector3(way + fall)}) {
+        furthest_low.setMin(low + shift);
+        furthest_high.setMax(high + shift);
+    }
+    low = furthest_low;
+    high = furthest_high;
+}
+
+/// Whether a straight way, which the ball around a body goes, leads through the box of another one.
+bool isOnTheWay(const btRigidBody& body, const btCollisionObject& other, double ahead_s) {
+    btVector3 centre;
+    btScalar radius;
+    body.getCollisionShape()->getBoundingSphere(centre, radius);
+    const btBroadphaseProxy& proxy = *other.getBroadphaseHandle();
+    const btVector3 margin(radius, radius, radius), low = proxy.m_aabbMin - margin,
+                                                    high = proxy.m_aabbMax + margin;
+    const btVector3 from = body.getWorldTransform() * centre,
+                    to = from + body.getLinearVelocity() * static_cast<btScalar>(ahead_s);
+    btScalar part = 1;
+    btVector3 normal;
+    return TestPointAgainstAabb2(low, high, from) || btRayAabb(from, to, low, high, part, normal);
+}
+
+/// What a body brings to what stands still, J, and somewhat more: gravity goes on pulling.
+double energyOf(const btRigidBody& mover) {
+    btVector3 centre;
+    btScalar radius;
+    mover.getCollisionShape()->getBoundingSphere(centre, radius);
+    const double speed =
+        mover.getLinearVelocity().length() + (centre.length() + radius) * mover.getAngularVelocity().length();
+    return speed * speed / mover.getInvMass();
+}
+
+/// What a body does by itself, from its last step; as gravity has it where something touches it.
+Role roleOf(const btCollisionObject& object, const BreakableRegistry& breakables, const StepSnapshot& before,
+            btScalar time_step_s, bool is_touched) {
+    Role role;
+    role.object = &object;
+    role.breakable = breakables.of(object);
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    const BodyState* state = body && canMove(*body) && !is_touched ? before.find(body) : nullptr;
+    if (!state || !body->isActive()) return role;
+    role.acceleration = (body->getLinearVelocity() - state->linear) / time_step_s;
+    const btScalar off = (role.acceleration - body->getGravity()).length();
+    role.is_driven = off > btScalar(0.01) * (1 + body->getGravity().length());
+    return role;
+}
+
+/// How far the boxes of two bodies are apart, squared.
+btScalar gapBetween(const btCollisionObject& a, const btCollisionObject& b) {
+    const btBroadphaseProxy &box_a = *a.getBroadphaseHandle(), &box_b = *b.getBroadphaseHandle();
+    btVector3 gap = box_a.m_aabbMin - box_b.m_aabbMax;
+    gap.setMax(box_b.m_aabbMin - box_a.m_aabbMax);
+    gap.setMax(btVector3(0, 0, 0));
+    return gap.length2();
+}
+
+/// What a body may meet on its way.
+Objects metBy(btDiscreteDynamicsWorld& world, const btRigidBody& mover, double ahead_s) {
+    btVector3 low, high;
+    sweptBox(mover, ahead_s, low, high);
+    Found found;
+    world.getBroadphase()->aabbTest(low, high, found);
+    Objects met;
+    for (const btCollisionObject* object : found.objects)
+        if (object != &mover && canStandIn(*object) && mayMeet(world, mover, *object) &&
+            isOnTheWay(mover, *object, ahead_s))
+            met.push_back(object);
+    return met;
+}
+
+/// The nearest, and of what is equally near, those that stand first among the world's objects.
+void keepNearest(const btRigidBody& mover, Objects& met) {
+    std::sort(met.begin(), met.end(), [&](const btCollisionObject* a, const btCollisionObject* b) {
+        return std::make_pair(gapBetween(mover, *a), a->getWorldArrayIndex()) <
+               std::make_pair(gapBetween(mover, *b), b->getWorldArrayIndex());
+    });
+    if (met.size() > most_met) met.resize(most_met);
+}
+
+/// Whether a contact leaves open where a mover goes: it may break by it, or is turned aside.
+bool disturbs(const btCollisionObject& other, const btRigidBody& mover, const BreakableRegistry& breakables) {
+    if (breakables.of(mover)) return true;
+    const btRigidBody* body = btRigidBody::upcast(&other);
+    return !other.isStaticOrKinematicObject() && body && disturbing * body->getInvMass() < mover.getInvMass();
+}
+
+/// Adds what touches one of the bodies, and notes all that anything touches. False if something disturbs the
+/// mover.
+bool addNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& mover,
+                   const BreakableRegistry& breakables, ObjectSet& cast, ObjectSet& touched) {
+    const ObjectSet first = cast;
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        if (manifold.getNumContacts() == 0) continue;
+        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+        touched.insert({a, b});
+        for (const auto& [own, other] : {std::make_pair(a, b), std::make_pair(b, a)}) {
+            if (first.count(own) == 0 || own->isStaticObject() || !isInWorld(world, other)) continue;
+            if (own == &mover && disturbs(*other, mover, breakables)) return false;
+            if (cast.size() < most_roles && canStandIn(*other)) cast.insert(other);
+        }
+    }
+    return true;
+}
+
+}  // namespace
+
+bool mayBring(const btRigidBody& mover, double energy_j) {
+    return energyOf(mover) >= energy_j;
+}
+
+bool isForeseeable(const Breakable& breakable, double time_s) {
+    return breakable.in_world && !breakable.isFragment() && breakable.asset.solid()->reducedStress() &&
+           breakable.canBeStruck() && breakable.body->getNumConstraintRefs() == 0 &&
+           breakable.breaksAt(time_s) && mayRunElsewhere(*breakable.asset.solid(), *breakable.fracture);
+}
+
+std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                              const StepSnapshot& before, btRigidBody& mover, double ahead_s, double time_s) {
+    const double energy_j = energyOf(mover);
+    const auto mayBreak = [&](const btCollisionObject& struck) {
+        const Breakable* breakable = breakables.of(struck);
+        return breakable && isForeseeable(*breakable, time_s) && energy_j >= breakable->least_energy_j;
+    };
+    Objects met = metBy(world, mover, ahead_s);
+    const bool is_worth_it =
+        mayBreak(mover)
+            ? !met.empty()
+            : std::any_of(met.begin(), met.end(), [&](const auto* other) { return mayBreak(*other); });
+    if (!is_worth_it) return {};
+    keepNearest(mover, met);
+    ObjectSet cast(met.begin(), met.end()), touched;
+    cast.insert(&mover);
+    if (!addNeighbours(world, mover, breakables, cast, touched)) return {};
+    Objects in_order(cast.begin(), cast.end());
+    std::sort(in_order.begin(), in_order.end(), [](const btCollisionObject* a, const btCollisionObject* b) {
+        return a->getWorldArrayIndex() < b->getWorldArrayIndex();
+    });
+    std::vector<Role> roles;
+    for (const btCollisionObject* object : in_order)
+        roles.push_back(
+            roleOf(*object, breakables, before, world.getSolverInfo().m_timeStep, touched.count(object) > 0));
+    return roles;
+}
+
+}  // namespace sherd

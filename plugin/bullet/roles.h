@@ -1,0 +1,37 @@
+#pragma once
+
+#include <LinearMath/btVector3.h>
+
+#include <vector>
+
+#include "bullet/breakable.h"
+#include "bullet/island_state.h"
+
+class btDiscreteDynamicsWorld;
+
+namespace sherd {
+
+/// An object of a world that takes part in a rehearsal.
+struct Role {
+    const btCollisionObject* object = nullptr;
+    Breakable* breakable = nullptr;  ///< of the object, if it is breakable
+    /// How its velocity changes while nothing touches it, m/s^2; of what flies.
+    btVector3 acceleration = btVector3(0, 0, 0);
+    bool is_driven = false;  ///< something else than gravity and damping does that
+};
+
+/// Whether a blow on a body could be foreseen, and is worth that: whole, prepared, not too new to break, and
+/// on no joint.
+bool isForeseeable(const Breakable& breakable, double time_s);
+
+/// Whether a body may bring some energy to what it meets, by its speed.
+bool mayBring(const btRigidBody& mover, double energy_j);
+
+/// What a rehearsal of a mover's next `ahead_s` seconds needs, in the order of the world's objects: itself,
+/// the nearest of what it may meet on its way, and what touches one of these. Empty if it meets nothing that
+/// it may break, nor anything that may break it, and if something turns it aside already. `before`: the state
+/// before the last step.
+std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                              const StepSnapshot& before, btRigidBody& mover, double ahead_s, double time_s);
+
+}  // namespace sherd
