@@ -13,16 +13,17 @@ enum class Priority {
 };
 
 /// What breaking may cost a step; not what a step may take: what must not wait takes its time, and a whole
-/// body that is not prepared takes most. In its step is decided every blow on a whole body, and every blow on
-/// a fragment that something lighter than it strikes, or that falls on one that is held: what breaks there
-/// lets the striker through. Other blows on fragments wait. So do, beyond `milliseconds_per_step`, blows on
-/// whole bodies that fragments strike; and where more than `solves_per_step` bodies are struck at once, or a
-/// ball breaks another one in the step, those that breakable bodies strike, the ground, or what is 50 times
-/// as heavy, or an explosion. Blows that wait are solved beside the steps that follow, by the world's
-/// executor; the body breaks steps later, where it is by then, a whole one before fragments. How many follows
-/// from simulated time, the size of bodies, and whether they are prepared by then, never from the clock: a
-/// run repeats bit for bit. Events tell (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one
-/// of Bullet's own: a frame may have several.
+/// body that is not prepared takes most. Every blow on a whole body is decided in its step, or solved before
+/// (`foresight_s`). In its step is decided every blow on a fragment that something lighter than it strikes,
+/// or that falls on one that is held: what breaks there lets the striker through. Other blows on fragments
+/// wait. So do, beyond `milliseconds_per_step`, blows on whole bodies that fragments strike; and where more
+/// than `solves_per_step` bodies are struck at once, or a ball breaks another one in the step, those that
+/// breakable bodies strike, the ground, or what is 50 times as heavy, or an explosion. Blows that wait are
+/// solved beside the steps that follow, by the world's executor; the body breaks steps later, where it is by
+/// then, a whole one before fragments. How many follows from simulated time, the size of bodies, and whether
+/// they are prepared by then, never from the clock: a run repeats bit for bit. Events tell
+/// (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame may have
+/// several.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
@@ -39,12 +40,15 @@ struct Budget {
     int solves_per_step = 3;
     Priority priority = Priority::hardest;
     Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m
-    /// How far ahead a blow on a whole, prepared body is foreseen at least, s of simulated time: what flies
-    /// to it, or what it flies to, is followed beside the world's own steps, and what comes of the blow is
-    /// solved on other threads until it falls, so that its step has only the bodies to swap. A blow that
-    /// falls otherwise (by a tenth of a particle spacing or a hundredth of the speed, or struck by something
-    /// else) is solved in its step. At 0 none is foreseen; nor is any while the app has Bullet call it for
-    /// contacts (gContactProcessedCallback, gContactStartedCallback, gContactEndedCallback).
+    /// How far ahead blows on whole, prepared bodies are foreseen, s of simulated time, 0 to 1; Sherd looks
+    /// up to twice as far. At the end of a step it follows what flies freely in a small copy of the world.
+    /// The blow that it finds is solved on other threads, and the step in which it falls only swaps the
+    /// bodies. A blow that falls otherwise is solved in its step: by another partner, a tenth of a particle
+    /// spacing, 1 % of the speed or 2 degrees off, on other supports. At 0 none is foreseen. Nor is any while
+    /// the app has Bullet call it for contacts (gContactProcessedCallback, gContactStartedCallback,
+    /// gContactEndedCallback), for what two materials come to (gCalculateCombinedFrictionCallback and its
+    /// like), or for pairs that are near (btCollisionDispatcher::setNearCallback): it would hear of bodies
+    /// that it does not have.
     double foresight_s = 0.1;
     /// Fragments that one step brings into the world, about: bodies that break at once share them, and are
     /// made into fewer pieces, two at least; those that waited break a step later.

@@ -68,10 +68,12 @@ struct BlowCounts {
     long long waited = 0;   ///< decided later; they count as `seen` when they are
     long long merged = 0;   ///< on a body for which a harder one waited, or that broke before its turn came
     long long dropped = 0;  ///< never decided: Outcome::dropped
-    long long foreseen =
-        0;  ///< solved before they fell (Budget::foresight_s); they count as `seen` when they do
-    long long foreseen_in_vain = 0;  ///< the same, but they fell otherwise, or not at all
-    long long events_dropped = 0;    ///< since nobody took them, see FractureWorld::takeEvents
+    /// Fell as foreseen (Budget::foresight_s): other threads were asked before. Whether they were done in
+    /// time, `StepTimes::waiting` tells.
+    long long foreseen = 0;
+    /// Foreseen, but what fell was another blow, or none. They count nowhere else.
+    long long foreseen_in_vain = 0;
+    long long events_dropped = 0;  ///< since nobody took them, see FractureWorld::takeEvents
 
     long long solved() const { return reduced + full; }  ///< blows whose stress was solved
 

@@ -43,15 +43,16 @@ struct StepTimes {
     double restore = 0;   ///< finding the islands of broken bodies, and setting them back to before the solve
     double resolve = 0;   ///< contacts of the fragments, and solving their islands once more, by Bullet
     double waiting = 0;   ///< choosing the blows that wait (Budget), and waiting for other threads
-    double foresight = 0;  ///< looking for blows that are about to fall (Budget::foresight_s)
+    double foresight = 0;  ///< following what flies (Budget::foresight_s), on the thread that steps
 
     double total() const;  ///< sum of all fields
 };
 
 /// What a FractureWorld took since it was made, in steps, applyBlow and explode.
 struct WorldTimes {
-    StageTimes blows;    ///< of all blows, those without an event included, on the thread that steps
-    StageTimes workers;  ///< the same on other threads; no part of `whole`
+    StageTimes blows;  ///< of all blows, those without an event included, on the thread that steps
+    /// The same on other threads, without what was foreseen in vain; no part of `whole`.
+    StageTimes workers;
     StepTimes steps;
     /// Everything, by a stopwatch of its own: `stages()`, and the little between the stages. What a step
     /// takes beyond the growth of this is Bullet's own part of it.

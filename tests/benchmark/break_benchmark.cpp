@@ -2,8 +2,8 @@
 // [SECONDS [QUALITY]]]]]. The body stands on a floor, a steel ball of 2 kg strikes it from COUNT sides, at
 // 240 Hz; what breaks of it breaks on for SECONDS. Prints the stages of the breaks, medians in milliseconds,
 // and the blows on its fragments; without a file the cup, 20 sides, 12 m/s, 0.5 s and `game`. Then the ball
-// comes from further away, and each step takes its own time at least, as in a game: what the steps take in
-// which the body breaks, and what all others take at most, when the blow is foreseen.
+// flies for 0.2 s before, and each step waits for real time, as in a game: how many blows were foreseen, what
+// the steps took in which the body broke, foreseen or not, and the longest other step.
 
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <set>
+#include <vector>
 
 #include "bullet/support.h"
 
@@ -275,16 +275,23 @@ TEST(Foresight, NoneWhereTheAppCombinesMaterials) {
     EXPECT_EQ(scene.fracture->counts().foreseen, 0);
 }
 
-std::set<const void*> bodies_called_of;
+int calls = 0, calls_of_strangers = 0;
+constexpr int of_the_app = 7;  // user index of its bodies, which their fragments inherit
+
+void noteCall(const void* a, const void* b) {
+    ++calls;
+    for (const void* body : {a, b})
+        if (static_cast<const btCollisionObject*>(body)->getUserIndex() != of_the_app) ++calls_of_strangers;
+}
 
 bool processed(btManifoldPoint&, void* a, void* b) {
-    bodies_called_of.insert({a, b});
+    noteCall(a, b);
     return false;
 }
 
 bool added(btManifoldPoint&, const btCollisionObjectWrapper* a, int, int, const btCollisionObjectWrapper* b,
            int, int) {
-    bodies_called_of.insert({a->getCollisionObject(), b->getCollisionObject()});
+    noteCall(a->getCollisionObject(), b->getCollisionObject());
     return false;
 }
 
@@ -292,24 +299,21 @@ bool added(btManifoldPoint&, const btCollisionObjectWrapper* a, int, int, const 
 TEST(Foresight, NoCallbackSeesAStandIn) {
     for (const bool of_added : {true, false}) {
         BallAtPlate scene;
-        bodies_called_of.clear();
-        if (of_added) {
-            gContactAddedCallback = added;
-            scene.ball->setCollisionFlags(scene.ball->getCollisionFlags() |
-                                          btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
-        } else {
-            gContactProcessedCallback = processed;
+        for (btRigidBody* body : {scene.target, scene.ball, scene.floor}) {
+            body->setUserIndex(of_the_app);
+            body->setCollisionFlags(body->getCollisionFlags() |
+                                    btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
         }
-        const btRigidBody *target = scene.target, *ball = scene.ball, *floor = scene.floor;
+        calls = calls_of_strangers = 0;
+        gContactAddedCallback = of_added ? added : nullptr;
+        gContactProcessedCallback = of_added ? nullptr : processed;
         const int steps = scene.breakIt();
         gContactAddedCallback = nullptr;
         gContactProcessedCallback = nullptr;
         EXPECT_LE(steps, 100);
         EXPECT_EQ(scene.fracture->counts().foreseen, of_added ? 1 : 0);
-        std::set<const void*> known{target, ball, floor};
-        for (const btRigidBody* fragment : scene.broken.front().fragments) known.insert(fragment);
-        for (const void* body : bodies_called_of) EXPECT_EQ(known.count(body), 1u);
-        EXPECT_FALSE(bodies_called_of.empty());
+        EXPECT_GT(calls, 0);
+        EXPECT_EQ(calls_of_strangers, 0);
     }
 }
 
