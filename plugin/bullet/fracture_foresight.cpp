@@ -1,10 +1,10 @@
 // Which blows are about to fall, so that they are solved beside the steps before.
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 #include <utility>
 
-#include "bullet/contact_motion.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/rehearsal.h"
 #include "core/numerics/parallel_chunks.h"
@@ -20,19 +20,17 @@ void FractureWorld::Impl::lookAhead() {
     }
     const AddedTime time(times_.steps.foresight);
     counts_.foreseen_in_vain += foresight_.follow(world_, time_s_);
-    double least_energy_j = -1;
+    const std::vector<btRigidBody*> movers = fastBodies(world_);
+    if (movers.empty() || roomForFragments() < fewest_fragments) return;
+    double least_energy_j = std::numeric_limits<double>::infinity();
     for (const auto& breakable : breakables_.all())
-        if (isForeseeable(*breakable, time_s_) &&
-            (least_energy_j < 0 || breakable->least_energy_j < least_energy_j))
-            least_energy_j = breakable->least_energy_j;
-    if (least_energy_j < 0 || roomForFragments() < fewest_fragments) return;
+        if (isForeseeable(*breakable, time_s_))
+            least_energy_j = std::min(least_energy_j, breakable->least_energy_j);
     std::optional<OnThisThreadAlone> alone;
     if (executor_ && !*executor_) alone.emplace();
-    const auto& objects = world_.getCollisionObjectArray();
-    for (int i = 0; i < objects.size() && foresight_.mayRehearse(); ++i) {
-        btRigidBody* body = btRigidBody::upcast(objects[i]);
-        if (!body || !body->isActive() || !canMove(*body) || isFragmentOfAny(*body)) continue;
-        if (body->getNumConstraintRefs() > 0 || !mayBring(*body, least_energy_j)) continue;
+    for (btRigidBody* body : movers) {
+        if (!foresight_.mayRehearse()) return;
+        if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;
         const BodyToken token = giveToken(*body);
         if (token == no_token || !foresight_.isToBeLookedAt(token, time_s_, budget_.foresight_s)) continue;
         const std::vector<Role> roles =

@@ -157,6 +157,22 @@ bool addNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& mover,
 
 }  // namespace
 
+std::vector<btRigidBody*> fastBodies(const btDiscreteDynamicsWorld& world) {
+    constexpr btScalar slow_m_s = btScalar(0.2), slow_rad_s = 1;
+    std::vector<btRigidBody*> fast;
+    const auto& objects = world.getCollisionObjectArray();
+    for (int i = 0; i < objects.size(); ++i) {
+        if (!objects[i]->isActive() || objects[i]->isStaticOrKinematicObject()) continue;
+        btRigidBody* body = btRigidBody::upcast(objects[i]);
+        if (body &&
+            (body->getLinearVelocity().length2() > slow_m_s * slow_m_s ||
+             body->getAngularVelocity().length2() > slow_rad_s * slow_rad_s) &&
+            canMove(*body) && body->getNumConstraintRefs() == 0)
+            fast.push_back(body);
+    }
+    return fast;
+}
+
 bool mayBring(const btRigidBody& mover, double energy_j) {
     return energyOf(mover) >= energy_j;
 }

@@ -24,6 +24,9 @@ struct Role {
 /// on no joint.
 bool isForeseeable(const Breakable& breakable, double time_s);
 
+/// The bodies whose ways are worth looking at: awake, on no joint, and faster than what rests or creeps.
+std::vector<btRigidBody*> fastBodies(const btDiscreteDynamicsWorld& world);
+
 /// Whether a body may bring some energy to what it meets, by its speed.
 bool mayBring(const btRigidBody& mover, double energy_j);
 
