@@ -129,9 +129,10 @@ void Script::print() {
     printTimes("steps", times.steps, steps_);
     printTimes("beside the steps", times.workers, steps_);
     const sherd::BlowCounts counts = game_.fracture().counts();
-    std::printf("blows: %lld gate, %lld coarse, %lld reduced, %lld full; %lld foreseen, %lld waited, %lld dropped\n",
-                counts.gate, counts.coarse, counts.reduced, counts.full, counts.foreseen, counts.waited,
-                counts.dropped);
+    std::printf(
+        "blows: %lld gate, %lld coarse, %lld reduced, %lld full; %lld foreseen, %lld waited, %lld dropped\n",
+        counts.gate, counts.coarse, counts.reduced, counts.full, counts.foreseen, counts.waited,
+        counts.dropped);
     const Score& score = game_.score();
     std::printf(
         "%zu steps in %.1f s: worst %.1f ms, 99th percentile %.2f ms, median %.2f ms, %d over %.1f ms\n",
