@@ -40,6 +40,10 @@ class DecidedBlow {
     /// Decides it here if no thread has begun.
     void decideIfFree() { job_->doIfFree(); }
     bool isDecided() const { return !job_ || job_->isDone(); }
+    /// Waits for a thread that is at it, for some milliseconds at most.
+    void waitIfBegun(double most_ms) {
+        if (job_) job_->waitIfBegun(most_ms);
+    }
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
     void finish(double& waiting_ms);
 

@@ -12,9 +12,9 @@ namespace sherd {
 
 /// A blow that a rehearsal has found.
 struct ForeseenBlow {
-    std::uint64_t serial = 0;    ///< of the body that will be struck
-    BodyToken mover = no_token;  ///< whose way was rehearsed
-    double strikes_at_s = 0;     ///< simulated time
+    std::uint64_t serial = 0;                 ///< of the body that will be struck
+    BodyToken mover = no_token;               ///< whose way was rehearsed
+    double found_at_s = 0, strikes_at_s = 0;  ///< simulated time
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;

@@ -7,6 +7,9 @@
 #include <unordered_map>
 #include <utility>
 
+#include "bullet/waiting_blows.h"
+#include "core/numerics/stopwatch.h"
+
 namespace sherd {
 
 namespace {
@@ -26,6 +29,17 @@ bool isOnItsWay(const btRigidBody& body, const BodyState& foreseen) {
     const btScalar turn = (body.getAngularVelocity() - foreseen.angular).length();
     return off <= off_the_way_m && faster <= off_the_speed * (1 + foreseen.linear.length()) &&
            turn <= off_the_speed * (1 + foreseen.angular.length());
+}
+
+/// The part of a blow's work that is to be waited for in a step, ms.
+double shareOf(const ForeseenBlow& blow, double time_s, double time_step_s) {
+    constexpr double left_alone =
+        1.0 / 3;                  // of the time there is: other threads are ahead of real time by then
+    constexpr double slower = 2;  // than the estimate: on cores that are half as fast
+    const double free_until_s = blow.found_at_s + left_alone * (blow.strikes_at_s - blow.found_at_s);
+    const double left_s = blow.strikes_at_s - free_until_s;
+    if (time_s < free_until_s || left_s <= time_step_s) return 0;
+    return slower * estimatedMilliseconds(*blow.blow.solid) * time_step_s / left_s;
 }
 
 /// The rigid bodies of a world that have a token.
@@ -123,6 +137,18 @@ void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s
 bool Foresight::isForeseen(std::uint64_t serial) const {
     return std::any_of(blows_.begin(), blows_.end(),
                        [&](const ForeseenBlow& blow) { return blow.serial == serial; });
+}
+
+void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) const {
+    double most_ms = 0;
+    for (const ForeseenBlow& blow : blows_)
+        if (!blow.decided->isDecided()) most_ms += shareOf(blow, time_s, time_step_s);
+    if (!(most_ms > 0)) return;
+    const Stopwatch watch;
+    for (const ForeseenBlow& blow : blows_)
+        if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0)
+            blow.decided->waitIfBegun(left_ms);
+    waiting_ms += watch.milliseconds();
 }
 
 std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {

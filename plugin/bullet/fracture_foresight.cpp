@@ -80,6 +80,7 @@ std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreaka
         return std::nullopt;
     ForeseenBlow blow;
     blow.serial = body.serial;
+    blow.found_at_s = time_s_;
     blow.strikes_at_s = time_s;
     for (const btCollisionObject* partner : struck.partners)
         blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));

@@ -69,7 +69,11 @@ void FractureWorld::Impl::afterIntegration() {
         });
     integrating_ = false;
     markBetweenSteps(world_);
-    if (!released_ && (awake_ || !foresight_.empty())) timed(times_.whole, [&] { lookAhead(); });
+    if (!released_ && (awake_ || !foresight_.empty()))
+        timed(times_.whole, [&] {
+            lookAhead();
+            foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, times_.steps.waiting);
+        });
     deleteIfReleased();
 }
 

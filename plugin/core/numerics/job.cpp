@@ -1,5 +1,6 @@
 #include "core/numerics/job.h"
 
+#include <chrono>
 #include <utility>
 
 #include "core/numerics/parallel_chunks.h"
@@ -38,6 +39,12 @@ void Job::finish() {
     awaited_ = true;
     std::unique_lock<std::mutex> lock(mutex_);
     ended_.wait(lock, [this] { return done_; });
+}
+
+void Job::waitIfBegun(double most_ms) {
+    std::unique_lock<std::mutex> lock(mutex_);
+    if (begun_)
+        ended_.wait_for(lock, std::chrono::duration<double, std::milli>(most_ms), [this] { return done_; });
 }
 
 bool Job::isDone() {

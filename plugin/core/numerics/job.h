@@ -25,6 +25,8 @@ class Job : public std::enable_shared_from_this<Job> {
     /// Returns when the work is done; does it here if nobody has begun.
     void finish();
     bool isDone();
+    /// Waits for a thread that is at it, for some milliseconds at most.
+    void waitIfBegun(double most_ms);
     /// After `finish`: whether the thread that called it, or `doIfFree`, did the work.
     bool doneHere() const { return done_here_; }
 

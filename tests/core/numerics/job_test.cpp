@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cfenv>
 #include <chrono>
+#include <future>
 #include <stdexcept>
 #include <thread>
 #include <vector>
@@ -98,6 +99,25 @@ TEST(WorkerThreads, EndWithTheirExecutor) {
     const int at_the_end = done;
     std::this_thread::yield();
     EXPECT_EQ(done, at_the_end);
+}
+
+TEST(Job, OneThatIsAtWorkIsWaitedForAWhile) {
+    std::promise<void> goes_on, has_begun;
+    const auto job = Job::make([&] {
+        has_begun.set_value();
+        goes_on.get_future().wait();
+    });
+    job->waitIfBegun(1e6);  // nobody is at it
+    EXPECT_FALSE(job->isDone());
+    std::thread worker;
+    job->submit([&](std::function<void()> work) { worker = std::thread(std::move(work)); });
+    has_begun.get_future().wait();
+    job->waitIfBegun(1);
+    EXPECT_FALSE(job->isDone());
+    goes_on.set_value();
+    job->waitIfBegun(1e6);
+    EXPECT_TRUE(job->isDone());
+    worker.join();
 }
 
 }  // namespace
