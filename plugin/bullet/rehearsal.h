@@ -22,7 +22,7 @@ namespace sherd {
 /// Some bodies of a world, as they stand and move now, in a world of their own, which runs ahead of the
 /// first: what will strike what, and how, as a step of the first will find it if nothing else comes between.
 /// The bodies themselves are stand-ins with the same shapes. Nothing of the first world changes, and nothing
-/// of the app's is called (`mayRehearse`).
+/// of the app's is called but its filters, of its own bodies (`mayRehearse`).
 class Rehearsal final : private StepListener, private btOverlapFilterCallback {
   public:
     /// The roles are in the order of the world's array of objects.
