@@ -10,6 +10,7 @@
 
 #include <vector>
 
+#include "bullet/objects_around.h"
 #include "bullet/pair_filter.h"
 
 namespace sherd {
@@ -90,15 +91,6 @@ class EachTriangle final : public btTriangleCallback {
     const std::function<void(const std::array<btVector3, 3>&)>& visit_;
 };
 
-class ObjectsAround final : public btBroadphaseAabbCallback {
-  public:
-    bool process(const btBroadphaseProxy* proxy) override {
-        all.push_back(static_cast<const btCollisionObject*>(proxy->m_clientObject));
-        return true;
-    }
-    std::vector<const btCollisionObject*> all;
-};
-
 }  // namespace
 
 bool isGroundSurface(const btCollisionObject& object) {
@@ -147,10 +139,8 @@ std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const b
 std::optional<GroundPoint> groundNear(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                       const btVector3& from, btScalar radius) {
     const btVector3 reach(radius, radius, radius);
-    ObjectsAround around;
-    world.getBroadphase()->aabbTest(from - reach, from + reach, around);
     std::optional<GroundPoint> nearest;
-    for (const btCollisionObject* object : around.all) {
+    for (const btCollisionObject* object : objectsAround(world, from - reach, from + reach)) {
         if (!isGroundFor(world, body, *object)) continue;
         forEachSurface(
             *object->getCollisionShape(), object->getWorldTransform(),

@@ -49,14 +49,14 @@ std::unique_ptr<btRigidBody> standInFor(const btRigidBody& body, const Role& rol
     copyCollision(body, *stand_in);
     stand_in->setInvInertiaDiagLocal(body.getInvInertiaDiagLocal());
     stand_in->updateInertiaTensor();
-    stand_in->setDamping(role.is_driven ? 0 : body.getLinearDamping(), body.getAngularDamping());
+    stand_in->setDamping(role.driven ? 0 : body.getLinearDamping(), body.getAngularDamping());
     stand_in->setSleepingThresholds(body.getLinearSleepingThreshold(), body.getAngularSleepingThreshold());
     stand_in->setLinearFactor(body.getLinearFactor());
     stand_in->setAngularFactor(body.getAngularFactor());
     stand_in->setLinearVelocity(body.getLinearVelocity());
     stand_in->setAngularVelocity(body.getAngularVelocity());
     stand_in->setFlags(body.getFlags() | BT_DISABLE_WORLD_GRAVITY);
-    stand_in->setGravity(role.is_driven ? role.acceleration : body.getGravity());
+    stand_in->setGravity(role.driven.value_or(body.getGravity()));
     return stand_in;
 }
 
@@ -72,9 +72,6 @@ std::unique_ptr<btCollisionObject> standInFor(const btCollisionObject& object) {
 std::unique_ptr<Breakable> standInFor(const Breakable& breakable) {
     auto stand_in = std::make_unique<Breakable>(breakable.asset, breakable.fracture);
     stand_in->body_from_asset = breakable.body_from_asset;
-    stand_in->seed = breakable.seed;
-    stand_in->damaged = breakable.damaged;
-    stand_in->filter = breakable.filter;
     stand_in->serial = breakable.serial;
     stand_in->unbreakable_until_s = breakable.unbreakable_until_s;
     stand_in->young_until_s = breakable.young_until_s;
@@ -166,10 +163,9 @@ bool Rehearsal::needBroadphaseCollision(btBroadphaseProxy* a, btBroadphaseProxy*
 }
 
 void Rehearsal::noteContacts(btDiscreteDynamicsWorld& world) {
-    const btDispatcher& dispatcher = *world.getDispatcher();
+    btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold =
-            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const auto a = stand_in_of_.find(manifold.getBody0()), b = stand_in_of_.find(manifold.getBody1());
         if (a == stand_in_of_.end() || b == stand_in_of_.end()) continue;
         KnownContacts known{a->second, b->second, {}};
@@ -218,10 +214,8 @@ std::vector<StruckBreakable> Rehearsal::step() {
     return std::move(struck_);
 }
 
-BodyState Rehearsal::stateOf(const btCollisionObject& object) const {
-    const btCollisionObject& stand_in = *stand_in_of_.at(&object);
-    if (const btRigidBody* body = btRigidBody::upcast(&stand_in)) return sherd::stateOf(*body);
-    return {&stand_in, stand_in.getWorldTransform()};
+BodyState Rehearsal::stateOf(const btRigidBody& body) const {
+    return sherd::stateOf(*btRigidBody::upcast(stand_in_of_.at(&body)));
 }
 
 const btCollisionObject* Rehearsal::original(const btCollisionObject* stand_in) const {

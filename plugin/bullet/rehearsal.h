@@ -36,8 +36,8 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     std::vector<StruckBreakable> step();
     /// At the end of the last step; simulated time.
     double time() const { return time_s_; }
-    /// Where the stand-in of an object is now.
-    BodyState stateOf(const btCollisionObject& object) const;
+    /// Where the stand-in of a body is now.
+    BodyState stateOf(const btRigidBody& body) const;
 
   private:
     /// The contacts that two bodies had at the end of the world's last step.

@@ -5,12 +5,12 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
-#include <optional>
 #include <unordered_set>
 #include <utility>
 
 #include "bullet/contact_motion.h"
 #include "bullet/decided_blow.h"
+#include "bullet/objects_around.h"
 #include "bullet/pair_filter.h"
 #include "bullet/world_internals.h"
 
@@ -23,16 +23,6 @@ constexpr double disturbing = 0.25;  // of a mover's mass: what touches it turns
 
 using Objects = std::vector<const btCollisionObject*>;
 using ObjectSet = std::unordered_set<const btCollisionObject*>;  // for look-up only
-
-/// What the world's broadphase finds in a box.
-class Found final : public btBroadphaseAabbCallback {
-  public:
-    bool process(const btBroadphaseProxy* proxy) override {
-        objects.push_back(static_cast<const btCollisionObject*>(proxy->m_clientObject));
-        return true;
-    }
-    Objects objects;
-};
 
 /// Whether a stand-in does what the object does: of links of multi-bodies and soft bodies none would.
 bool canStandIn(const btCollisionObject& object) {
@@ -90,9 +80,9 @@ Role roleOf(const btCollisionObject& object, const BreakableRegistry& breakables
     const btRigidBody* body = btRigidBody::upcast(&object);
     const BodyState* state = body && canMove(*body) && !is_touched ? before.find(body) : nullptr;
     if (!state || !body->isActive()) return role;
-    role.acceleration = (body->getLinearVelocity() - state->linear) / time_step_s;
-    const btScalar off = (role.acceleration - body->getGravity()).length();
-    role.is_driven = off > btScalar(0.01) * (1 + body->getGravity().length());
+    const btVector3 acceleration = (body->getLinearVelocity() - state->linear) / time_step_s;
+    const btScalar off = (acceleration - body->getGravity()).length();
+    if (off > btScalar(0.01) * (1 + body->getGravity().length())) role.driven = acceleration;
     return role;
 }
 
@@ -109,10 +99,8 @@ btScalar gapBetween(const btCollisionObject& a, const btCollisionObject& b) {
 Objects metBy(btDiscreteDynamicsWorld& world, const btRigidBody& mover, double ahead_s) {
     btVector3 low, high;
     sweptBox(mover, ahead_s, low, high);
-    Found found;
-    world.getBroadphase()->aabbTest(low, high, found);
     Objects met;
-    for (const btCollisionObject* object : found.objects)
+    for (const btCollisionObject* object : objectsAround(world, low, high))
         if (object != &mover && canStandIn(*object) && mayMeet(world, mover, *object) &&
             isOnTheWay(mover, *object, ahead_s))
             met.push_back(object);

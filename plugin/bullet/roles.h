@@ -2,6 +2,7 @@
 
 #include <LinearMath/btVector3.h>
 
+#include <optional>
 #include <vector>
 
 #include "bullet/breakable.h"
@@ -15,9 +16,8 @@ namespace sherd {
 struct Role {
     const btCollisionObject* object = nullptr;
     Breakable* breakable = nullptr;  ///< of the object, if it is breakable
-    /// How its velocity changes while nothing touches it, m/s^2; of what flies.
-    btVector3 acceleration = btVector3(0, 0, 0);
-    bool is_driven = false;  ///< something else than gravity and damping does that
+    /// How its velocity changes, m/s^2, where something else than gravity does that: an app's force, damping.
+    std::optional<btVector3> driven;
 };
 
 /// Whether a blow on a body could be foreseen, and is worth that: whole, prepared, not too new to break, and
