@@ -28,7 +28,7 @@ Result<std::shared_ptr<const BreakableAsset>> AssetStore::assetOf(
             if (const auto known = entry.asset.lock();
                 known && entry.parts == parts && entry.mass_kg == mass_kg && entry.constants == constants &&
                 known->supports() == supports)
-                return known;
+                return used(known);
     const auto surface = uniteConvexParts(parts);
     if (!surface) return Error{surface.error()};
     if (mass_kg > 0) material.density_kg_m3 = mass_kg / solidMoments(surface.value()).volume;
@@ -37,7 +37,15 @@ Result<std::shared_ptr<const BreakableAsset>> AssetStore::assetOf(
     if (!made) return Error{made.error()};
     auto asset = std::make_shared<const BreakableAsset>(std::move(made).value());
     if (!hasFunctions(settings)) entries_.push_back({parts, mass_kg, constants, asset});
-    return std::shared_ptr<const BreakableAsset>(std::move(asset));
+    return used(std::move(asset));
+}
+
+std::shared_ptr<const BreakableAsset> AssetStore::used(std::shared_ptr<const BreakableAsset> asset) {
+    constexpr std::size_t kept = 8;
+    last_used_.erase(std::remove(last_used_.begin(), last_used_.end(), asset), last_used_.end());
+    if (last_used_.size() == kept) last_used_.erase(last_used_.begin());
+    last_used_.push_back(asset);
+    return asset;
 }
 
 }  // namespace sherd

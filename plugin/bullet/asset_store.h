@@ -8,8 +8,9 @@
 
 namespace sherd {
 
-/// The assets of bodies that the app made itself: those that are alike share one for as long as somebody
-/// keeps it. So the blocks of a wall are sampled, factored and prepared together.
+/// The assets of bodies that the app made itself: those that are alike share one, so the blocks of a wall are
+/// sampled, factored and prepared together. It stays for as long as somebody keeps it, and the last eight
+/// that were asked for stay in any case: the crates of the next level are not prepared again.
 class AssetStore {
   public:
     using Parts = std::vector<std::vector<Vec3>>;
@@ -27,7 +28,10 @@ class AssetStore {
         std::string constants;
         std::weak_ptr<const BreakableAsset> asset;
     };
+    std::shared_ptr<const BreakableAsset> used(std::shared_ptr<const BreakableAsset> asset);
+
     std::vector<Entry> entries_;
+    std::vector<std::shared_ptr<const BreakableAsset>> last_used_;  // the latest at the end
 };
 
 }  // namespace sherd

@@ -54,6 +54,36 @@ TEST(MakeBreakable, BodiesThatAreAlikeShareTheirAsset) {
     for (const auto& body : bodies) scene.world->removeRigidBody(body.get());
 }
 
+TEST(MakeBreakable, WhatWasPreparedServesTheNextBodiesWhenAllAreGone) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    btBoxShape brick(btVector3(0.1f, 0.05f, 0.05f));
+    std::vector<std::unique_ptr<btBoxShape>> others;
+    const auto withBody = [&](btCollisionShape& shape, const std::function<void(btRigidBody*)>& use) {
+        btVector3 inertia;
+        shape.calculateLocalInertia(2, inertia);
+        btRigidBody body(2, nullptr, &shape, inertia);
+        scene.world->addRigidBody(&body);
+        ASSERT_TRUE(fracture.makeBreakable(&body, Material::brick()).ok());
+        use(&body);
+        fracture.remove(&body);
+        scene.world->removeRigidBody(&body);
+    };
+    const auto otherBodies = [&](int count) {
+        for (int i = 0; i < count; ++i) {
+            others.push_back(std::make_unique<btBoxShape>(btVector3(0.1f, 0.1f + 0.01f * i, 0.1f)));
+            withBody(*others.back(), [](btRigidBody*) {});
+        }
+    };
+    withBody(brick, [&](btRigidBody* body) { ASSERT_TRUE(fracture.asset(body)->prepare().ok()); });
+    otherBodies(7);
+    withBody(brick, [&](btRigidBody* body) { EXPECT_TRUE(fracture.asset(body)->prepared()); });
+    otherBodies(8);
+    withBody(brick, [&](btRigidBody* body) {
+        EXPECT_FALSE(fracture.asset(body)->prepared()) << "of more than eight kinds the oldest are let go";
+    });
+}
+
 TEST(MakeBreakable, AppsCompoundBreaksAndKeepsItsMass) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
