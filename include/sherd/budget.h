@@ -15,9 +15,10 @@ enum class Priority {
 /// What breaking may cost a step; not what a step may take: what must not wait takes its time, and a whole
 /// body that is not prepared takes most. Every blow on a whole body is decided in its step, or solved before
 /// (`foresight_s`). In its step is decided every blow on a fragment that something lighter than it strikes,
-/// or that falls on one that is held: what breaks there lets the striker through. Other blows on fragments
-/// wait. So do, beyond `milliseconds_per_step`, blows on whole bodies that fragments strike; and where more
-/// than `solves_per_step` bodies are struck at once, or a ball breaks another one in the step, those that
+/// or that falls on one that is held: what breaks there lets the striker through; beyond `solves_per_step`
+/// what is held comes out of its supports whole, and its blow waits. Other blows on fragments wait. So do,
+/// beyond `milliseconds_per_step`, blows on whole bodies that fragments strike; and where more than
+/// `solves_per_step` bodies are struck at once, or a ball breaks another one in the step, those that
 /// breakable bodies strike, the ground, or what is 50 times as heavy, or an explosion. Blows that wait are
 /// solved beside the steps that follow, by the world's executor; the body breaks steps later, where it is by
 /// then, a whole one before fragments. How many follows from simulated time, the size of bodies, and whether

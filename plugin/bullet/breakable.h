@@ -105,6 +105,8 @@ struct Breakable {
     bool isHeldRest() const { return isFragment() && isHeld(); }
     /// Whether it may break at that simulated time: neither debris nor just born.
     bool breaksAt(double time_s) const;
+    /// Whether it is large enough for that, and not of the last generation that may be.
+    bool mayBreak() const { return breaksAt(std::numeric_limits<double>::infinity()); }
 };
 
 /// What a body is to break by that is the first of its line: the smallest fragment is filled in where it is

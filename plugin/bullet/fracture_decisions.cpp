@@ -121,6 +121,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
     gated.torn.resize(struck.size());
+    gated.torn_first.resize(struck.size());
     const auto ask = [&](std::size_t i) {
         const Breakable& body = *struck[i].breakable;
         if (!isToBeRemoved(body))
@@ -152,8 +153,13 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
         }
     }
-    if (time_step_s > 0) thinOut(struck, time_step_s, gated);
+    if (time_step_s > 0) {
+        tearOutFirst(struck, gated);
+        thinOut(struck, time_step_s, gated);
+    }
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
+    for (std::size_t i = 0; i < struck.size(); ++i)
+        if (gated.torn_first[i]) times_.blows += gated.ms[i];
     return gated;
 }
 
@@ -199,7 +205,9 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
             continue;
         }
         const auto broken = tell(struck[i], own ? own->outcome : *gated.held[i], own);
-        if (broken) breaks.push_back(*broken);
+        if (!broken) continue;
+        breaks.push_back(*broken);
+        if (gated.torn_first[i]) breaks.back().breaks_later = struck[i];
     }
     std::vector<const StruckBreakable*> to_wait;
     for (const std::size_t i : gated.later) to_wait.push_back(&struck[i]);

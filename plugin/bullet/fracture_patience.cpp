@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "bullet/fracture_world_impl.h"
+#include "bullet/torn_out.h"
 
 namespace sherd {
 
@@ -94,6 +95,22 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     gated.now.erase(first, end);
     std::sort(gated.now.begin(), gated.now.end());
     std::sort(gated.later.begin(), gated.later.end());
+}
+
+/// Of the rests that supports hold, those that are more than the step has solves come out whole, and break
+/// later: what has broken the whole goes on into one after the other, and may not wait.
+void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struck, Gated& gated) const {
+    if (budget_.shortest_wait_s == 0) return;
+    const auto is_solved = [&](std::size_t i) { return !mayBeTornOut(struck[i]); };
+    const auto begin = gated.now.begin(), end = gated.now.end();
+    const auto rests = std::stable_partition(begin, end, is_solved);
+    std::stable_sort(rests, end,
+                     [&](std::size_t a, std::size_t b) { return urgency(struck[a]) > urgency(struck[b]); });
+    const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - (rests - begin));
+    const auto first = rests + std::min(left, end - rests);
+    for (auto i = first; i != end; ++i) gated.torn[*i] = gated.torn_first[*i] = true;
+    gated.now.erase(first, end);
+    std::sort(gated.now.begin(), gated.now.end());
 }
 
 }  // namespace sherd

@@ -9,6 +9,7 @@
 #include "bullet/body_removal.h"
 #include "bullet/body_swap.h"
 #include "bullet/collision_exceptions.h"
+#include "bullet/contact_motion.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
 #include "bullet/same_blow.h"
@@ -113,7 +114,19 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
     }
     auto pieces = timed(event.ms.bodies, [&] { return makePieces(broken, *parent, time_step_s > 0); });
     if (pieces.empty()) return {};
-    return timed(event.ms.swap, [&] { return exchange(broken, *parent, std::move(pieces), time_step_s); });
+    const auto fragments =
+        timed(event.ms.swap, [&] { return exchange(broken, *parent, std::move(pieces), time_step_s); });
+    if (broken.breaks_later)
+        breakLater(*broken.breaks_later, *breakables_.find(fragments.front()), time_step_s);
+    return fragments;
+}
+
+/// What struck a rest that was torn out breaks the piece when it is its turn, if anything may.
+void FractureWorld::Impl::breakLater(StruckBreakable rest, Breakable& piece, btScalar time_step_s) {
+    if (!piece.mayBreak()) return;
+    rest.breakable = &piece;
+    rest.before = stateOf(*piece.body);
+    timed(times_.steps.waiting, [&] { letWait({&rest}, 0, time_step_s); });
 }
 
 /// The broken body; none if the app has taken it out since, in the callback of another one's fragments.

@@ -74,9 +74,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Break {
         btRigidBody* body = nullptr;
         std::shared_ptr<const DecidedBlow> decided;
-        std::size_t event = 0;         // in current_
-        std::vector<Push> for_pieces;  // as in StruckBreakable
-        std::uint64_t serial = 0;      // of the body
+        std::size_t event = 0;                        // in current_
+        std::vector<Push> for_pieces;                 // as in StruckBreakable
+        std::uint64_t serial = 0;                     // of the body
+        std::optional<StruckBreakable> breaks_later;  // its only fragment, by this
     };
     /// A blow of the app's, from inside a step.
     struct QueuedBlow {
@@ -101,9 +102,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::vector<StageTimes> ms;                    // all of them
         std::vector<std::size_t> now, later;           // what is to be decided, ascending
         std::vector<char> torn;                        // all of them: whether it comes out of its supports
+        std::vector<char> torn_first;                  // all of them: and breaks when it is its turn
     };
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
+    void tearOutFirst(const std::vector<StruckBreakable>& struck, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
@@ -144,6 +147,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<const btCollisionObject*> sweepAgain(const std::vector<btRigidBody*>& swept, bool last,
                                                      btScalar time_step_s);
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
+    void breakLater(StruckBreakable rest, Breakable& piece, btScalar time_step_s);
     std::vector<Breakable*> registerFragments(const Breakable& parent,
                                               std::vector<std::unique_ptr<Breakable>> pieces);
     std::uint64_t seedOf(const Breakable& breakable) const;

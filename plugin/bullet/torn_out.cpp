@@ -10,6 +10,13 @@ namespace sherd {
 namespace {
 
 constexpr double heavy = 2;  // times as heavy: the one hardly slows down the other
+constexpr double trifle = 0.01;
+
+/// What strikes a rest tears it out if it is so many times as heavy: one that may not break gives way in no
+/// other way.
+double heavyFor(const Breakable& rest) {
+    return rest.mayBreak() ? heavy : 1 / heavy;
+}
 
 /// 0 of what does not give way: it goes on through nothing.
 double movingMass(const btCollisionObject& object) {
@@ -29,13 +36,13 @@ double takenShare(const Blow& blow, int partner, double mass_kg) {
     return impulse > 0 ? impulse / (mass_kg * speed) : 0;
 }
 
-/// The largest share that is taken from a heavy partner; below zero if none strikes.
-double takenOfHeavy(const StruckBreakable& rest) {
+/// The largest share that is taken from a partner of so many times the mass; below zero if none strikes.
+double takenOf(const StruckBreakable& rest, double times_as_heavy) {
     double taken = -1;
     for (std::size_t p = 0; p < rest.partners.size(); ++p) {
         const int number = static_cast<int>(p);
         const double mass_kg = movingMass(*rest.partners[p]);
-        if (mass_kg >= heavy * rest.breakable->asset.mass() && rest.blow.isStruckBy(number))
+        if (mass_kg >= times_as_heavy * rest.breakable->asset.mass() && rest.blow.isStruckBy(number))
             taken = std::max(taken, takenShare(rest.blow, number, mass_kg));
     }
     return taken;
@@ -52,12 +59,15 @@ bool goesOnThrough(const Breakable& rest, const btCollisionObject& striker, cons
 bool isLightRest(const StruckBreakable& struck, double time_s) {
     const Breakable& piece = *struck.breakable;
     const bool may_break = time_s >= piece.young_until_s && piece.breaksAt(time_s);
-    return piece.isHeldRest() && !may_break && takenOfHeavy(struck) >= 0;
+    return piece.isHeldRest() && !may_break && takenOf(struck, heavyFor(piece)) >= 0;
 }
 
 bool isInTheWay(const StruckBreakable& light_rest) {
-    constexpr double trifle = 0.01;
-    return takenOfHeavy(light_rest) > trifle;
+    return takenOf(light_rest, heavyFor(*light_rest.breakable)) > trifle;
+}
+
+bool mayBeTornOut(const StruckBreakable& struck) {
+    return struck.breakable->isHeldRest() && takenOf(struck, 1 / heavy) > trifle;
 }
 
 std::shared_ptr<DecidedBlow> tornOut(const StruckBreakable& struck) {

@@ -140,6 +140,48 @@ TEST(TornOut, ABallThatAThickRestStopsBreaksNoMoreOfItInTheStep) {
     EXPECT_LE(most, 3u);
 }
 
+// A crate larger than the window breaks one rest after the other, each about as heavy as it.
+TEST(TornOut, BeyondTheSolvesOfAStepRestsComeOutWholeAndBreakLater) {
+    struct Run {
+        int most_at_once = 0, waited = 0;
+        double speed_m_s = 0;
+    };
+    const auto fly = [](const Budget& budget, int largest_generation) {
+        Window window(largest_generation);
+        EXPECT_TRUE(window.fracture.setBudget(budget).ok());
+        const btRigidBody* crate = window.throwCrate(30, 1.4, 8);
+        Run run;
+        double dropped_kg = 0;
+        for (int step = 0; step < 40; ++step) {
+            window.scene.step(1, 1. / 60);
+            int at_once = 0;
+            for (const BlowEvent& event : window.fracture.takeEvents()) {
+                dropped_kg += event.dropped_mass_kg;
+                at_once += event.waited_s == 0 && event.level != Level::gate;
+                run.waited += event.waited_s > 0 && event.outcome == Outcome::broke;
+            }
+            run.most_at_once = std::max(run.most_at_once, at_once);
+        }
+        double left_kg = dropped_kg;
+        for (const btRigidBody* piece : window.fracture.bodies())
+            left_kg += window.fracture.asset(piece)->mass();
+        EXPECT_NEAR(left_kg, window.mass_kg, 1e-4 * window.mass_kg);
+        run.speed_m_s = crate->getLinearVelocity().y();
+        return run;
+    };
+    Budget two;
+    two.solves_per_step = 2;
+    const Run with = fly(two, 0);
+    EXPECT_LE(with.most_at_once, 2);
+    EXPECT_GT(with.waited, 0);
+    const double with_all_of_it = 0.7 * 8 * 30 / (30 + Window().mass_kg);
+    EXPECT_GT(with.speed_m_s, with_all_of_it);
+    EXPECT_GT(fly(Budget::none(), 0).most_at_once, 2);
+    const Run of_two_generations = fly(two, 2);
+    EXPECT_EQ(of_two_generations.waited, 0) << "what is torn out is of the last generation";
+    EXPECT_GT(of_two_generations.speed_m_s, with_all_of_it);
+}
+
 TEST(TornOut, FragmentsThatNeverBreakComeOutAllTheSame) {
     Window window(1);
     const btRigidBody* crate = window.throwCrate(300, 1, 8);
