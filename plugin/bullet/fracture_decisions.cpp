@@ -121,7 +121,6 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
     gated.torn.resize(struck.size());
-    gated.torn_first.resize(struck.size());
     const auto ask = [&](std::size_t i) {
         const Breakable& body = *struck[i].breakable;
         if (!isToBeRemoved(body))
@@ -144,7 +143,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
         const Breakable& body = *struck[i].breakable;
         if (gated.held[i] || isToBeRemoved(body)) continue;
         if (isLightRest(struck[i], time_s_)) {
-            gated.torn[i] = isInTheWay(struck[i]);
+            if (isInTheWay(struck[i])) gated.torn[i] = Torn::for_good;
             times_.blows += gated.ms[i];
         } else if (time_step_s > 0 && isOutdone(struck[i])) {
             ++counts_.merged;
@@ -159,7 +158,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
     }
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
     for (std::size_t i = 0; i < struck.size(); ++i)
-        if (gated.torn_first[i]) times_.blows += gated.ms[i];
+        if (gated.torn[i] == Torn::first) times_.blows += gated.ms[i];
     return gated;
 }
 
@@ -198,8 +197,9 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {
         const bool is_now = k < now.size() && now[k] == i;
-        if (!is_now && !gated.held[i] && !gated.torn[i]) continue;
-        const auto own = is_now ? decided[k++] : gated.torn[i] ? tornOut(struck[i]) : nullptr;
+        const bool is_torn = gated.torn[i] != Torn::not_at_all;
+        if (!is_now && !gated.held[i] && !is_torn) continue;
+        const auto own = is_now ? decided[k++] : is_torn ? tornOut(struck[i]) : nullptr;
         if (is_now && time_step_s > 0 && !takeRoom(struck[i], own->outcome, room)) {
             (own->doneElsewhere() ? times_.workers : times_.blows) += own->outcome.ms;
             continue;
@@ -207,7 +207,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         const auto broken = tell(struck[i], own ? own->outcome : *gated.held[i], own);
         if (!broken) continue;
         breaks.push_back(*broken);
-        if (gated.torn_first[i]) breaks.back().breaks_later = struck[i];
+        if (gated.torn[i] == Torn::first) breaks.back().breaks_later = struck[i];
     }
     std::vector<const StruckBreakable*> to_wait;
     for (const std::size_t i : gated.later) to_wait.push_back(&struck[i]);

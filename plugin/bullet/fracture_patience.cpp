@@ -108,7 +108,7 @@ void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struc
                      [&](std::size_t a, std::size_t b) { return urgency(struck[a]) > urgency(struck[b]); });
     const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - (rests - begin));
     const auto first = rests + std::min(left, end - rests);
-    for (auto i = first; i != end; ++i) gated.torn[*i] = gated.torn_first[*i] = true;
+    for (auto i = first; i != end; ++i) gated.torn[*i] = Torn::first;
     gated.now.erase(first, end);
     std::sort(gated.now.begin(), gated.now.end());
 }

@@ -96,13 +96,14 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
 
     void prepareSolve();
     void endIntegration();
+    /// Whether a piece comes out of its supports whole, and whether it is to break after that.
+    enum class Torn : char { not_at_all, for_good, first };
     /// Blows of one step, by their numbers.
     struct Gated {
         std::vector<std::optional<BlowOutcome>> held;  // all of them; empty where the gate does not say
         std::vector<StageTimes> ms;                    // all of them
         std::vector<std::size_t> now, later;           // what is to be decided, ascending
-        std::vector<char> torn;                        // all of them: whether it comes out of its supports
-        std::vector<char> torn_first;                  // all of them: and breaks when it is its turn
+        std::vector<Torn> torn;                        // all of them
     };
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;

@@ -87,12 +87,13 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budg
 }
 
 void WaitingBlows::keepTo(const Budget& budget, double time_s) {
+    const double longest_s = budget.shortest_wait_s > 0 ? budget.longest_wait_s : 0;
     for (WaitingBlow& blow : blows_)
-        for (double* moment : {&blow.worked_by_s, &blow.due_s})
-            *moment = std::min(*moment, std::max(time_s, blow.struck_at_s + budget.longest_wait_s));
+        for (double* moment : {&blow.begun_s, &blow.worked_by_s, &blow.due_s})
+            *moment = std::min(*moment, std::max(time_s, blow.struck_at_s + longest_s));
     for (std::size_t i = 1; i < blows_.size(); ++i)
         blows_[i].due_s = std::max(blows_[i].due_s, blows_[i - 1].due_s);
-    busy_until_s_ = std::min(busy_until_s_, time_s + budget.longest_wait_s);
+    busy_until_s_ = std::min(busy_until_s_, time_s + longest_s);
 }
 
 bool WaitingBlows::isFirstOfItsBody(std::size_t number) const {

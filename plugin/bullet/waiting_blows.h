@@ -54,7 +54,7 @@ class WaitingBlows {
     /// Of two blows on a body the harder one waits, in the place of the other if that is not begun; the
     /// weaker one is merged.
     Fate add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s);
-    /// For another budget: none waits for longer than it says.
+    /// For another budget: none waits for longer than it says, nor any more where it lets none wait.
     void keepTo(const Budget& budget, double time_s);
     /// Has blows worked on whose turn comes next: those of bodies that have no earlier one.
     void submit(const Executor& executor, double time_s);

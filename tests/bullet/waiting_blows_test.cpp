@@ -74,6 +74,17 @@ TEST(WaitingBlows, AnotherBudgetHoldsForWhatWaits) {
     EXPECT_NE(waiting.due(3.5 + usual.longest_wait_s), nullptr);
 }
 
+TEST(WaitingBlows, WhereNoneMayWaitAnyMoreAllAreDue) {
+    const Budget usual;
+    WaitingBlows waiting;
+    for (const int body : {1, 2}) add(waiting, blowOn(body), 100, usual, 2);
+    waiting.keepTo(Budget::none(), 2.01);
+    for (const std::uint64_t body : {1, 2}) {
+        ASSERT_NE(waiting.due(2.01), nullptr) << body;
+        EXPECT_EQ(waiting.takeFirst().serial, body);
+    }
+}
+
 TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
     const Budget budget;
     WaitingBlows waiting;
