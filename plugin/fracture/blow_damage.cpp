@@ -1,5 +1,8 @@
 #include "fracture/blow_damage.h"
 
+#include <memory>
+#include <utility>
+
 #include "core/mlpg/splines/contact_remainder.h"
 #include "fracture/crack_energy.h"
 #include "fracture/damage_over_time.h"
@@ -22,8 +25,16 @@ Strength strengthAtSamples(const BreakableSolid& solid, const BodyStrength& stre
 
 namespace {
 
-double crackEnergy(const StrikeContext& struck) {
-    return smallestCrackEnergy(struck.solid, struck.fracture);
+/// Of the contact, and of what rings after it, unless the contact alone may have the body in pieces by then.
+void damageOverTime(const StrikeContext& struck, AddDamageAt add_damage_at, BlowDamage& found) {
+    found.damage = damageOfContact(found.forces, add_damage_at);
+    if (found.forces.ringing.empty()) return;
+    found.add_ringing = [add_damage_at = std::move(add_damage_at)](BlowDamage& blow) {
+        addRinging(blow.forces, add_damage_at, blow.damage);
+        blow.add_ringing = nullptr;
+    };
+    const double crack_j = smallestCrackEnergy(struck.solid, struck.fracture);
+    if (found.damage.count == 0 || found.forces.strain_energy_j < crack_j) found.add_ringing(found);
 }
 
 /// An error if the reduced model cannot answer.
@@ -63,47 +74,44 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     const AddedTime time(ms.damage);
     const BreakableSolid& solid = struck.solid;
     const Strength at_points{solid.failureCriterion(), solid.material(), strength.atPoints(reduced.reading)};
-    const BlowForces& acting = found.forces;
-    const ContactReading pressed = reduced.reading.contactReading(acting.contact);
-    const ContactReading free = reduced.reading.contactReading({});
-    constexpr double faint = 1e-6;  // of the peak: the contact is over
-    const AddDamageAt add_damage_at = [&](const VibrationState& state, Damage& sum) {
-        const auto add = [&](const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale) {
-            reduced.reading.addDamage(unknowns, contact, scale, at_points, sum);
+    const double faint_n = 1e-6 * found.forces.pulse.peak_force_n;  // the contact is over
+    AddDamageAt add_damage_at = [&reduced, at_points, faint_n, unknowns = std::move(response.unknowns),
+                                 pressed = reduced.reading.contactReading(found.forces.contact),
+                                 free = reduced.reading.contactReading({}),
+                                 work = found.forces.modes.work](const VibrationState& state, Damage& sum) {
+        const auto add = [&](const Eigen::VectorXf& read, const ContactReading& contact, double scale) {
+            reduced.reading.addDamage(read, contact, scale, at_points, sum);
         };
-        if (state.modes.size() == 0) return add(response.unknowns, pressed, state.force_n);
-        const Eigen::VectorXf swing =
-            reduced.model.vibration(state.modes - state.force_n * acting.modes.work);
-        if (!(state.force_n > faint * acting.pulse.peak_force_n)) return add(swing, free, 1);
-        add(response.unknowns + swing / static_cast<float>(state.force_n), pressed, state.force_n);
+        if (state.modes.size() == 0) return add(unknowns, pressed, state.force_n);
+        const Eigen::VectorXf swing = reduced.model.vibration(state.modes - state.force_n * work);
+        if (!(state.force_n > faint_n)) return add(swing, free, 1);
+        add(unknowns + swing / static_cast<float>(state.force_n), pressed, state.force_n);
     };
-    found.damage = damageOverTime(found.forces, crackEnergy(struck), add_damage_at);
+    damageOverTime(struck, std::move(add_damage_at), found);
     return success();
 }
 
 void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength, StageTimes& ms,
                 BlowDamage& found) {
-    BlowStress stress = valueOrFail(blowStress(struck, blow, ms));
-    found.level = stress.strike.empty() ? Level::gate : Level::full;  // nothing presses: nothing was solved
-    found.residual_rel = stress.unit.residual_rel;
-    found.warnings = stress.unit.warnings;
-    if (!stress.strike.empty()) {
-        const AddedTime time(ms.damage);
-        const Discretisation& sampling = *valueOrFail(struck.solid.completeDiscretisation());
-        const Strength at_samples = strengthAtSamples(struck.solid, strength);
-        const AddDamageAt add_damage_at = [&](const VibrationState& state, Damage& sum) {
-            if (state.modes.size() == 0)
-                return addDamage(
-                    damagedParticles(stress.unit, state.force_n, sampling, at_samples, {}, stress.places),
-                    sum);
-            const StressField field =
-                valueOrFail(stressAt(stress, state, *valueOrFail(struck.solid.stressSolver()),
-                                     struck.solid.reducedStress()->model));
-            addDamage(damagedParticles(field, 1, sampling, at_samples, {}, stress.places), sum);
-        };
-        found.damage = damageOverTime(stress, crackEnergy(struck), add_damage_at);
-    }
-    found.forces = std::move(stress);
+    const auto stress = std::make_shared<const BlowStress>(valueOrFail(blowStress(struck, blow, ms)));
+    found.level = stress->strike.empty() ? Level::gate : Level::full;  // nothing presses: nothing was solved
+    found.residual_rel = stress->unit.residual_rel;
+    found.warnings = stress->unit.warnings;
+    found.forces = *stress;
+    if (stress->strike.empty()) return;
+    const AddedTime time(ms.damage);
+    const Discretisation& sampling = *valueOrFail(struck.solid.completeDiscretisation());
+    AddDamageAt add_damage_at = [stress, &sampling, &solid = struck.solid,
+                                 at_samples = strengthAtSamples(struck.solid, strength)](
+                                    const VibrationState& state, Damage& sum) {
+        if (state.modes.size() == 0)
+            return addDamage(
+                damagedParticles(stress->unit, state.force_n, sampling, at_samples, {}, stress->places), sum);
+        const StressField field = valueOrFail(
+            stressAt(*stress, state, *valueOrFail(solid.stressSolver()), solid.reducedStress()->model));
+        addDamage(damagedParticles(field, 1, sampling, at_samples, {}, stress->places), sum);
+    };
+    damageOverTime(struck, std::move(add_damage_at), found);
 }
 
 }  // namespace

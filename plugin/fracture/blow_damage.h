@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,10 @@ struct BlowDamage {
     Damage damage;  ///< empty if nothing strikes
     double residual_rel = 0;
     std::vector<std::string> warnings;
+    /// For a contact that damages enough to break the body, but leaves it in one piece: adds what that
+    /// damages as it rings. Empty where it is in `damage` already, or nothing rings. Refers to what
+    /// `blowDamage` was given.
+    std::function<void(BlowDamage& found)> add_ringing;
 };
 
 /// The factored stress problem of a solid. The first blow that needs it makes it, or waits for the thread

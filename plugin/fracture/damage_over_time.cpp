@@ -1,6 +1,7 @@
 #include "fracture/damage_over_time.h"
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 namespace sherd {
@@ -17,21 +18,22 @@ void addAll(std::vector<VibrationState> states, const AddDamageAt& add_damage_at
 
 }  // namespace
 
-Damage damageOverTime(BlowForces& forces, double crack_j, const AddDamageAt& add_damage_at) {
+Damage damageOfContact(BlowForces& forces, const AddDamageAt& add_damage_at) {
     Damage found;
     if (forces.pressed.empty()) {
         add_damage_at({0, forces.pulse.peak_force_n, {}, forces.strain_energy_j}, found);
         return found;
     }
     addAll(forces.pressed, add_damage_at, found);
-    if (found.count > 0 && forces.strain_energy_j >= crack_j) {  // what would have rung is in pieces by then
-        forces.crack_time_s = forces.pulse.duration_s;
-        return found;
-    }
-    addAll(forces.ringing, add_damage_at, found);
+    forces.crack_time_s = forces.pulse.duration_s;
+    return found;
+}
+
+void addRinging(BlowForces& forces, const AddDamageAt& add_damage_at, Damage& sum) {
+    addAll(forces.ringing, add_damage_at, sum);
     for (const VibrationState& state : forces.ringing)
         forces.strain_energy_j = std::max(forces.strain_energy_j, state.energy_j);
-    return found;
+    forces.crack_time_s = std::numeric_limits<double>::infinity();
 }
 
 }  // namespace sherd

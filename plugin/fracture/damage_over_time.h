@@ -11,10 +11,13 @@ namespace sherd {
 /// where the body follows the force statically.
 using AddDamageAt = std::function<void(const VibrationState&, Damage& sum)>;
 
-/// The damage of a blow at its hardest moments, all together, and the largest stress of these. What rings
-/// after the contact counts only if the contact itself breaks nothing: then it is a whole body that rings.
-/// To break it takes `crack_j`, and `forces.strain_energy_j` becomes that of the moments that count.
-/// `forces.crack_time_s` is set if it is the contact that breaks the body.
-Damage damageOverTime(BlowForces& forces, double crack_j, const AddDamageAt& add_damage_at);
+/// The damage of a blow at its hardest moments while something presses, all together, and the largest stress
+/// of these. Where vibrations are known, `forces.crack_time_s` becomes the time of the contact.
+Damage damageOfContact(BlowForces& forces, const AddDamageAt& add_damage_at);
+
+/// What rings after the contact counts only if the contact itself does not break the body: then it is a whole
+/// body that rings. Adds its hardest moments; `forces.strain_energy_j` becomes that of all moments, and
+/// `forces.crack_time_s` infinite.
+void addRinging(BlowForces& forces, const AddDamageAt& add_damage_at, Damage& sum);
 
 }  // namespace sherd

@@ -1,5 +1,6 @@
 #include "fracture/pipeline.h"
 
+#include <optional>
 #include <utility>
 
 #include "core/damage/damage.h"
@@ -44,6 +45,30 @@ void keepDamage(const StrikeContext& struck, const Damage& damage, BlowOutcome& 
     out.damaged = DamagedMaterial::with(struck.earlier, struck.sampling, damage.damaged);
 }
 
+struct Pieces {
+    FragmentLabels labels;
+    FragmentSurfaces surfaces;
+};
+
+/// What the damage makes of the body. Nothing where that stays in one piece: it keeps the damage.
+std::optional<Pieces> piecesOf(const StrikeContext& struck, const BlowDamage& found, BlowOutcome& out) {
+    Damage damage = found.damage;
+    addEarlier(struck, damage);
+    damage =
+        valueOrFail(furtherWaves(struck, found.forces.loads, out.peak_force_n, std::move(damage), out.ms));
+    noteDamage(damage, out);
+    Pieces pieces;
+    pieces.labels = timed(out.ms.cluster, [&] { return labelParticles(struck, damage, found.forces); });
+    if (pieces.labels.count >= 2)
+        pieces.surfaces =
+            valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, pieces.labels); }));
+    out.message.clear();
+    for (const std::string& note : pieces.surfaces.notes) addSentence(out.message, note);
+    if (pieces.surfaces.pieces.size() >= 2) return pieces;
+    keepDamage(struck, damage, out);
+    return std::nullopt;
+}
+
 /// A blow that `canBreak` lets through
 ///   -> loads of 1 N in total -> what the supports answer, stress per newton, peak force, strain energy,
 ///      by the reduced model or a full solve
@@ -52,6 +77,7 @@ void keepDamage(const StrikeContext& struck, const Damage& damage, BlowOutcome& 
 ///   -> more damage, solved without those    (settings.damage_waves; none by default)
 ///   -> a label for each particle            held: all have the same; the damage stays
 ///   -> pieces cut out of the surface        held: there is only one; the damage stays
+///      What the contact leaves in one piece rings, and is damaged and labelled once more by that.
 ///   -> a fragment for each piece: a solid, and boxes for collisions.
 /// What a stage throws ends in `failed`. The solid keeps no damage: the body does.
 void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
@@ -68,23 +94,18 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     out.contact_time_s = forces.pulse.duration_s;
     out.residual_rel = found.residual_rel;
     out.warnings = found.warnings;
-    Damage damage = std::move(found.damage);
-    noteDamage(damage, out);
-    if (damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
-    addEarlier(struck, damage);
-    damage = valueOrFail(furtherWaves(struck, forces.loads, out.peak_force_n, std::move(damage), out.ms));
-    noteDamage(damage, out);
-
-    const FragmentLabels labels =
-        timed(out.ms.cluster, [&] { return labelParticles(struck, damage, forces); });
-    if (labels.count < 2) return keepDamage(struck, damage, out);
-
-    FragmentSurfaces surfaces = valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, labels); }));
-    for (const std::string& note : surfaces.notes) addSentence(out.message, note);
-    if (surfaces.pieces.size() < 2) return keepDamage(struck, damage, out);
+    noteDamage(found.damage, out);
+    if (found.damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
+    std::optional<Pieces> pieces = piecesOf(struck, found, out);
+    if (!pieces && found.add_ringing) {
+        timed(out.ms.damage, [&] { found.add_ringing(found); });
+        out.damaged = nullptr;
+        pieces = piecesOf(struck, found, out);
+    }
+    if (!pieces) return;
 
     const AddedTime making(out.ms.fragments);
-    out.fragments = makeFragments(struck, labels, std::move(surfaces));
+    out.fragments = makeFragments(struck, pieces->labels, std::move(pieces->surfaces));
     if (fracture.debris == Debris::dropped) markDropped(smallestFragment(solid, fracture), out.fragments);
     const ConservationErrors errors = conservationErrors(solid, out.fragments);
     out.mass_error_rel = errors.mass_rel;

@@ -134,6 +134,26 @@ TEST(VibrationBlow, ALongContactIsQuasiStatic) {
     EXPECT_EQ(found.damage.largest_stress_pa, plain.damage.largest_stress_pa);
 }
 
+// What the contact damages may be too little for a crack right through; then the body rings all the same.
+TEST(VibrationBlow, WhatBreaksUnderABlowBreaksUnderAHarderOne) {
+    const auto rod = prepared(shapes::slab({0.8, 0.02, 0.024}, 20, 1, 1), Material::ceramic(),
+                              Settings::forQuality(Quality::preview));
+    for (const double modulus : {2e11, 2e9}) {
+        double broke_at = 0;
+        for (double speed = 1; speed < 10; speed *= 1.1) {
+            const Blow blow = ball(Vec3(0.1, -0.01, 0), 0.05, speed, 0.02, modulus);
+            const BlowOutcome out = decideBlow(*rod, blow, rod->settings().fracture, 1);
+            if (out.outcome == Outcome::broke) {
+                if (broke_at == 0) broke_at = speed;
+                EXPECT_EQ(out.damaged, nullptr) << "pieces have what earlier blows damaged, not this one";
+            } else {
+                EXPECT_EQ(broke_at, 0) << modulus << " Pa: it does not break at " << speed << " m/s";
+            }
+        }
+        EXPECT_GT(broke_at, 0) << modulus << " Pa";
+    }
+}
+
 double largestPiece(const BreakableSolid& solid, const Blow& blow) {
     const BlowOutcome out = decideBlow(solid, blow, solid.settings().fracture, 1);
     EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
