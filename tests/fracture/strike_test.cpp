@@ -383,6 +383,19 @@ TEST(Strike, AtMostTheLargestNumberOfFragments) {
     EXPECT_GE(out.fragments.size(), 2u);
 }
 
+TEST(Strike, RoughCracksMakeTheSamePieces) {
+    Settings settings;
+    const auto pieces = [&](double roughness) {
+        settings.fracture.crack_roughness = roughness;
+        const BlowOutcome out = strike(*plate(Material::plaster(), settings), blowInTheMiddle(1, 10), 1);
+        EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
+        return out.fragments.size();
+    };
+    const std::size_t smooth = pieces(0);
+    EXPECT_GE(smooth, 4u);
+    for (const double roughness : {0.1, 0.5}) EXPECT_NEAR(pieces(roughness), smooth, 1) << roughness;
+}
+
 TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
     Settings settings;
     settings.sampling.smallest_count = 300;

@@ -33,6 +33,8 @@ struct CrackComplex {
     std::vector<Triangle> triangles;
     std::vector<Sides> sides;        ///< #triangles
     std::vector<int> first_of_cell;  ///< #active cells + 1, offsets: the triangles made in each
+    /// #triangles, unit normals that they had before they were roughened; empty: they are smooth.
+    std::vector<Vec3> smooth_normals;
 };
 
 /// The nearest place on an edge that a point may have. Points keep at least `least` from both ends, as a

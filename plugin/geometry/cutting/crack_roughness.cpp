@@ -7,6 +7,10 @@
 namespace sherd {
 
 void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed) {
+    for (const auto& [a, b, c] : complex.triangles)
+        complex.smooth_normals.push_back((complex.points[b] - complex.points[a])
+                                             .cross(complex.points[c] - complex.points[a])
+                                             .normalized());
     for (std::size_t p = 0; p < complex.origins.size(); ++p) {
         CrackPoint& origin = complex.origins[p];
         if (!origin.isOnEdge() || origin.fixed) continue;

@@ -60,6 +60,8 @@ void keepInsideCracks(const SplitSurface& split, const SpreadValues& inside, con
         if (!is_inside) continue;
         faces.crack.push_back(split.triangles[t]);
         faces.crack_sides.push_back(crack.sides[split.parents[t]]);
+        if (!crack.smooth_normals.empty())
+            faces.smooth_normals.push_back(crack.smooth_normals[split.parents[t]]);
     }
 }
 

@@ -18,6 +18,7 @@ struct CutFaces {
     int body_set_count = 0;        ///< numbers of sets are below
     std::vector<Triangle> crack;   ///< inside the solid
     std::vector<CrackComplex::Sides> crack_sides;  ///< #crack
+    std::vector<Vec3> smooth_normals;  ///< #crack, from below to above; empty: they are those of the faces
 };
 
 /// What became of an attempt to cut.

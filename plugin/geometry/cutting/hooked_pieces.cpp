@@ -62,8 +62,7 @@ bool isHooked(const std::vector<Face>& faces) {
 
 class Merging {
   public:
-    Merging(const LabelBoundary& boundary, const std::vector<Vec3>& points,
-            const std::vector<PieceShell>& shells)
+    Merging(const LabelBoundary& boundary, const CutFaces& cut, const std::vector<PieceShell>& shells)
         : boundary_(boundary),
           shells_(shells),
           piece_of_(pieceOfTriangle(shells, boundary)),
@@ -73,8 +72,11 @@ class Merging {
             for (const int t : shells[s].triangles) {
                 if (t < boundary.body_count) continue;
                 const auto& [a, b, c] = boundary.triangles[t];
+                const std::vector<Vec3>& points = cut.points;
                 const Vec3 area = (points[b] - points[a]).cross(points[c] - points[a]) / 2;
-                if (area.norm() > 0) faces_[s].push_back({area.normalized(), area.norm(), t});
+                if (!(area.norm() > 0)) continue;
+                const Vec3 normal = cut.smooth_normals.empty() ? area.normalized() : smoothNormal(cut, t);
+                faces_[s].push_back({normal, area.norm(), t});
             }
     }
 
@@ -93,6 +95,12 @@ class Merging {
     }
 
   private:
+    /// Outward. Of both sides of a face the lower one comes first.
+    Vec3 smoothNormal(const CutFaces& cut, int triangle) const {
+        const int side = triangle - boundary_.body_count;
+        return side % 2 == 0 ? cut.smooth_normals[side / 2] : -cut.smooth_normals[side / 2];
+    }
+
     int across(const Face& face) { return merged_.root(piece_of_[boundary_.opposite(face.triangle)]); }
 
     /// Faces between what is one piece by now.
@@ -124,9 +132,9 @@ class Merging {
 
 }  // namespace
 
-void mergeHookedPieces(const LabelBoundary& boundary, const std::vector<Vec3>& points,
+void mergeHookedPieces(const LabelBoundary& boundary, const CutFaces& faces,
                        std::vector<PieceShell>& shells) {
-    mergeShells(Merging(boundary, points, shells).run(), boundary, shells);
+    mergeShells(Merging(boundary, faces, shells).run(), boundary, shells);
 }
 
 }  // namespace sherd

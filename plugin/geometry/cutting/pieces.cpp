@@ -56,7 +56,7 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
     if (!found) return Error{found.error()};
     std::vector<PieceShell> shells = std::move(found).value();
     mergeStrayPieces(boundary, faces.points, solid, labels, limits, shells);
-    if (labels.cracks) mergeHookedPieces(boundary, faces.points, shells);
+    if (labels.cracks) mergeHookedPieces(boundary, faces, shells);
 
     for (const PieceShell& shell : shells)
         if (!(shell.volume > 0)) return Error{"a fragment would have no volume"};
