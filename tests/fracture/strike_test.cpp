@@ -383,7 +383,7 @@ TEST(Strike, AtMostTheLargestNumberOfFragments) {
     EXPECT_GE(out.fragments.size(), 2u);
 }
 
-TEST(Strike, RoughCracksMakeTheSamePieces) {
+TEST(Strike, RoughCracksMakeAboutAsManyPieces) {
     Settings settings;
     const auto pieces = [&](double roughness) {
         settings.fracture.crack_roughness = roughness;
@@ -391,9 +391,11 @@ TEST(Strike, RoughCracksMakeTheSamePieces) {
         EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
         return out.fragments.size();
     };
-    const std::size_t smooth = pieces(0);
-    EXPECT_GE(smooth, 4u);
-    for (const double roughness : {0.1, 0.5}) EXPECT_NEAR(pieces(roughness), smooth, 1) << roughness;
+    const auto smooth = static_cast<double>(pieces(0));
+    EXPECT_GE(smooth, 4);
+    // Smooth ones are cut by planes, rough ones between clusters.
+    for (const double roughness : {0.1, 0.5})
+        EXPECT_NEAR(static_cast<double>(pieces(roughness)), smooth, 0.2 * smooth) << roughness;
 }
 
 TEST(Strike, FragmentsThatComeApartInTheCutCountEach) {
