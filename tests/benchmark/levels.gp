@@ -25,7 +25,7 @@ do for [panel = 1:2] {
     set title (panel == 1 ? "Wrong decisions" : "Error of the largest stress") font ",14" offset 0,-0.4
     set format y "%g %%"
     set yrange [panel == 1 ? -0.8 : -1.5 : *]
-    set ytics nomirror
+    set ytics 0,(panel == 1 ? 0.5 : 1) nomirror
     set key top left vertical Left reverse samplen 0.5 spacing 1.2
     if (panel == 1) {
         set label 1 "Of the blows that hold, the gate decides the share beside its marks; the others go on to the reduced model. " . \
