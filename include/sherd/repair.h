@@ -23,7 +23,10 @@ struct Repair {
     /// The axis of the mesh that points up; the mesh is turned so that it is z.
     UpAxis up_axis = UpAxis::z;
     /// Above 0 the solid gets one cavity that leaves walls of this thickness, m (after scaling): ceramic
-    /// figures are hollow. Parts that are thinner than two walls stay solid.
+    /// figures are hollow. Parts that are thinner than two walls stay solid. A mesh that is open (a rim of
+    /// more than 0.15 of its diagonal) is taken for a vessel that is modelled as a sheet: it becomes walls of
+    /// this thickness on its inner side, and stays open. Where these would cross, the sheet is wrapped, with
+    /// half of the thickness on either side (`Mode::automatic`).
     double shell_thickness_m = 0;
     /// Of the wrap, as a fraction of the mesh's diagonal, 0.001 to 0.1: openings and creases narrower than
     /// this are closed, triangles are about as large.
@@ -51,7 +54,8 @@ struct RepairReport {
     int empty_parts = 0;        ///< without volume, left out
     bool wrapped = false;
     bool hollowed = false;
-    double size_m = 0;  ///< diagonal of the result's box
+    bool thickened = false;  ///< a sheet became walls
+    double size_m = 0;       ///< diagonal of the result's box
     /// Largest distance of a point of the repaired surface from the mesh as it was, filled holes counted as
     /// part of that and a cavity left out; within a thousandth of `size_m`.
     double largest_distance_m = 0;

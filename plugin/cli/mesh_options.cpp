@@ -15,7 +15,8 @@ void MeshOptions::addTo(CLI::App& app, const std::string& in_metres) {
     app.add_option("--up-axis", up_axis_, "The mesh's axis that points up; it is turned to z")
         ->check(CLI::IsMember(namesInFiles<UpAxis>()))
         ->capture_default_str();
-    app.add_option("--shell-thickness", shell_thickness_m_, "Makes the body hollow, with such walls")
+    app.add_option("--shell-thickness", shell_thickness_m_,
+                   "Makes the body hollow, with such walls; of an open sheet it makes walls")
         ->check(CLI::PositiveNumber)
         ->type_name("M");
     app.add_option("--wrap-detail", wrap_detail_, "What a wrap closes, over the size of the mesh")

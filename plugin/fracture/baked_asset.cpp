@@ -39,9 +39,9 @@ void archiveFields(Archive& to_or_from, SurfaceRegion& region) {
 template <class Archive>
 void archiveFields(Archive& archive, RepairReport& report) {
     auto& [merged_vertices, doubled, flat, turned, parted, filled_holes, largest_hole, crossings, united,
-           empty, wrapped, hollowed, size, largest_distance, largest_loss] = report;
+           empty, wrapped, hollowed, thickened, size, largest_distance, largest_loss] = report;
     archiveAll(archive, merged_vertices, doubled, flat, turned, parted, filled_holes, largest_hole, crossings,
-               united, empty, wrapped, hollowed, size, largest_distance, largest_loss);
+               united, empty, wrapped, hollowed, thickened, size, largest_distance, largest_loss);
 }
 
 namespace {

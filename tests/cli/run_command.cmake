@@ -89,7 +89,7 @@ v -0.5 -0.5 0.045\nv 0.5 -0.5 0.045\nv 0.5 0.5 0.045\nv -0.5 0.5 0.045
 f 4 3 2 1\nf 5 6 7\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n")
 set(open slab_centre/open.json)
 expect(1 "is open.*--repair automatic" stress ${open} --out o.csv --particles 50)
-expect(0 "note: 1 hole filled.*--shell-thickness makes it hollow" stress ${open} --out o.csv --particles 50 --repair automatic)
+expect(0 "note: 1 hole filled.*--shell-thickness it gets walls" stress ${open} --out o.csv --particles 50 --repair automatic)
 expect(2 "automatic" stress ${open} --out o.csv --repair perhaps)
 expect(1 "No part of the surface lies in the sphere" stress ${open} --out o.csv --particles 50 --repair mend --scale 30)
 expect(2 "x,y,z" stress ${open} --out o.csv --up-axis up)

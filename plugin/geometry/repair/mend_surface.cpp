@@ -53,7 +53,7 @@ void removeFlat(TriangleMesh& mesh, RepairReport& report) {
     mesh = toTriangleMesh(surface);
 }
 
-TriangleMesh fillHoles(TriangleMesh& mesh, RepairReport& report) {
+TriangleMesh fillHoles(TriangleMesh& mesh, double largest_m, RepairReport& report) {
     RepairMesh surface = toRepairMesh(mesh);
     std::vector<HalfEdge> borders;
     pmp::extract_boundary_cycles(surface, std::back_inserter(borders));
@@ -64,7 +64,7 @@ TriangleMesh fillHoles(TriangleMesh& mesh, RepairReport& report) {
         const std::vector<Vec3> rim = pointsAround(surface, border);
         const double across = boundingBox(rim).diagonal().norm();
         const bool is_sheet = across > rim_of_a_sheet * size && areaWithin(rim) > lid_of_a_sheet * area;
-        if (rim.size() > largest_hole || is_sheet) continue;
+        if (rim.size() > largest_hole || across > largest_m || is_sheet) continue;
         std::vector<Face> patch;
         pmp::triangulate_hole(surface, border, std::back_inserter(patch));
         if (patch.empty()) continue;

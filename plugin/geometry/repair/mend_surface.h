@@ -9,9 +9,10 @@ namespace sherd {
 /// Flips or collapses triangles without area.
 void removeFlat(TriangleMesh& mesh, RepairReport& report);
 
-/// Closes borders with triangles, and gives those alone. Holes of more than 4000 edges stay open, and so does
-/// a rim that goes around the whole mesh and a large area: that is a sheet, whose other side is not there.
-TriangleMesh fillHoles(TriangleMesh& mesh, RepairReport& report);
+/// Closes borders with triangles, and gives those alone. Holes of more than 4000 edges or `largest_m` across
+/// stay open, and so does a rim that goes around the whole mesh and a large area: that is a sheet, whose
+/// other side is not there.
+TriangleMesh fillHoles(TriangleMesh& mesh, double largest_m, RepairReport& report);
 
 /// Undoes crossings within one part, if they are few: cuts out what crosses, with some triangles around it,
 /// and fills the hole. Leaves them where that would move the surface by more than a hundredth of its size.

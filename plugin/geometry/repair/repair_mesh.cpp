@@ -1,8 +1,11 @@
 #include <sherd/repair.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
+#include <limits>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -16,6 +19,7 @@
 #include "geometry/repair/part_touching.h"
 #include "geometry/repair/soup_cleaning.h"
 #include "geometry/repair/surface_distance.h"
+#include "geometry/repair/thicken_sheet.h"
 #include "geometry/repair/wrap_surface.h"
 #include "geometry/sentences.h"
 #include "geometry/surface_checks.h"
@@ -30,6 +34,7 @@ constexpr double wrap_offset = 0.1;            // of the wrap's detail: bodies
 constexpr double wrap_offset_of_sheets = 0.5;  // of the wrap's detail: sheets become walls of twice that
 constexpr double coarse = 4;                   // over the wrap's detail
 constexpr std::size_t most_triangles = 3000000;
+constexpr double smallest_opening = 0.15;  // of a vessel: diagonal of its rim, over that of the mesh
 
 constexpr const char* hint = " Repair::automatic() mends such meshes, and wraps what it cannot mend.";
 
@@ -61,8 +66,10 @@ struct Mended {
     Status status = success();
 };
 
-/// Stitches and closes what is open. The result is a manifold; its parts may cross.
-void closeUp(Mended& mended, double size, int round) {
+/// Stitches and closes what is open, but no openings wider than `largest_m`. The result is a manifold; its
+/// parts may cross.
+void closeUp(Mended& mended, double size, int round,
+             double largest_m = std::numeric_limits<double>::infinity()) {
     TriangleMesh& mesh = mended.mesh;
     RepairReport& report = mended.report;
     mesh = stitched(mesh, weld_tolerance * size, round > 0, report);
@@ -71,7 +78,7 @@ void closeUp(Mended& mended, double size, int round) {
     orientAlike(mesh, report);
     partTouching(mesh, report);
     removeFlat(mesh, report);
-    append(fillHoles(mesh, report), mended.patches);
+    append(fillHoles(mesh, largest_m, report), mended.patches);
     if (round == 0) mended.filled = mesh;
 }
 
@@ -163,6 +170,28 @@ Status hollowOut(RepairedMesh& result, const Repair& repair, double size) {
     return checkSurface(result.mesh);
 }
 
+/// Of a vessel that is modelled as a sheet: its walls, with its openings left open. Nothing if it has none,
+/// or if it cannot be told.
+std::optional<RepairedMesh> wallsOf(const TriangleMesh& with_area, const Repair& repair, double size) {
+    Mended mended;
+    mended.mesh = with_area;
+    const double opening = std::max(smallest_opening * size, 4 * repair.shell_thickness_m);
+    closeUp(mended, size, 0, opening);
+    if (mended.mesh.triangles.empty() || !hasBorder(mended.mesh)) return {};
+    RepairedMesh walls{thickened(mended.mesh, repair.shell_thickness_m), mended.report};
+    walls.report.thickened = true;
+    const bool wrap = repair.mode == Repair::Mode::wrap;
+    if (!wrap && checkSurface(walls.mesh)) return walls;
+    if (!wrap && repair.mode != Repair::Mode::automatic) return {};
+    const double thickness = repair.shell_thickness_m;
+    walls.mesh = wrapped(mended.mesh, std::max(thickness, repair.wrap_detail * size), thickness / 2);
+    walls.report = reportOfWrap(mended.report);
+    walls.report.thickened = true;
+    walls.report.largest_distance_m = largestDistance(walls.mesh, with_area, distance_tolerance * size);
+    if (!checkSurface(walls.mesh)) return {};
+    return walls;
+}
+
 Result<RepairedMesh> mendOrWrap(const TriangleMesh& original, const TriangleMesh& with_area,
                                 const Repair& repair, double size) {
     Mended mended = mend(original, with_area, size, repair.mode);
@@ -207,11 +236,16 @@ Result<RepairedMesh> repairOrThrow(const TriangleMesh& given, const Repair& repa
     if (!sound || repair.mode == Repair::Mode::wrap) {
         if (reference.triangles.empty())
             return Error{"No triangle of the surface has an area, so there is nothing to repair."};
-        auto repaired = mendOrWrap(original, reference, repair, size);
-        if (!repaired) return repaired;
-        result = std::move(repaired).value();
+        auto walls = !sound && repair.shell_thickness_m > 0 ? wallsOf(reference, repair, size) : std::nullopt;
+        if (walls) {
+            result = std::move(*walls);
+        } else {
+            auto repaired = mendOrWrap(original, reference, repair, size);
+            if (!repaired) return repaired;
+            result = std::move(repaired).value();
+        }
     }
-    if (repair.shell_thickness_m > 0)
+    if (repair.shell_thickness_m > 0 && !result.report.thickened)
         if (Status hollow = hollowOut(result, repair, size); !hollow) return Error{hollow.error()};
     result.report.size_m = diagonalOf(result.mesh);
     if (!result.report.changed()) return result;

@@ -33,7 +33,7 @@ Status Repair::validate() const {
 
 bool RepairReport::changed() const {
     return merged_vertices || doubled_triangles || flat_triangles || turned_triangles || parted_places ||
-           filled_holes || crossings || united_parts || empty_parts || wrapped || hollowed;
+           filled_holes || crossings || united_parts || empty_parts || wrapped || hollowed || thickened;
 }
 
 std::vector<std::string> RepairReport::sentences() const {
@@ -49,9 +49,10 @@ std::vector<std::string> RepairReport::sentences() const {
         "where the surface touched itself parted by a thousandth of an edge");
     say(filled_holes, "hole", "holes",
         "filled; the box around the largest has a diagonal of " + threeDigits(largest_hole_m) + " m");
-    if (filled_holes > 0 && !hollowed)
+    if (filled_holes > 0 && !hollowed && !thickened)
         said.push_back(
-            "A vessel whose opening was filled is solid; Repair::shell_thickness_m makes it hollow.");
+            "A vessel whose opening was filled is solid; with Repair::shell_thickness_m it gets walls, and "
+            "stays open.");
     say(crossings, "crossing of triangles", "crossings of triangles", "undone");
     say(united_parts, "part", "parts", "united with others that it overlapped or lay in");
     say(empty_parts, "part", "parts", "without volume left out");
@@ -60,6 +61,7 @@ std::vector<std::string> RepairReport::sentences() const {
             "The surface was wrapped in a closed one, since what is wrong with it could not be "
             "mended face by face.");
     if (hollowed) said.push_back("The solid was made hollow.");
+    if (thickened) said.push_back("The sheet became walls; its openings stay open.");
     const double distance_m = largest_distance_m > rounding * size_m ? largest_distance_m : 0;
     if (wrapped || crossings > 0 || united_parts > 0)
         said.push_back("The new surface is up to " + threeDigits(distance_m) + " m from the old one (" +

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <utility>
 
@@ -68,7 +69,7 @@ bool undoWithin(TriangleMesh& part, std::vector<char> crossing) {
         if (undone.triangles.empty()) return false;
         RepairReport of_the_cut;  // its holes and touching corners are not the mesh's
         partTouching(undone, of_the_cut);
-        fillHoles(undone, of_the_cut);
+        fillHoles(undone, std::numeric_limits<double>::infinity(), of_the_cut);
         if (!surfaceTopology(undone).faults.empty() || !crossingsOf(undone).empty()) continue;
         if (!isNear(part, undone)) continue;
         part = std::move(undone);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "geometry/repair/support.h"
@@ -105,6 +106,52 @@ TEST(Repair, ShellThicknessMakesASolidHollow) {
     hollow.shell_thickness_m = 2;
     EXPECT_NE(repairMesh(shapes::icosphere(1, 3), hollow).error().find("leaves no cavity"),
               std::string::npos);
+}
+
+/// A ball of radius 1 without its cap above z = 0.7, and without a triangle elsewhere.
+TriangleMesh bowl() {
+    TriangleMesh mesh = shapes::icosphere(1, 4);
+    auto& all = mesh.triangles;
+    all.erase(std::remove_if(all.begin(), all.end(),
+                             [&](const auto& t) {
+                                 const Vec3 middle =
+                                     (mesh.vertices[t[0]] + mesh.vertices[t[1]] + mesh.vertices[t[2]]) / 3;
+                                 return middle.z() > 0.7;
+                             }),
+              all.end());
+    all.erase(all.begin() + 100);
+    return mesh;
+}
+
+TEST(Repair, ShellThicknessMakesWallsOfAVesselAndLeavesItOpen) {
+    constexpr double thickness = 0.05;
+    const double walls = 2 * pi * 1.7 * (1 - std::pow(1 - thickness, 3)) / 3;  // a cone out of the middle
+    for (const Repair::Mode mode : {Repair::Mode::mend, Repair::Mode::automatic, Repair::Mode::wrap}) {
+        Repair thick;
+        thick.mode = mode;
+        thick.shell_thickness_m = thickness;
+        for (const bool inward : {false, true}) {
+            const RepairedMesh vessel = repaired(inward ? shapes::inverted(bowl()) : bowl(), thick);
+            EXPECT_TRUE(vessel.report.thickened);
+            EXPECT_FALSE(vessel.report.hollowed);
+            EXPECT_EQ(vessel.report.wrapped, mode == Repair::Mode::wrap);
+            EXPECT_EQ(vessel.report.filled_holes, 1) << "the small one";
+            EXPECT_NEAR(volumeOf(vessel.mesh), walls, 0.1 * walls) << "with a lid it is a fifth more";
+            EXPECT_NEAR(wallThickness(vessel.mesh), thickness, 0.15 * thickness);
+            const double radius = (boundingBox(vessel.mesh).sizes().x()) / 2;
+            EXPECT_NEAR(radius, vessel.report.wrapped ? 1 + thickness / 2 : 1, 0.3 * thickness);
+        }
+    }
+}
+
+TEST(Repair, WallsThatWouldCrossAreWrapped) {
+    const TriangleMesh two = shapes::joined(bowl(), shapes::translated(bowl(), Vec3(1.5, 0, 0)));
+    Repair thick = Repair::automatic();
+    thick.shell_thickness_m = 0.1;
+    const RepairedMesh vessel = repaired(two, thick);
+    EXPECT_TRUE(vessel.report.thickened && vessel.report.wrapped);
+    EXPECT_LT(volumeOf(vessel.mesh), 1.2 * 2 * 2 * pi * 1.7 * 0.1)
+        << "two full balls have four times as much";
 }
 
 TEST(Repair, GivesTheSameBitsEachTime) {
