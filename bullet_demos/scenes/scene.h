@@ -44,6 +44,9 @@ struct Look {
     double gloss = 0;
 };
 
+/// The colours of a material that no scene says anything of.
+Look lookOf(const sherd::Material& material);
+
 /// What the strength is multiplied with where a mesh is painted black and where white
 /// (sherd::strengthFromColours).
 struct PaintedStrength {

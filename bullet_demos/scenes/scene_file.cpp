@@ -73,9 +73,10 @@ void readBody(Fields& fields, BreakableBody& body, const fs::path& folder, std::
     fields.object("shape", [&](Fields& part) { readShape(part, body.shape, folder); });
     visitFields(body, [&](const Field& field, auto& value) {
         using Value = std::decay_t<decltype(value)>;
-        if constexpr (std::is_same_v<Value, sherd::Material>)
+        if constexpr (std::is_same_v<Value, sherd::Material>) {
             readMaterial(fields, value, folder.string());
-        else if constexpr (std::is_same_v<Value, sherd::Settings>)
+            body.look = lookOf(value);
+        } else if constexpr (std::is_same_v<Value, sherd::Settings>)
             readSettings(fields, value, seed);
         else
             fields.read(field, value);

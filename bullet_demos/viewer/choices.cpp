@@ -2,8 +2,6 @@
 
 #include <filesystem>
 
-#include "viewer/looks.h"
-
 namespace demo {
 namespace {
 

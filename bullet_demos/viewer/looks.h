@@ -16,7 +16,4 @@ render::Material steel();
 /// Of the ground.
 render::Material floorStone(float size_m);
 
-/// The colours of a material that no scene says anything of.
-Look lookOf(const sherd::Material& material);
-
 }  // namespace demo

@@ -89,6 +89,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(thing.material.youngs_modulus_pa, sherd::Material::glass().youngs_modulus_pa);
     EXPECT_EQ(thing.spin, Vec3(1, 0, 0));
     EXPECT_EQ(thing.look.gloss, 0.5);
+    EXPECT_EQ(thing.look.outside, demo::lookOf(sherd::Material::glass()).outside) << "of the material";
     EXPECT_EQ(thing.settings.stress.basis, sherd::Basis::cubic) << "of the film quality";
     EXPECT_EQ(thing.settings.stress.resampling_rounds, 1);
     EXPECT_EQ(thing.settings.sampling.smallest_count, 3000);
