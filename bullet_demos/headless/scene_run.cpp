@@ -24,8 +24,9 @@ double timedStep(SceneWorld& world) {
 
 std::string describe(const SceneRun& run, SceneWorld& world) {
     const sherd::BlowCounts counts = world.fracture().counts();
-    return std::to_string(world.fracture().bodies().size()) +
-           " bodies; blows: " + std::to_string(counts.seen) + " seen, " + std::to_string(counts.solved()) +
+    const std::size_t bodies = world.fracture().bodies().size();
+    return std::to_string(bodies) + (bodies == 1 ? " body" : " bodies") +
+           "; blows: " + std::to_string(counts.seen) + " seen, " + std::to_string(counts.solved()) +
            " solved" +
            (run.first_break_s < 0 ? ""
                                   : "; broke at " + std::to_string(run.first_break_s).substr(0, 5) + " s");

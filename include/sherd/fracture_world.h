@@ -128,7 +128,7 @@ class FractureWorld {
     WorldTimes times() const;
 
     /// The bodies made or made breakable here that are in the world now, fragments included, also those that
-    /// never break (Debris::unbreakable).
+    /// never break (Debris::unbreakable), in the order in which they came.
     std::vector<btRigidBody*> bodies() const;
 
     /// The asset of a breakable body (fragments have one of their own), for its surface; valid for as long as

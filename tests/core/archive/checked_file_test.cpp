@@ -81,7 +81,7 @@ TEST(CheckedFile, EveryKindOfWrongFileHasItsSentence) {
     put(other, wrong);
     expectSentence(wrong, "has version 4 of the format of a test file, and this program reads version 3");
     std::filesystem::remove(wrong);
-    expectSentence(wrong, "cannot be opened");
+    expectSentence(wrong, "is missing");
     std::filesystem::create_directory(wrong);
     expectSentence(wrong, "is a folder, not a test file");
     std::filesystem::remove(wrong);
