@@ -74,10 +74,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Break {
         btRigidBody* body = nullptr;
         std::shared_ptr<const DecidedBlow> decided;
-        std::size_t event = 0;                        // in current_
-        std::vector<Push> for_pieces;                 // as in StruckBreakable
-        std::uint64_t serial = 0;                     // of the body
-        std::optional<StruckBreakable> breaks_later;  // its only fragment, by this
+        std::size_t event = 0;                                       // in current_
+        std::vector<Push> for_pieces;                                // as in StruckBreakable
+        std::uint64_t serial = 0;                                    // of the body
+        std::optional<StruckBreakable> breaks_later = std::nullopt;  // its only fragment, by this
     };
     /// A blow of the app's, from inside a step.
     struct QueuedBlow {
