@@ -36,7 +36,8 @@ Result<std::shared_ptr<const BreakableAsset>> AssetStore::assetOf(
     if (made && !supports.empty()) made = made.value().anchored(supports);
     if (!made) return Error{made.error()};
     auto asset = std::make_shared<const BreakableAsset>(std::move(made).value());
-    if (!hasFunctions(settings)) entries_.push_back({parts, mass_kg, constants, asset});
+    if (hasFunctions(settings)) return std::shared_ptr<const BreakableAsset>(std::move(asset));
+    entries_.push_back({parts, mass_kg, constants, asset});
     return used(std::move(asset));
 }
 

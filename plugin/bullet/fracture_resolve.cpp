@@ -121,9 +121,8 @@ std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScala
     return fragments;
 }
 
-/// What struck a rest that was torn out breaks the piece when it is its turn, if anything may.
+/// What struck a rest that was torn out breaks the piece when it is its turn.
 void FractureWorld::Impl::breakLater(StruckBreakable rest, Breakable& piece, btScalar time_step_s) {
-    if (!piece.mayBreak()) return;
     rest.breakable = &piece;
     rest.before = stateOf(*piece.body);
     timed(times_.steps.waiting, [&] { letWait({&rest}, 0, time_step_s); });
@@ -167,7 +166,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     // Between steps, too: the ball of a fragment tells the side of the ground at any time.
     if (time_step_s > 0 || parent.isFragment()) setBackOnGround(world_, parent, pieces);
     inheritCollisionExceptions(world_, parent, pieces);
-    const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces));
+    const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces), !broken.breaks_later);
     for (Breakable* fragment : born) {
         const auto callback = on_fragment_;  // which may set another one
         if (*callback && !released_) announceBirth(*callback, parent, *fragment, event);
@@ -183,8 +182,10 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     return {event.fragments.begin(), event.fragments.end()};
 }
 
-std::vector<Breakable*> FractureWorld::Impl::registerFragments(
-    const Breakable& parent, std::vector<std::unique_ptr<Breakable>> pieces) {
+/// What comes out of its supports whole and is to break after that is of its parent's generation still.
+std::vector<Breakable*> FractureWorld::Impl::registerFragments(const Breakable& parent,
+                                                               std::vector<std::unique_ptr<Breakable>> pieces,
+                                                               bool of_next_generation) {
     std::vector<Breakable*> fragments;
     const std::vector<BodyToken> same_blow = partOfTheBlowOn(world_, *parent.body);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
@@ -193,7 +194,7 @@ std::vector<Breakable*> FractureWorld::Impl::registerFragments(
         fragment.damaged = parent.damaged;
         fragment.unbreakable_until_s = time_s_ + parent.fracture->rest_after_break_s;
         noteBlow(same_blow, parent, time_s_, fragment);
-        fragment.generation = parent.generation + 1;
+        fragment.generation = parent.generation + of_next_generation;
         fragment.being_born = true;
         fragments.push_back(&fragment);
     }

@@ -150,7 +150,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<btCollisionObject*> swap(Break& broken, btScalar time_step_s);
     void breakLater(StruckBreakable rest, Breakable& piece, btScalar time_step_s);
     std::vector<Breakable*> registerFragments(const Breakable& parent,
-                                              std::vector<std::unique_ptr<Breakable>> pieces);
+                                              std::vector<std::unique_ptr<Breakable>> pieces,
+                                              bool of_next_generation);
     std::uint64_t seedOf(const Breakable& breakable) const;
     std::vector<std::unique_ptr<Breakable>> makePieces(const Break& broken, const Breakable& parent,
                                                        bool inside_step);

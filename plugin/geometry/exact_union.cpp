@@ -9,9 +9,20 @@
 
 namespace sherd {
 
+namespace {
+
+bool isSolid(const ExactMesh& mesh) {
+    return mesh.is_valid(false) && CGAL::is_triangle_mesh(mesh) && CGAL::is_closed(mesh);
+}
+
+}  // namespace
+
 std::optional<ExactMesh> unionOf(ExactMesh a, ExactMesh b) {  // which are split along each other
+    // What is no closed manifold, since triangles of it were left out, leaves a union with wild indices.
+    if (!isSolid(a) || !isSolid(b)) return std::nullopt;
     ExactMesh both;
     if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) return std::nullopt;
+    if (!isSolid(both)) return std::nullopt;
     return both;
 }
 

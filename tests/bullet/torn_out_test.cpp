@@ -178,7 +178,7 @@ TEST(TornOut, BeyondTheSolvesOfAStepRestsComeOutWholeAndBreakLater) {
     EXPECT_GT(with.speed_m_s, with_all_of_it);
     EXPECT_GT(fly(Budget::none(), 0).most_at_once, 2);
     const Run of_two_generations = fly(two, 2);
-    EXPECT_EQ(of_two_generations.waited, 0) << "what is torn out is of the last generation";
+    EXPECT_GT(of_two_generations.waited, 0) << "what is torn out first may break as before";
     EXPECT_GT(of_two_generations.speed_m_s, with_all_of_it);
 }
 

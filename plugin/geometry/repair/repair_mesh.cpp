@@ -34,6 +34,7 @@ constexpr double wrap_offset = 0.1;            // of the wrap's detail: bodies
 constexpr double wrap_offset_of_sheets = 0.5;  // of the wrap's detail: sheets become walls of twice that
 constexpr double coarse = 4;                   // over the wrap's detail
 constexpr std::size_t most_triangles = 3000000;
+constexpr double thinnest_walls = 1e-4;    // over the mesh's diagonal
 constexpr double smallest_opening = 0.15;  // of a vessel: diagonal of its rim, over that of the mesh
 
 constexpr const char* hint = " Repair::automatic() mends such meshes, and wraps what it cannot mend.";
@@ -170,26 +171,47 @@ Status hollowOut(RepairedMesh& result, const Repair& repair, double size) {
     return checkSurface(result.mesh);
 }
 
+/// Whether a solid is all walls of about that thickness, m.
+bool isAllWalls(const TriangleMesh& solid, double thickness) {
+    const double mean =
+        2 * enclosedVolume(solid.vertices, solid.triangles, solid.vertices[0]) / surfaceArea(solid);
+    return mean > 0.5 * thickness && mean < 1.5 * thickness;
+}
+
 /// Of a vessel that is modelled as a sheet: its walls, with its openings left open. Nothing if it has none,
-/// or if it cannot be told.
+/// or if no such walls can be made.
 std::optional<RepairedMesh> wallsOf(const TriangleMesh& with_area, const Repair& repair, double size) {
+    const double thickness = repair.shell_thickness_m;
     Mended mended;
     mended.mesh = with_area;
-    const double opening = std::max(smallest_opening * size, 4 * repair.shell_thickness_m);
-    closeUp(mended, size, 0, opening);
+    closeUp(mended, size, 0, std::max(smallest_opening * size, 4 * thickness));
     if (mended.mesh.triangles.empty() || !hasBorder(mended.mesh)) return {};
-    RepairedMesh walls{thickened(mended.mesh, repair.shell_thickness_m), mended.report};
+    RepairedMesh walls{{}, mended.report};
+    if (repair.mode != Repair::Mode::wrap) walls.mesh = thickened(mended.mesh, thickness);
+    const auto are_sound = [&] {
+        return !walls.mesh.triangles.empty() && checkSurface(walls.mesh) && isAllWalls(walls.mesh, thickness);
+    };
+    if (!are_sound()) {
+        const double detail = repair.wrap_detail * size;
+        const bool may_wrap = repair.mode != Repair::Mode::mend && thickness > wrap_offset * detail;
+        if (!may_wrap) return {};
+        walls.mesh = wrapped(mended.mesh, std::max(thickness, detail), thickness / 2);
+        if (!are_sound()) return {};
+        walls.report = reportOfWrap(mended.report);
+        walls.report.largest_distance_m = largestDistance(walls.mesh, with_area, distance_tolerance * size);
+    }
     walls.report.thickened = true;
-    const bool wrap = repair.mode == Repair::Mode::wrap;
-    if (!wrap && checkSurface(walls.mesh)) return walls;
-    if (!wrap && repair.mode != Repair::Mode::automatic) return {};
-    const double thickness = repair.shell_thickness_m;
-    walls.mesh = wrapped(mended.mesh, std::max(thickness, repair.wrap_detail * size), thickness / 2);
-    walls.report = reportOfWrap(mended.report);
-    walls.report.thickened = true;
-    walls.report.largest_distance_m = largestDistance(walls.mesh, with_area, distance_tolerance * size);
-    if (!checkSurface(walls.mesh)) return {};
+    walls.report.largest_loss_m = largestDistance(with_area, walls.mesh, distance_tolerance * size);
     return walls;
+}
+
+/// The same; CGAL throws where an assumption of its does not hold.
+std::optional<RepairedMesh> wallsIfAny(const TriangleMesh& with_area, const Repair& repair, double size) {
+    try {
+        return wallsOf(with_area, repair, size);
+    } catch (const std::exception&) {
+        return {};
+    }
 }
 
 Result<RepairedMesh> mendOrWrap(const TriangleMesh& original, const TriangleMesh& with_area,
@@ -230,13 +252,18 @@ Result<RepairedMesh> repairOrThrow(const TriangleMesh& given, const Repair& repa
         return Error{"The surface has " + std::to_string(original.triangles.size()) +
                      " triangles, too many to repair; reduce it to a few hundred thousand."};
     const double size = diagonalOf(original);
+    if (repair.shell_thickness_m > 0 && repair.shell_thickness_m < thinnest_walls * size)
+        return Error{"A Repair::shell_thickness_m of " + threeDigits(repair.shell_thickness_m) +
+                     " is less than a ten-thousandth of the mesh's diagonal, " + threeDigits(size) +
+                     "; give the thickness of its walls in m, after scaling."};
     RepairedMesh result;
     result.mesh = original;
     const TriangleMesh reference = withArea(original);
     if (!sound || repair.mode == Repair::Mode::wrap) {
         if (reference.triangles.empty())
             return Error{"No triangle of the surface has an area, so there is nothing to repair."};
-        auto walls = !sound && repair.shell_thickness_m > 0 ? wallsOf(reference, repair, size) : std::nullopt;
+        auto walls =
+            !sound && repair.shell_thickness_m > 0 ? wallsIfAny(reference, repair, size) : std::nullopt;
         if (walls) {
             result = std::move(*walls);
         } else {

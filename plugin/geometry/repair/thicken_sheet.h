@@ -4,9 +4,9 @@
 
 namespace sherd {
 
-/// Walls of a sheet: itself, facing outward, a copy that lies deeper by `thickness` (m), and rims between the
-/// borders of both (CGAL's extrusion along the vertex normals). Where the sheet is curved more tightly than
-/// it is to be thick, the walls cross. It has to be a manifold.
+/// Walls of a sheet: itself, facing outward, a copy of which all faces lie deeper by `thickness` (m), and
+/// rims between the borders of both (CGAL's extrusion). Where the sheet is curved more tightly than it is to
+/// be thick, the walls cross. It has to be a manifold.
 TriangleMesh thickened(const TriangleMesh& sheet, double thickness);
 
 /// Whether a manifold is open somewhere.

@@ -144,6 +144,44 @@ TEST(Repair, ShellThicknessMakesWallsOfAVesselAndLeavesItOpen) {
     }
 }
 
+TEST(Repair, WallsAreAsThickAtEdgesAndCorners) {
+    TriangleMesh box = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    auto& all = box.triangles;  // without a lid
+    const auto is_lid = [&](const auto& t) {
+        return std::all_of(t.begin(), t.end(), [&](int v) { return box.vertices[v].z() == 1; });
+    };
+    all.erase(std::remove_if(all.begin(), all.end(), is_lid), all.end());
+    Repair thick = mendOnly();
+    thick.shell_thickness_m = 0.1;
+    EXPECT_NEAR(volumeOf(repaired(box, thick).mesh), 1 - 0.8 * 0.8 * 0.9, 0.01);
+    thick.shell_thickness_m = 1e-5;
+    EXPECT_NE(repairMesh(box, thick).error().find("in m, after scaling"), std::string::npos);
+}
+
+TEST(Repair, PartsThatAreNotSewnTogetherEncloseASolidThatBecomesHollow) {
+    TriangleMesh mesh;  // the faces of a box, each by itself and a little apart
+    const TriangleMesh box = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double side : {0.0, 1.0}) {
+            TriangleMesh face;
+            for (const auto& t : box.triangles)
+                if (std::all_of(t.begin(), t.end(), [&](int v) { return box.vertices[v][axis] == side; }))
+                    face.triangles.push_back(t);
+            for (const Vec3& v : box.vertices) {
+                Vec3 place = v;
+                place[axis] += side == 1.0 ? 0.02 : -0.02;
+                face.vertices.push_back(place);
+            }
+            mesh = shapes::joined(mesh, face);
+        }
+    Repair thick = Repair::automatic();
+    thick.wrap_detail = 0.04;
+    thick.shell_thickness_m = 0.05;
+    const RepairedMesh result = repaired(mesh, thick);
+    EXPECT_TRUE(result.report.hollowed);
+    EXPECT_LT(volumeOf(result.mesh), 0.5) << "not filled up, and called walls";
+}
+
 TEST(Repair, WallsThatWouldCrossAreWrapped) {
     const TriangleMesh two = shapes::joined(bowl(), shapes::translated(bowl(), Vec3(1.5, 0, 0)));
     Repair thick = Repair::automatic();
