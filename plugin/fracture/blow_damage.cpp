@@ -1,7 +1,9 @@
 #include "fracture/blow_damage.h"
 
+#include <algorithm>
 #include <memory>
 #include <utility>
+#include <vector>
 
 #include "core/mlpg/splines/contact_remainder.h"
 #include "fracture/crack_energy.h"
@@ -27,13 +29,19 @@ namespace {
 
 /// Of the contact, and of what rings after it, unless the contact alone may have the body in pieces by then.
 void damageOverTime(const StrikeContext& struck, AddDamageAt add_damage_at, BlowDamage& found) {
+    const double crack_j = smallestCrackEnergy(struck.solid, struck.fracture);
+    // What is faint beside a contact that crushes may still pull the body apart, if it pays for a crack.
+    std::vector<VibrationState>& ringing = found.forces.ringing;
+    const auto does_nothing = [&](const VibrationState& state) {
+        return state.is_faint && state.energy_j < crack_j;
+    };
+    ringing.erase(std::remove_if(ringing.begin(), ringing.end(), does_nothing), ringing.end());
     found.damage = damageOfContact(found.forces, add_damage_at);
-    if (found.forces.ringing.empty()) return;
+    if (ringing.empty()) return;
     found.add_ringing = [add_damage_at = std::move(add_damage_at)](BlowDamage& blow) {
         addRinging(blow.forces, add_damage_at, blow.damage);
         blow.add_ringing = nullptr;
     };
-    const double crack_j = smallestCrackEnergy(struck.solid, struck.fracture);
     if (found.damage.count == 0 || found.forces.strain_energy_j < crack_j) found.add_ringing(found);
 }
 

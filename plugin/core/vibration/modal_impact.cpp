@@ -15,8 +15,8 @@ double StruckModes::slowestPeriod() const {
 
 namespace {
 
-constexpr double same_time = 0.05;     // of the contact: states so close are one
-constexpr double least_ringing = 0.1;  // of the largest energy: what rings with less strains nothing anew
+constexpr double same_time = 0.05;  // of the contact: states so close are one
+constexpr double faint = 0.1;       // of the contact's strain energy
 
 /// What is not in the modes is stiffer than these, and follows the force.
 double restEnergy(const StruckBody& body) {
@@ -40,8 +40,9 @@ void ring(const StruckBody& body, double contact_s, const HardestStates& pressed
     impact.pressed = pressed.take(same_time * contact_s);
     double strain = 0;  // twice the energy of it
     for (const VibrationState& state : impact.pressed) strain = std::max(strain, state.modes.square().sum());
-    for (VibrationState& state : ringing.take(same_time * contact_s))
-        if (state.modes.square().sum() > least_ringing * strain) impact.ringing.push_back(std::move(state));
+    impact.ringing = ringing.take(same_time * contact_s);
+    for (VibrationState& state : impact.ringing)
+        state.is_faint = state.modes.square().sum() <= faint * strain;
 }
 
 /// A Hertz contact, F = k d^(3/2), between bodies that are otherwise rigid.

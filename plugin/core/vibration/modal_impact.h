@@ -13,6 +13,8 @@ struct VibrationState {
     double force_n = 0;    ///< of the contact
     Eigen::ArrayXd modes;  ///< amplitudes, J^(1/2)
     double energy_j = 0;   ///< of strain, and of the vibrations' motion, which becomes strain in turn
+    /// It rings with less than a tenth of the strain of the contact.
+    bool is_faint = false;
 };
 
 /// What a contact that vibrations answer comes to.
