@@ -154,6 +154,16 @@ TEST(VibrationBlow, WhatBreaksUnderABlowBreaksUnderAHarderOne) {
     }
 }
 
+// While it is pressed, the rod is compressed, which plaster bears; then it pulls itself apart, with less
+// energy.
+TEST(VibrationBlow, WhatRingsFaintlyBreaksARodThatAContactCompresses) {
+    const auto rod = prepared(shapes::slab({0.045, 0.408, 0.044}, 1, 9, 1), Material::plaster(),
+                              Settings::forQuality(Quality::preview));
+    const Blow blow = ball(Vec3(-0.004, -0.204, -0.003), 0.334, 45, 0.0614, 3.8e7);
+    const BlowOutcome out = decideBlow(*rod, blow, rod->settings().fracture, 1);
+    EXPECT_EQ(out.outcome, Outcome::broke) << out.largest_stress_pa << " Pa";
+}
+
 double largestPiece(const BreakableSolid& solid, const Blow& blow) {
     const BlowOutcome out = decideBlow(solid, blow, solid.settings().fracture, 1);
     EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
