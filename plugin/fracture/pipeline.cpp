@@ -52,6 +52,8 @@ struct Pieces {
 
 /// What the damage makes of the body. Nothing where that stays in one piece: it keeps the damage.
 std::optional<Pieces> piecesOf(const StrikeContext& struck, const BlowDamage& found, BlowOutcome& out) {
+    out.damaged = nullptr;  // of an attempt before
+    out.message.clear();
     Damage damage = found.damage;
     addEarlier(struck, damage);
     damage =
@@ -62,7 +64,6 @@ std::optional<Pieces> piecesOf(const StrikeContext& struck, const BlowDamage& fo
     if (pieces.labels.count >= 2)
         pieces.surfaces =
             valueOrFail(timed(out.ms.surface, [&] { return cutPieces(struck, pieces.labels); }));
-    out.message.clear();
     for (const std::string& note : pieces.surfaces.notes) addSentence(out.message, note);
     if (pieces.surfaces.pieces.size() >= 2) return pieces;
     keepDamage(struck, damage, out);
@@ -99,7 +100,6 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     std::optional<Pieces> pieces = piecesOf(struck, found, out);
     if (!pieces && found.add_ringing) {
         timed(out.ms.damage, [&] { found.add_ringing(found); });
-        out.damaged = nullptr;
         pieces = piecesOf(struck, found, out);
     }
     if (!pieces) return;

@@ -100,10 +100,11 @@ if (!all_forms) {
     entry = entry + 1
     what[entry] = "other meshless forms: MLS, GMLS"; of_colour[entry] = behind; of_shape[entry] = 7
 }
+above = all_forms ? 1 : 0.8
 do for [i = (all_forms ? 1 : 3):entry] {
-    set label what[i] at 0.17,line(i - (all_forms ? 1 : 0.8)) left
-    set arrow from 0.02,line(i - (all_forms ? 1 : 0.8)) to 0.13,line(i - (all_forms ? 1 : 0.8)) nohead lw 2.2 lc rgb of_colour[i]
-    set label " " at 0.075,line(i - (all_forms ? 1 : 0.8)) point pt of_shape[i] ps 0.7 lc rgb of_colour[i]
+    set label what[i] at 0.17,line(i - above) left
+    set arrow from 0.02,line(i - above) to 0.13,line(i - above) nohead lw 2.2 lc rgb of_colour[i]
+    set label " " at 0.075,line(i - above) point pt of_shape[i] ps 0.7 lc rgb of_colour[i]
 }
 if (all_forms) set label "Time: first blow on a body." at 0.02,line(10.6) left
 set label caption at 0.02,line(all_forms ? 12.2 : 7.4) left font ",11" tc rgb "#555555"

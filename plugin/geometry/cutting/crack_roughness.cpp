@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "core/numerics/hashed_random.h"
+#include "core/numerics/mesh_measures.h"
 
 namespace sherd {
 
 void roughenCracks(CrackComplex& complex, const LabelLattice& lattice, double amplitude, std::uint64_t seed) {
     for (const auto& [a, b, c] : complex.triangles)
-        complex.smooth_normals.push_back((complex.points[b] - complex.points[a])
-                                             .cross(complex.points[c] - complex.points[a])
-                                             .normalized());
+        complex.smooth_normals.push_back(
+            areaVector({complex.points[a], complex.points[b], complex.points[c]}).normalized());
     for (std::size_t p = 0; p < complex.origins.size(); ++p) {
         CrackPoint& origin = complex.origins[p];
         if (!origin.isOnEdge() || origin.fixed) continue;

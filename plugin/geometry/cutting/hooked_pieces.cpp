@@ -6,6 +6,7 @@
 #include <map>
 #include <numeric>
 
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/pi.h"
 #include "core/numerics/union_find.h"
@@ -72,8 +73,7 @@ class Merging {
             for (const int t : shells[s].triangles) {
                 if (t < boundary.body_count) continue;
                 const auto& [a, b, c] = boundary.triangles[t];
-                const std::vector<Vec3>& points = cut.points;
-                const Vec3 area = (points[b] - points[a]).cross(points[c] - points[a]) / 2;
+                const Vec3 area = areaVector({cut.points[a], cut.points[b], cut.points[c]});
                 if (!(area.norm() > 0)) continue;
                 const Vec3 normal = cut.smooth_normals.empty() ? area.normalized() : smoothNormal(cut, t);
                 faces_[s].push_back({normal, area.norm(), t});

@@ -126,10 +126,13 @@ Mended mend(const TriangleMesh& original, const TriangleMesh& with_area, double 
     return mended;
 }
 
+/// How thick the walls of a solid are in the mean that is all walls, m.
+double meanWall(const TriangleMesh& solid) {
+    return 2 * enclosedVolume(solid.vertices, solid.triangles, solid.vertices[0]) / surfaceArea(solid);
+}
+
 bool isSheet(const TriangleMesh& wrap, double detail_m) {
-    if (wrap.triangles.empty()) return false;
-    return 2 * enclosedVolume(wrap.vertices, wrap.triangles, wrap.vertices[0]) <=
-           detail_m * surfaceArea(wrap);
+    return !wrap.triangles.empty() && meanWall(wrap) <= detail_m;
 }
 
 /// Close around a body; with more room around sheets, and around a body that folds into sheets in a part of
@@ -171,13 +174,6 @@ Status hollowOut(RepairedMesh& result, const Repair& repair, double size) {
     return checkSurface(result.mesh);
 }
 
-/// Whether a solid is all walls of about that thickness, m.
-bool isAllWalls(const TriangleMesh& solid, double thickness) {
-    const double mean =
-        2 * enclosedVolume(solid.vertices, solid.triangles, solid.vertices[0]) / surfaceArea(solid);
-    return mean > 0.5 * thickness && mean < 1.5 * thickness;
-}
-
 /// Of a vessel that is modelled as a sheet: its walls, with its openings left open. Nothing if it has none,
 /// or if no such walls can be made.
 std::optional<RepairedMesh> wallsOf(const TriangleMesh& with_area, const Repair& repair, double size) {
@@ -189,7 +185,9 @@ std::optional<RepairedMesh> wallsOf(const TriangleMesh& with_area, const Repair&
     RepairedMesh walls{{}, mended.report};
     if (repair.mode != Repair::Mode::wrap) walls.mesh = thickened(mended.mesh, thickness);
     const auto are_sound = [&] {
-        return !walls.mesh.triangles.empty() && checkSurface(walls.mesh) && isAllWalls(walls.mesh, thickness);
+        if (walls.mesh.triangles.empty() || !checkSurface(walls.mesh)) return false;
+        const double mean = meanWall(walls.mesh);  // more where a slit or a neck was filled up
+        return mean > 0.5 * thickness && mean < 1.5 * thickness;
     };
     if (!are_sound()) {
         const double detail = repair.wrap_detail * size;

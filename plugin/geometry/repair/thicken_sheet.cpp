@@ -7,7 +7,6 @@
 #include <CGAL/Polygon_mesh_processing/extrude.h>
 
 #include <Eigen/Eigenvalues>
-#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -55,6 +54,7 @@ std::vector<Vec3> waysOutward(const TriangleMesh& sheet) {
         }
     }
     constexpr double even = 0.02, furthest = 3;  // faces that are turned less are one
+    std::vector<Vec3> ways(sums.size());
     for (std::size_t v = 0; v < sums.size(); ++v) {
         const Eigen::SelfAdjointEigenSolver<Mat3> solver(facing[v]);
         const double least = even * solver.eigenvalues().maxCoeff();
@@ -63,9 +63,9 @@ std::vector<Vec3> waysOutward(const TriangleMesh& sheet) {
             if (solver.eigenvalues()[k] > least)
                 way += solver.eigenvectors().col(k) * solver.eigenvectors().col(k).dot(sums[v]) /
                        solver.eigenvalues()[k];
-        sums[v] = way.norm() > furthest ? Vec3(furthest * way.normalized()) : way;
+        ways[v] = way.norm() > furthest ? Vec3(furthest * way.normalized()) : way;
     }
-    return sums;
+    return ways;
 }
 
 }  // namespace
