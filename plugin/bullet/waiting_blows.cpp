@@ -26,7 +26,8 @@ double estimatedMilliseconds(const BreakableSolid& solid) {
     constexpr double prepared_ms = 15;  // a reduced model answers, then cutting and shapes, if it breaks
     if (solid.reducedStress()) return prepared_ms;
     const double spacing = solid.spacing();
-    const double particles = solid.moments().volume / (spacing * spacing * spacing);
+    const double particles =
+        solid.moments().volume / (spacing * spacing * std::min(spacing, solid.wallThickness()));
     return 0.15 * particles * (1 + particles / 400);
 }
 

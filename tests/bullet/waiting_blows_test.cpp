@@ -1,6 +1,7 @@
 #include "bullet/waiting_blows.h"
 
 #include <gtest/gtest.h>
+#include <sherd/breakable_asset.h>
 
 #include <utility>
 #include <vector>
@@ -128,6 +129,21 @@ TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     EXPECT_EQ(add(waiting, harder, 50, budget, 2), WaitingBlows::Fate::waits);
     EXPECT_EQ(waiting.takeFirst().energy_j, 1);
     EXPECT_EQ(waiting.takeFirst().energy_j, 5);
+}
+
+/// A pane thinner than a spacing has particles side by side, not a part of one in its thickness.
+TEST(WaitingBlows, TheEstimateKnowsThinWalls) {
+    constexpr double spacing_m = 0.04;
+    const auto estimate = [&](double thickness_m) {
+        Settings settings;
+        settings.sampling.spacing_m = spacing_m;
+        const auto asset =
+            BreakableAsset::fromMesh(boxMesh(Vec3(0.8, thickness_m, 0.8)), Material::glass(), settings);
+        EXPECT_TRUE(asset.ok()) << asset.error();
+        EXPECT_NEAR(asset.value().particleCount(), 400, 100) << thickness_m << " m thick";
+        return estimatedMilliseconds(*asset.value().solid());
+    };
+    EXPECT_NEAR(estimate(0.005), estimate(spacing_m), 1e-6 * estimate(spacing_m));
 }
 
 }  // namespace
