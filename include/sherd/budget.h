@@ -41,16 +41,21 @@ struct Budget {
     int solves_per_step = 3;
     Priority priority = Priority::hardest;
     Vec3 viewpoint = Vec3::Zero();  ///< of Priority::nearest, world frame, m
-    /// How far ahead blows on whole, prepared bodies are foreseen, s of simulated time, 0 to 1; Sherd looks
-    /// up to twice as far. At the end of a step it follows what flies freely in a small copy of the world.
-    /// The blow that it finds is solved on other threads, and the step in which it falls only swaps the
-    /// bodies. A blow that falls otherwise is solved in its step: by another partner, a tenth of a particle
-    /// spacing, 1 % of the speed or 2 degrees off, on other supports. At 0 none is foreseen. Nor is any while
-    /// the app has Bullet call it for contacts (gContactProcessedCallback, gContactStartedCallback,
-    /// gContactEndedCallback), for what two materials come to (gCalculateCombinedFrictionCallback and its
-    /// like), or for pairs that are near (btCollisionDispatcher::setNearCallback): it would hear of bodies
-    /// that it does not have.
+    /// How far ahead blows on whole bodies are foreseen, s of simulated time, 0 to 1; Sherd looks up to twice
+    /// as far, which is less than the solve takes where a body is not prepared: the steps wait for the rest.
+    /// At the end of a step it follows what flies freely in a small copy of the world. The blow that it finds
+    /// is solved on other threads, and the step in which it falls only swaps the bodies. A blow that falls
+    /// otherwise is solved in its step: by another partner, a tenth of a particle spacing, 1 % of the speed
+    /// or 2 degrees off, on other supports. At 0 none is foreseen. Nor is any while the app has Bullet call
+    /// it for contacts (gContactProcessedCallback, gContactStartedCallback, gContactEndedCallback), for what
+    /// two materials come to (gCalculateCombinedFrictionCallback and its like), or for pairs that are near
+    /// (btCollisionDispatcher::setNearCallback): it would hear of bodies that it does not have.
     double foresight_s = 0.1;
+    /// Large fragments at most whose stress problem is factored beside the steps that follow their birth, on
+    /// a thread of its own: what is left of a pane in its frame, on which the next blow would take tenths of
+    /// a second otherwise. Blows on these are foreseen, too. Each takes 5 to 10 MB at `game` for as long as
+    /// it is there. At 0 none is.
+    int prepared_fragments = 32;
     /// Fragments that one step brings into the world, about: bodies that break at once share them, and are
     /// made into fewer pieces, two at least; those that waited break a step later.
     int fragments_per_step = 200;

@@ -29,9 +29,10 @@ struct SamplingSettings {
     double largest_factor_millions = 9;
     /// The same limit where walls would otherwise get less than one particle across; not below it.
     double largest_factor_if_thin_millions = 14;
-    /// Spacing of fragments over that of the whole, 1 to 4. Nothing prepares them but the app, so each first
-    /// blow pays for a factor: at 2 the largest ones take a third of the time that they take at 1.3, and 2
-    /// blows in 100 are decided in another way. Small fragments are finer than the whole all the same.
+    /// Spacing of fragments over that of the whole, 1 to 4. Only large ones are factored ahead
+    /// (Budget::prepared_fragments), on others the first blow pays for that: at 2 the largest ones take a
+    /// third of the time that they take at 1.3, and 2 blows in 100 are decided in another way. Small
+    /// fragments are finer than the whole all the same.
     double fragment_coarsening = 2;
     /// Integration cells per particle spacing and direction, 1 to 4.
     int cells_per_spacing = 2;

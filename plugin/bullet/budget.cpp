@@ -18,6 +18,7 @@ Status check(bool in_range, const char* field, const char* possible) {
 Budget Budget::none() {
     Budget budget;
     budget.shortest_wait_s = budget.foresight_s = 0;
+    budget.prepared_fragments = 0;
     budget.fragments_per_step = budget.fragments_alive = std::numeric_limits<int>::max();
     return budget;
 }
@@ -41,6 +42,8 @@ Status Budget::validate() const {
         return ok;
     if (Status ok = check(solves_per_step > 0, "solves_per_step", "1 or more"); !ok) return ok;
     if (Status ok = check(viewpoint.allFinite(), "viewpoint", "finite, in m"); !ok) return ok;
+    if (Status ok = check(prepared_fragments >= 0, "prepared_fragments", "0 (none is prepared) or more"); !ok)
+        return ok;
     if (Status ok = check(fragments_per_step >= 2, "fragments_per_step", "2 or more"); !ok) return ok;
     return check(fragments_alive >= 2, "fragments_alive", "2 or more");
 }

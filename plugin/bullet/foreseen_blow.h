@@ -18,6 +18,8 @@ struct ForeseenBlow {
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;
+    bool fragments_may_break = true;
+    bool is_read = false;  ///< see Foresight::newlyDecided
 };
 
 /// Whether a blow is the foreseen one, so that the same comes of it: the same strikes by the same bodies, as

@@ -139,6 +139,16 @@ bool Foresight::isForeseen(std::uint64_t serial) const {
                        [&](const ForeseenBlow& blow) { return blow.serial == serial; });
 }
 
+std::vector<const ForeseenBlow*> Foresight::newlyDecided() {
+    std::vector<const ForeseenBlow*> found;
+    for (ForeseenBlow& blow : blows_) {
+        if (blow.is_read || !blow.decided->isDecided()) continue;
+        blow.is_read = true;
+        found.push_back(&blow);
+    }
+    return found;
+}
+
 void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) const {
     double most_ms = 0;
     for (const ForeseenBlow& blow : blows_)

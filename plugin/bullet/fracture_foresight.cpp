@@ -7,6 +7,7 @@
 
 #include "bullet/fracture_world_impl.h"
 #include "bullet/rehearsal.h"
+#include "bullet/torn_out.h"
 #include "core/numerics/parallel_chunks.h"
 #include "fracture/decide_blow.h"
 
@@ -20,23 +21,43 @@ void FractureWorld::Impl::lookAhead() {
     }
     const AddedTime time(times_.steps.foresight);
     counts_.foreseen_in_vain += foresight_.follow(world_, time_s_);
+    makeSolversForRests();
     const std::vector<btRigidBody*> movers = fastBodies(world_);
     if (movers.empty() || roomForFragments() < fewest_fragments) return;
     double least_energy_j = std::numeric_limits<double>::infinity();
+    bool some_unanswered = false;
     for (const auto& breakable : breakables_.all())
-        if (isForeseeable(*breakable, time_s_))
+        if (isForeseeable(*breakable, time_s_)) {
             least_energy_j = std::min(least_energy_j, breakable->least_energy_j);
+            some_unanswered = some_unanswered || !breakable->asset.solid()->hasSolver();
+        }
     std::optional<OnThisThreadAlone> alone;
     if (executor_ && !*executor_) alone.emplace();
     for (btRigidBody* body : movers) {
         if (!foresight_.mayRehearse()) return;
         if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;
+        if (some_unanswered) makeSolversFor(*body);
         const BodyToken token = giveToken(*body);
         if (token == no_token || !foresight_.isToBeLookedAt(token, time_s_, budget_.foresight_s)) continue;
         const std::vector<Role> roles =
             rolesAround(world_, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
         if (!roles.empty()) rehearse(*body, token, roles);
     }
+}
+
+/// What strikes a held body goes on into what its supports still hold, in the same step.
+void FractureWorld::Impl::makeSolversForRests() {
+    if (!mayHaveThreads()) return;
+    for (const ForeseenBlow* blow : foresight_.newlyDecided())
+        if (blow->fragments_may_break)
+            solvers_ahead_.addHeldOf(blow->decided->outcome.fragments, roomForPrepared());
+}
+
+/// Stress problems take longer to be made than blows are foreseen ahead.
+void FractureWorld::Impl::makeSolversFor(const btRigidBody& mover) {
+    constexpr double ahead_s = 1;
+    for (const Breakable* body : breakablesAround(world_, breakables_, mover, ahead_s, time_s_))
+        solvers_ahead_.addStruckSoon(*body, mayHaveThreads());
 }
 
 /// What comes of a blow that falls as it was foreseen; nullptr for others.
@@ -65,7 +86,7 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
     for (ForeseenBlow& blow : found) {
         blow.mover = token;
         blow.decided = DecidedBlow::make(blow.blow);
-        if (!executor_ || *executor_) blow.decided->submit(executor());
+        if (mayHaveThreads()) blow.decided->submit(executor());
         foresight_.note(std::move(blow));
     }
 }
@@ -75,7 +96,8 @@ std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreaka
                                                               double time_s) const {
     const Breakable& body = *struck.breakable;
     double gate_ms = 0;  // part of looking ahead
-    if (!isForeseeable(body, time_s) || foresight_.isForeseen(body.serial) ||
+    if (!isForeseeable(body, time_s) || mayWait(struck) || isLightRest(struck, time_s_) ||
+        foresight_.isForeseen(body.serial) ||
         heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged))
         return std::nullopt;
     ForeseenBlow blow;
@@ -84,6 +106,8 @@ std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreaka
     blow.strikes_at_s = time_s;
     for (const btCollisionObject* partner : struck.partners)
         blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));
+    blow.fragments_may_break =
+        body.fracture->largest_generation == 0 || body.generation + 1 < body.fracture->largest_generation;
     blow.blow = toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
     return blow;
 }

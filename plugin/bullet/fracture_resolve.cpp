@@ -198,6 +198,7 @@ std::vector<Breakable*> FractureWorld::Impl::registerFragments(const Breakable& 
         fragment.being_born = true;
         fragments.push_back(&fragment);
     }
+    if (of_next_generation) solvers_ahead_.addFragments(fragments, roomForPrepared(), mayHaveThreads());
     return fragments;
 }
 

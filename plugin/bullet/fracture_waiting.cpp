@@ -28,6 +28,14 @@ Status FractureWorld::Impl::setBudget(const Budget& budget) {
     return success();
 }
 
+/// How many more fragments may have their stress problem made before it is needed.
+int FractureWorld::Impl::roomForPrepared() const {
+    const auto prepared = std::count_if(
+        breakables_.all().begin(), breakables_.all().end(),
+        [](const auto& body) { return body->isFragment() && body->asset.solid()->expectsFactor(); });
+    return std::max(0, budget_.prepared_fragments - static_cast<int>(prepared));
+}
+
 /// How many more fragments may be in the world.
 int FractureWorld::Impl::roomForFragments() const {
     const auto alive =

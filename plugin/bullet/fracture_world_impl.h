@@ -19,6 +19,7 @@
 #include "bullet/roles.h"
 #include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
+#include "bullet/solvers_ahead.h"
 #include "bullet/step_phase.h"
 #include "bullet/waiting_blows.h"
 #include "core/numerics/stopwatch.h"
@@ -111,6 +112,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
+    void makeSolversFor(const btRigidBody& mover);
+    void makeSolversForRests();
+    bool mayHaveThreads() const { return !executor_ || *executor_; }
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);
     std::optional<ForeseenBlow> worthSolving(const StruckBreakable& struck, double time_s) const;
@@ -129,6 +133,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
+    int roomForPrepared() const;
     void dropWithoutRoom(const std::vector<StruckBreakable>& struck, Gated& gated, int room);
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
@@ -199,6 +204,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
     WaitingBlows waiting_;
     Foresight foresight_;
+    SolversAhead solvers_ahead_;
     int new_fragments_ = 0, decided_now_ = 0;  // in this step
     double decided_now_ms_ = 0;                // what these are estimated to take
     Stopwatch solve_watch_;                    // of Bullet's own solve

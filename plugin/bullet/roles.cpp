@@ -166,9 +166,28 @@ bool mayBring(const btRigidBody& mover, double energy_j) {
 }
 
 bool isForeseeable(const Breakable& breakable, double time_s) {
-    return breakable.in_world && !breakable.isFragment() && breakable.asset.solid()->reducedStress() &&
-           breakable.canBeStruck() && breakable.body->getNumConstraintRefs() == 0 &&
-           breakable.breaksAt(time_s) && mayRunElsewhere(*breakable.asset.solid(), *breakable.fracture);
+    const BreakableSolid& solid = *breakable.asset.solid();
+    // Of other fragments a blow may leave the factor to the next one, which must not depend on what is
+    // foreseen.
+    const bool is_answered = !breakable.isFragment() || solid.reducedStress() || solid.expectsFactor();
+    return breakable.in_world && is_answered && breakable.canBeStruck() &&
+           breakable.body->getNumConstraintRefs() == 0 && breakable.breaksAt(time_s) &&
+           mayRunElsewhere(solid, *breakable.fracture);
+}
+
+std::vector<const Breakable*> breakablesAround(btDiscreteDynamicsWorld& world,
+                                               const BreakableRegistry& breakables, const btRigidBody& mover,
+                                               double ahead_s, double time_s) {
+    const double energy_j = energyOf(mover);
+    Objects met = metBy(world, mover, ahead_s);
+    if (!met.empty()) met.push_back(&mover);
+    std::vector<const Breakable*> found;
+    for (const btCollisionObject* object : met) {
+        const Breakable* breakable = breakables.of(*object);
+        if (breakable && isForeseeable(*breakable, time_s) && energy_j >= breakable->least_energy_j)
+            found.push_back(breakable);
+    }
+    return found;
 }
 
 std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,

@@ -20,8 +20,8 @@ struct Role {
     std::optional<btVector3> driven;
 };
 
-/// Whether a blow on a body could be foreseen, and is worth that: whole, prepared, not too new to break, and
-/// on no joint.
+/// Whether a blow on a body could be foreseen, and is worth that: a whole body, or a fragment that is
+/// prepared or expects a factor, not too new to break, and on no joint.
 bool isForeseeable(const Breakable& breakable, double time_s);
 
 /// The bodies whose ways are worth looking at: awake, on no joint, and faster than what rests or creeps.
@@ -29,6 +29,12 @@ std::vector<btRigidBody*> fastBodies(const btDiscreteDynamicsWorld& world);
 
 /// Whether a body may bring some energy to what it meets, by its speed.
 bool mayBring(const btRigidBody& mover, double energy_j);
+
+/// What a mover may break on its way of the next `ahead_s` seconds, by its energy, and itself if it meets
+/// anything; in the order in which the broadphase has them.
+std::vector<const Breakable*> breakablesAround(btDiscreteDynamicsWorld& world,
+                                               const BreakableRegistry& breakables, const btRigidBody& mover,
+                                               double ahead_s, double time_s);
 
 /// What a rehearsal of a mover's next `ahead_s` seconds needs, in the order of the world's objects: itself,
 /// the nearest of what it may meet on its way, and what touches one of these. Empty if it meets nothing that

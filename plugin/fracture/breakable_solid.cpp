@@ -251,7 +251,7 @@ bool BreakableSolid::isFactored() const {
 }
 
 bool BreakableSolid::hasSolver() const {
-    return isFactored() || reducedStress();
+    return isFactored() || reducedStress() || expectsFactor();
 }
 
 }  // namespace sherd

@@ -96,8 +96,13 @@ class BreakableSolid {
     int unknownCount() const;
     /// Whether the factored stress problem is there already. Never waits.
     bool isFactored() const;
-    /// Whether a blow finds the factored stress problem there already, or the reduced model. Never waits.
+    /// Whether a blow finds the factored stress problem there already, or the reduced model, or is decided
+    /// as if it did (`expectFactor`). Never waits.
     bool hasSolver() const;
+    /// For who has the stress problem made on another thread: what comes of a blow must not depend on whether
+    /// that is done.
+    void expectFactor() const { shared_->expects_factor = true; }
+    bool expectsFactor() const { return shared_->expects_factor; }
     /// Whether `prepare` is done. Never waits.
     bool prepared() const { return shared_->prepared; }
 
@@ -133,7 +138,7 @@ class BreakableSolid {
         MadeOnce<Result<StressSolver>> solver;
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
         MadeOnce<double> smallest_failure_energy;
-        std::atomic<bool> prepared{false};
+        std::atomic<bool> prepared{false}, expects_factor{false};
         /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.
         MadeOnce<Sampled> complete;
         std::mutex holding;

@@ -1,0 +1,84 @@
+#include "bullet/solvers_ahead.h"
+
+#include <algorithm>
+#include <iterator>
+#include <thread>
+
+#include "bullet/decided_blow.h"
+#include "bullet/waiting_blows.h"
+#include "core/numerics/job.h"
+#include "fracture/breakable_solid.h"
+
+namespace sherd {
+
+namespace {
+
+bool isLarge(const BreakableSolid& solid) {
+    constexpr double much_ms = 40;  // of one core of about 2020
+    return estimatedMilliseconds(solid) > much_ms;
+}
+
+bool isWorthIt(const Breakable& fragment) {
+    return fragment.mayBreak() && isLarge(*fragment.asset.solid()) &&
+           mayRunElsewhere(*fragment.asset.solid(), *fragment.fracture);
+}
+
+/// What is held stays where the next ball comes; of the others the heavier ones.
+bool isSooner(const Breakable* a, const Breakable* b) {
+    return a->isHeld() != b->isHeld() ? a->isHeld() : a->asset.mass() > b->asset.mass();
+}
+
+/// A thread of their own: those of an executor have blows to decide that are due.
+Executor ownThread() {
+    return std::thread::hardware_concurrency() > 1 ? workerThreads(1) : Executor();
+}
+
+/// An error of it is told by the blow that needs the stress problem.
+std::shared_ptr<Job> jobFor(const std::shared_ptr<const BreakableSolid>& solid) {
+    return Job::make([into = std::weak_ptr<const BreakableSolid>(solid)] {
+        const auto wanted = into.lock();
+        if (!wanted) return;
+        try {
+            (void)wanted->stressSolver();
+            wanted->prepareSurface();
+        } catch (...) {
+        }
+    });
+}
+
+}  // namespace
+
+void SolversAhead::add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread) {
+    solid->expectFactor();
+    if (may_have_thread) submit(solid);
+}
+
+void SolversAhead::submit(const std::shared_ptr<const BreakableSolid>& solid) {
+    if (!thread_) thread_ = ownThread();
+    jobFor(solid)->submit(thread_);
+}
+
+void SolversAhead::addFragments(const std::vector<Breakable*>& fragments, int most, bool may_have_thread) {
+    std::vector<const Breakable*> large;
+    std::copy_if(fragments.begin(), fragments.end(), std::back_inserter(large),
+                 [](const Breakable* fragment) { return isWorthIt(*fragment); });
+    std::stable_sort(large.begin(), large.end(), isSooner);
+    large.resize(std::min(large.size(), static_cast<std::size_t>(most)));
+    for (const Breakable* fragment : large) add(fragment->asset.solid(), may_have_thread);
+}
+
+void SolversAhead::addHeldOf(const std::vector<Fragment>& foreseen, int most) {
+    std::vector<std::shared_ptr<const BreakableSolid>> held;
+    for (const Fragment& fragment : foreseen)
+        if (fragment.solid->isAnchored() && isLarge(*fragment.solid)) held.push_back(fragment.solid);
+    std::stable_sort(held.begin(), held.end(),
+                     [](const auto& a, const auto& b) { return a->mass() > b->mass(); });
+    held.resize(std::min(held.size(), static_cast<std::size_t>(most)));
+    for (const auto& solid : held) submit(solid);
+}
+
+void SolversAhead::addStruckSoon(const Breakable& body, bool may_have_thread) {
+    if (!body.isFragment() && !body.asset.solid()->hasSolver()) add(body.asset.solid(), may_have_thread);
+}
+
+}  // namespace sherd

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <sherd/executor.h>
+
+#include <memory>
+#include <vector>
+
+#include "bullet/breakable.h"
+#include "fracture/blow_outcome.h"
+
+namespace sherd {
+
+/// Has stress problems assembled and factored beside the steps, before a blow needs them: that is most of the
+/// time that a blow takes on a body that is not prepared. What comes of the blow is the same whoever makes
+/// them, and when; without a thread they are made when they are needed.
+class SolversAhead {
+  public:
+    /// Takes those of new fragments that are worth it.
+    void addFragments(const std::vector<Breakable*>& fragments, int most, bool may_have_thread);
+    /// Takes a body that is about to be struck, if nothing answers blows on it yet.
+    void addStruckSoon(const Breakable& body, bool may_have_thread);
+
+    /// Takes the large ones of the pieces that supports will hold when a foreseen blow has fallen, the
+    /// heaviest first.
+    void addHeldOf(const std::vector<Fragment>& foreseen, int most);
+
+  private:
+    void add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread);
+    void submit(const std::shared_ptr<const BreakableSolid>& solid);
+
+    Executor thread_;  // none yet
+};
+
+}  // namespace sherd
