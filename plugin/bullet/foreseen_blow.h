@@ -18,7 +18,7 @@ struct ForeseenBlow {
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;
-    bool fragments_may_break = true;
+    bool is_solved_in_full = false, fragments_may_break = true;
     bool is_read = false;  ///< see Foresight::newlyDecided
 };
 

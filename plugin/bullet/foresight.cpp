@@ -31,15 +31,20 @@ bool isOnItsWay(const btRigidBody& body, const BodyState& foreseen) {
            turn <= off_the_speed * (1 + foreseen.angular.length());
 }
 
+/// What a blow takes on cores that are half as fast as the estimate has them, ms.
+double workOf(const ForeseenBlow& blow) {
+    constexpr double slower = 2;
+    return slower * estimatedMilliseconds(*blow.blow.solid);
+}
+
 /// The part of a blow's work that is to be waited for in a step, ms.
 double shareOf(const ForeseenBlow& blow, double time_s, double time_step_s) {
     constexpr double left_alone =
-        1.0 / 3;                  // of the time there is: other threads are ahead of real time by then
-    constexpr double slower = 2;  // than the estimate: on cores that are half as fast
+        1.0 / 3;  // of the time there is: other threads are ahead of real time by then
     const double free_until_s = blow.found_at_s + left_alone * (blow.strikes_at_s - blow.found_at_s);
     const double left_s = blow.strikes_at_s - free_until_s;
     if (time_s < free_until_s || left_s <= time_step_s) return 0;
-    return slower * estimatedMilliseconds(*blow.blow.solid) * time_step_s / left_s;
+    return workOf(blow) * time_step_s / left_s;
 }
 
 /// The rigid bodies of a world that have a token.
@@ -139,6 +144,11 @@ bool Foresight::isForeseen(std::uint64_t serial) const {
                        [&](const ForeseenBlow& blow) { return blow.serial == serial; });
 }
 
+int Foresight::fullSolves() const {
+    return static_cast<int>(std::count_if(blows_.begin(), blows_.end(),
+                                          [](const ForeseenBlow& blow) { return blow.is_solved_in_full; }));
+}
+
 std::vector<const ForeseenBlow*> Foresight::newlyDecided() {
     std::vector<const ForeseenBlow*> found;
     for (ForeseenBlow& blow : blows_) {
@@ -155,6 +165,9 @@ void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) co
         if (!blow.decided->isDecided()) most_ms += shareOf(blow, time_s, time_step_s);
     if (!(most_ms > 0)) return;
     const Stopwatch watch;
+    // Other threads take the first ones: of many that fall together this one does some meanwhile.
+    for (auto last = blows_.rbegin(); last != blows_.rend(); ++last)
+        if (workOf(*last) <= most_ms - watch.milliseconds()) last->decided->decideIfFree();
     for (const ForeseenBlow& blow : blows_)
         if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0)
             blow.decided->waitIfBegun(left_ms);

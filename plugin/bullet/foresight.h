@@ -35,12 +35,14 @@ class Foresight {
     void note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost);
     void note(ForeseenBlow blow) { blows_.push_back(std::move(blow)); }
     bool isForeseen(std::uint64_t serial) const;
+    /// Of the blows that are to be solved in full, how many are still to fall.
+    int fullSolves() const;
     /// The blows that other threads have decided by now, each once.
     std::vector<const ForeseenBlow*> newlyDecided();
-    /// For the end of a step: waits a little for blows that other threads are at, rather than for all of it
-    /// in the step in which they fall. In a program that steps as fast as it can, simulated time runs ahead
-    /// of the other threads; one whose steps wait for real time has nothing to wait for here. What comes of
-    /// the blows does not depend on it.
+    /// For the end of a step: waits a little for blows that other threads are at, or does some of those that
+    /// none has begun, rather than all of it in the step in which they fall. In a program that steps as fast
+    /// as it can, simulated time runs ahead of the other threads; one whose steps wait for real time has
+    /// nothing to wait for here. What comes of the blows does not depend on it.
     void keepUp(double time_s, double time_step_s, double& waiting_ms) const;
     /// What comes of a blow that falls as it was foreseen; nullptr for others.
     std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow);

@@ -57,7 +57,7 @@ void FractureWorld::Impl::makeSolversForRests() {
 void FractureWorld::Impl::makeSolversFor(const btRigidBody& mover) {
     constexpr double ahead_s = 1;
     for (const Breakable* body : breakablesAround(world_, breakables_, mover, ahead_s, time_s_))
-        solvers_ahead_.addStruckSoon(*body, mayHaveThreads());
+        solvers_ahead_.addStruckSoon(*body, time_s_, mayHaveThreads());
 }
 
 /// What comes of a blow that falls as it was foreseen; nullptr for others.
@@ -100,7 +100,11 @@ std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreaka
         foresight_.isForeseen(body.serial) ||
         heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged))
         return std::nullopt;
+    // Of a crowd that falls together the budget drops most, and each full solve leaves its factor behind.
+    const bool is_solved_in_full = !body.asset.solid()->reducedStress();
+    if (is_solved_in_full && foresight_.fullSolves() >= budget_.solves_per_step) return std::nullopt;
     ForeseenBlow blow;
+    blow.is_solved_in_full = is_solved_in_full;
     blow.serial = body.serial;
     blow.found_at_s = time_s_;
     blow.strikes_at_s = time_s;

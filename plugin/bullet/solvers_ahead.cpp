@@ -77,8 +77,15 @@ void SolversAhead::addHeldOf(const std::vector<Fragment>& foreseen, int most) {
     for (const auto& solid : held) submit(solid);
 }
 
-void SolversAhead::addStruckSoon(const Breakable& body, bool may_have_thread) {
-    if (!body.isFragment() && !body.asset.solid()->hasSolver()) add(body.asset.solid(), may_have_thread);
+void SolversAhead::addStruckSoon(const Breakable& body, double time_s, bool may_have_thread) {
+    constexpr std::size_t most = 3;
+    if (body.isFragment() || body.asset.solid()->hasSolver()) return;
+    const auto is_past = [&](double taken_s) { return taken_s + 1 <= time_s; };
+    struck_soon_s_.erase(std::remove_if(struck_soon_s_.begin(), struck_soon_s_.end(), is_past),
+                         struck_soon_s_.end());
+    if (struck_soon_s_.size() == most) return;
+    struck_soon_s_.push_back(time_s);
+    add(body.asset.solid(), may_have_thread);
 }
 
 }  // namespace sherd

@@ -17,8 +17,9 @@ class SolversAhead {
   public:
     /// Takes those of new fragments that are worth it.
     void addFragments(const std::vector<Breakable*>& fragments, int most, bool may_have_thread);
-    /// Takes a body that is about to be struck, if nothing answers blows on it yet.
-    void addStruckSoon(const Breakable& body, bool may_have_thread);
+    /// Takes a body that may be about to be struck, if nothing answers blows on it yet: three kinds of them
+    /// in a second, since what flies by, or lands softly, needs none of the memory that it takes.
+    void addStruckSoon(const Breakable& body, double time_s, bool may_have_thread);
 
     /// Takes the large ones of the pieces that supports will hold when a foreseen blow has fallen, the
     /// heaviest first.
@@ -28,7 +29,8 @@ class SolversAhead {
     void add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread);
     void submit(const std::shared_ptr<const BreakableSolid>& solid);
 
-    Executor thread_;  // none yet
+    std::vector<double> struck_soon_s_;  // when the last ones were taken, simulated time
+    Executor thread_;                    // none yet
 };
 
 }  // namespace sherd

@@ -292,6 +292,27 @@ TEST(Foresight, WhatIsNotPreparedIsSolvedBeforeToo) {
     EXPECT_EQ(numbers[0], numbers[1]);
 }
 
+/// Each full solve leaves its factor behind, and most blows of a crowd are dropped.
+TEST(Foresight, OfACrowdThatIsNotPreparedAsManyAsAStepSolves) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.solves_per_step = 2;
+    ASSERT_TRUE(fracture.setBudget(budget).ok());
+    int jobs = 0;
+    fracture.setExecutor([&](std::function<void()> job) {
+        ++jobs;
+        job();
+    });
+    for (int i = 0; i < 6; ++i) ASSERT_TRUE(fracture.add(plate(crumbly()), at(btScalar(i), 0, 0.6f)).ok());
+    while (fracture.counts().seen == 0 && fracture.counts().waited == 0 &&
+           scene.dispatcher->getNumManifolds() == 0)
+        scene.step();
+    EXPECT_EQ(jobs, budget.solves_per_step);
+}
+
 /// The app calls its own functions on the thread that steps.
 TEST(Foresight, NoneOfWhatAsksTheApp) {
     BallAtPlate scene;
