@@ -72,7 +72,8 @@ void FractureWorld::Impl::afterIntegration() {
     if (!released_ && (awake_ || !foresight_.empty()))
         timed(times_.whole, [&] {
             lookAhead();
-            foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, times_.steps.waiting);
+            if (mayHaveThreads())
+                foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, times_.steps.waiting);
         });
     deleteIfReleased();
 }
