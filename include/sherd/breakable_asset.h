@@ -94,7 +94,7 @@ class BreakableAsset {
     const Settings& settings() const;
     const std::vector<SurfaceRegion>& supports() const;  ///< empty: nothing holds it
     int particleCount() const;  ///< samples the solid at the first call; 0 if that cannot be
-    int unknownCount() const;   ///< of the stress problem; 0 until it is prepared
+    int unknownCount() const;   ///< of the stress problem; 0 until it is prepared or factored
     double mass() const;        ///< kg
     double volume() const;      ///< m^3
     /// The material's tensile strength at the point x (m, asset frame), Pa, as it is scattered and as the

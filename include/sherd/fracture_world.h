@@ -81,10 +81,10 @@ class FractureWorld {
     /// to be in this world, and dynamic, or static with supports. Its mass stays what it is, and the density
     /// follows from that, not from the material; a static body has none, and there the material counts. The
     /// app goes on owning it; when it breaks it is removed from the world. Remove it from the world before
-    /// you delete it. It is not prepared, so its first blow takes from tenths of a second: call
-    /// `asset(body)->prepareOnThread()` while the level loads, once for all bodies that are alike: they share
-    /// one asset. The error says what is wrong with the body,
-    /// the material or the settings.
+    /// you delete it. It is not prepared, so its first blow takes from tenths of a second, of which the step
+    /// is spared what threads have done by then (Budget::foresight_s): call `asset(body)->prepareOnThread()`
+    /// while the level loads, once for all bodies that are alike: they share one asset. The error says what
+    /// is wrong with the body, the material or the settings.
     Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {},
                          const BreakableOptions& options = {});
 
