@@ -168,10 +168,11 @@ void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) co
     // Other threads take the first ones: of many that fall together this one does some meanwhile.
     for (auto last = blows_.rbegin(); last != blows_.rend(); ++last)
         if (workOf(*last) <= most_ms - watch.milliseconds()) last->decided->decideIfFree();
+    const double solved_here_ms = watch.milliseconds();  // which counts with the blows
     for (const ForeseenBlow& blow : blows_)
         if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0)
             blow.decided->waitIfBegun(left_ms);
-    waiting_ms += watch.milliseconds();
+    waiting_ms += watch.milliseconds() - solved_here_ms;
 }
 
 std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {
