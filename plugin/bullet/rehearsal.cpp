@@ -181,7 +181,11 @@ void Rehearsal::noteContacts(btDiscreteDynamicsWorld& world) {
 /// bodies may have several manifolds, one for each pair of children of their shapes.
 void Rehearsal::takeOverContacts() {
     std::unordered_set<const btPersistentManifold*> taken;
-    for (const KnownContacts& known : std::exchange(known_contacts_, {})) {
+    for (KnownContacts& known : std::exchange(known_contacts_, {})) {
+        if (!known.a->isActive() && !known.b->isActive()) {  // Bullet looks for none until one is awake
+            known_contacts_.push_back(std::move(known));
+            continue;
+        }
         btPersistentManifold* of_pair = nullptr;
         for (int i = 0; i < dispatcher_.getNumManifolds(); ++i) {
             btPersistentManifold& manifold = *dispatcher_.getManifoldByIndexInternal(i);

@@ -313,6 +313,25 @@ TEST(Foresight, OfACrowdThatIsNotPreparedAsManyAsAStepSolves) {
     EXPECT_EQ(jobs, budget.solves_per_step);
 }
 
+/// Bullet looks for no contacts of what sleeps, but has those of before when it wakes.
+TEST(Foresight, WhatSleepsIsStruckAsItStands) {
+    for (const btScalar speed : {15, 12, 10, 8, 6}) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        const btScalar half = btScalar(0.2);
+        btRigidBody* const crate = scene.addBox(64, btVector3(half, half, half), btVector3(0, 0, half));
+        ASSERT_TRUE(fracture.makeBreakable(crate, Material::plaster(), coarse(0.08)).ok());
+        scene.step(180, 1.0 / 60);
+        ASSERT_FALSE(crate->isActive());
+        scene.addBall(100, 0.2, btVector3(-3, 0, 0.3f), btVector3(speed, 0, 9.81f * 1.5f / speed));
+        for (int i = 0; i < 60 && fracture.counts().solved() == 0; ++i) scene.step(1, 1.0 / 60);
+        EXPECT_EQ(fracture.counts().foreseen, 1) << speed << " m/s";
+        EXPECT_EQ(fracture.counts().foreseen_in_vain, 0) << speed << " m/s";
+    }
+}
+
 /// The app calls its own functions on the thread that steps.
 TEST(Foresight, NoneOfWhatAsksTheApp) {
     BallAtPlate scene;
