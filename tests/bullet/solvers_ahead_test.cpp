@@ -103,7 +103,7 @@ TEST(SolversAhead, RestsAreFactoredBeforeTheWholeBreaks) {
         pane.scene.step();
         if (std::exchange(is_solved, false)) {
             pane.scene.step();
-            std::this_thread::sleep_for(std::chrono::milliseconds(800));
+            std::this_thread::sleep_for(std::chrono::milliseconds(2000));
         }
         for (BlowEvent& event : pane.fracture.takeEvents())
             if (event.outcome == Outcome::broke) pane.breaks.push_back(std::move(event));
