@@ -18,8 +18,7 @@ struct ForeseenBlow {
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;
-    bool is_solved_in_full = false, fragments_may_break = true;
-    bool is_read = false;  ///< see Foresight::newlyDecided
+    bool is_solved_in_full = false;
 };
 
 /// Whether a blow is the foreseen one, so that the same comes of it: the same strikes by the same bodies, as

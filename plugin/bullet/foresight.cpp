@@ -149,16 +149,6 @@ int Foresight::fullSolves() const {
                                           [](const ForeseenBlow& blow) { return blow.is_solved_in_full; }));
 }
 
-std::vector<const ForeseenBlow*> Foresight::newlyDecided() {
-    std::vector<const ForeseenBlow*> found;
-    for (ForeseenBlow& blow : blows_) {
-        if (blow.is_read || !blow.decided->isDecided()) continue;
-        blow.is_read = true;
-        found.push_back(&blow);
-    }
-    return found;
-}
-
 void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) const {
     double most_ms = 0;
     for (const ForeseenBlow& blow : blows_)

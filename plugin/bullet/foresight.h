@@ -37,8 +37,6 @@ class Foresight {
     bool isForeseen(std::uint64_t serial) const;
     /// Of the blows that are to be solved in full, how many are still to fall.
     int fullSolves() const;
-    /// The blows that other threads have decided by now, each once.
-    std::vector<const ForeseenBlow*> newlyDecided();
     /// For the end of a step: waits a little for blows that other threads are at, or does some of those that
     /// none has begun, rather than all of it in the step in which they fall. In a program that steps as fast
     /// as it can, simulated time runs ahead of the other threads; one whose steps wait for real time has

@@ -21,7 +21,6 @@ void FractureWorld::Impl::lookAhead() {
     }
     const AddedTime time(times_.steps.foresight);
     counts_.foreseen_in_vain += foresight_.follow(world_, time_s_);
-    makeSolversForRests();
     const std::vector<btRigidBody*> movers = fastBodies(world_);
     if (movers.empty() || roomForFragments() < fewest_fragments) return;
     double least_energy_j = std::numeric_limits<double>::infinity();
@@ -43,14 +42,6 @@ void FractureWorld::Impl::lookAhead() {
             rolesAround(world_, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
         if (!roles.empty()) rehearse(*body, token, roles);
     }
-}
-
-/// What strikes a held body goes on into what its supports still hold, in the same step.
-void FractureWorld::Impl::makeSolversForRests() {
-    if (!mayHaveThreads()) return;
-    for (const ForeseenBlow* blow : foresight_.newlyDecided())
-        if (blow->fragments_may_break)
-            solvers_ahead_.addHeldOf(blow->decided->outcome.fragments, roomForPrepared());
 }
 
 /// Stress problems take longer to be made than blows are foreseen ahead.
@@ -110,8 +101,6 @@ std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreaka
     blow.strikes_at_s = time_s;
     for (const btCollisionObject* partner : struck.partners)
         blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));
-    blow.fragments_may_break =
-        body.fracture->largest_generation == 0 || body.generation + 1 < body.fracture->largest_generation;
     blow.blow = toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
     return blow;
 }

@@ -113,7 +113,6 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
     void makeSolversFor(const btRigidBody& mover);
-    void makeSolversForRests();
     bool mayHaveThreads() const { return !executor_ || *executor_; }
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);

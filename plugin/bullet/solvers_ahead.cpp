@@ -67,16 +67,6 @@ void SolversAhead::addFragments(const std::vector<Breakable*>& fragments, int mo
     for (const Breakable* fragment : large) add(fragment->asset.solid(), may_have_thread);
 }
 
-void SolversAhead::addHeldOf(const std::vector<Fragment>& foreseen, int most) {
-    std::vector<std::shared_ptr<const BreakableSolid>> held;
-    for (const Fragment& fragment : foreseen)
-        if (fragment.solid->isAnchored() && isLarge(*fragment.solid)) held.push_back(fragment.solid);
-    std::stable_sort(held.begin(), held.end(),
-                     [](const auto& a, const auto& b) { return a->mass() > b->mass(); });
-    held.resize(std::min(held.size(), static_cast<std::size_t>(most)));
-    for (const auto& solid : held) submit(solid);
-}
-
 void SolversAhead::addStruckSoon(const Breakable& body, double time_s, bool may_have_thread) {
     constexpr std::size_t most = 3;
     if (body.isFragment() || body.asset.solid()->hasSolver()) return;

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "bullet/breakable.h"
-#include "fracture/blow_outcome.h"
 
 namespace sherd {
 
@@ -20,10 +19,6 @@ class SolversAhead {
     /// Takes a body that may be about to be struck, if nothing answers blows on it yet: three kinds of them
     /// in a second, since what flies by, or lands softly, needs none of the memory that it takes.
     void addStruckSoon(const Breakable& body, double time_s, bool may_have_thread);
-
-    /// Takes the large ones of the pieces that supports will hold when a foreseen blow has fallen, the
-    /// heaviest first.
-    void addHeldOf(const std::vector<Fragment>& foreseen, int most);
 
   private:
     void add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread);

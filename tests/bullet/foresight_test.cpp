@@ -292,6 +292,29 @@ TEST(Foresight, WhatIsNotPreparedIsSolvedBeforeToo) {
     EXPECT_EQ(numbers[0], numbers[1]);
 }
 
+/// What a worker has solved in full before is not what the prepared body answers.
+TEST(Foresight, WhatIsPreparedMeanwhileIsAskedAgain) {
+    std::vector<std::vector<btScalar>> numbers;
+    for (const bool has_threads : {true, false}) {
+        BallAtPlate scene;
+        if (!has_threads) scene.fracture->setExecutor(nullptr);
+        scene.fracture->remove(scene.target);
+        BodyOptions options;
+        options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
+        const BreakableAsset asset = plate(crumbly());
+        ASSERT_TRUE(scene.fracture->add(asset, options).ok());
+        scene.scene.step(25);
+        ASSERT_EQ(scene.fracture->counts().seen, 0);
+        if (has_threads) EXPECT_EQ(scene.jobs, 1);
+        ASSERT_TRUE(asset.prepare().ok());
+        ASSERT_LE(scene.breakIt(), 100);
+        EXPECT_EQ(scene.broken.front().level, Level::reduced);
+        EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+        numbers.push_back(scene.numbers());
+    }
+    EXPECT_EQ(numbers[0], numbers[1]);
+}
+
 /// Each full solve leaves its factor behind, and most blows of a crowd are dropped.
 TEST(Foresight, OfACrowdThatIsNotPreparedAsManyAsAStepSolves) {
     TestWorld scene;

@@ -88,31 +88,6 @@ TEST(SolversAhead, AreFactoredBeforeTheNextBlow) {
     EXPECT_EQ(pane.fracture.counts().foreseen, 2);
 }
 
-/// What breaks the pane may go on into a rest in the same step.
-TEST(SolversAhead, RestsAreFactoredBeforeTheWholeBreaks) {
-    if (!hasThreads()) GTEST_SKIP() << "one core";
-    HeldPane pane(Budget().prepared_fragments);
-    ASSERT_TRUE(pane.pane->prepare().ok());
-    bool is_solved = false;
-    pane.fracture.setExecutor([&](const std::function<void()>& job) {
-        job();
-        is_solved = true;
-    });
-    pane.scene.addBall(2, 0.05, btVector3(0.2f, -1.5f, 0.1f), btVector3(0, 15, 0));
-    for (int i = 0; i < 60 && pane.breaks.empty(); ++i) {
-        pane.scene.step();
-        if (std::exchange(is_solved, false)) {
-            pane.scene.step();
-            std::this_thread::sleep_for(std::chrono::milliseconds(2000));
-        }
-        for (BlowEvent& event : pane.fracture.takeEvents())
-            if (event.outcome == Outcome::broke) pane.breaks.push_back(std::move(event));
-    }
-    ASSERT_EQ(pane.breaks.size(), 1u);
-    EXPECT_EQ(pane.fracture.counts().foreseen, 1);
-    EXPECT_GE(pane.factored().size(), 1u) << "at once, which takes a thread tens of milliseconds";
-}
-
 TEST(SolversAhead, NoMoreThanTheBudgetHas) {
     if (!hasThreads()) GTEST_SKIP() << "one core";
     for (const std::size_t most : {0u, 1u}) {
