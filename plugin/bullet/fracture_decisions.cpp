@@ -165,7 +165,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
 std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
     std::optional<OnThisThreadAlone> alone;
-    if (executor_ && !*executor_) alone.emplace();
+    if (!mayHaveThreads()) alone.emplace();
     Gated gated = gate(struck, time_step_s);
     const std::vector<std::size_t>& now = gated.now;
     int room = now.empty() ? 0 : roomForFragments();

@@ -31,7 +31,7 @@ void FractureWorld::Impl::lookAhead() {
             some_unanswered = some_unanswered || !breakable->asset.solid()->hasSolver();
         }
     std::optional<OnThisThreadAlone> alone;
-    if (executor_ && !*executor_) alone.emplace();
+    if (!mayHaveThreads()) alone.emplace();
     for (btRigidBody* body : movers) {
         if (!foresight_.mayRehearse()) return;
         if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;

@@ -165,7 +165,7 @@ StruckBreakable FractureWorld::Impl::struckNow(Breakable& breakable, const Waiti
 
 /// The blows whose turn it is: their bodies break where they are by now.
 void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
-    if (executor_ && !*executor_) {
+    if (!mayHaveThreads()) {
         const OnThisThreadAlone no_threads;
         waiting_.workUntil(time_s_);
     } else if (!waiting_.empty()) {

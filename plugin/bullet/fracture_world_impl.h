@@ -113,6 +113,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
     void makeSolversFor(const btRigidBody& mover);
+    /// Whether the app has not forbidden them.
     bool mayHaveThreads() const { return !executor_ || *executor_; }
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);

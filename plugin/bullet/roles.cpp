@@ -32,6 +32,15 @@ bool canStandIn(const btCollisionObject& object) {
             (object.getInternalType() == btCollisionObject::CO_COLLISION_OBJECT && object.isStaticObject()));
 }
 
+/// The breakable body that an object is, if `energy_j` may break it and that could be foreseen.
+const Breakable* breakableBy(double energy_j, const btCollisionObject& object,
+                             const BreakableRegistry& breakables, double time_s) {
+    const Breakable* breakable = breakables.of(object);
+    const bool may_break =
+        breakable && isForeseeable(*breakable, time_s) && energy_j >= breakable->least_energy_j;
+    return may_break ? breakable : nullptr;
+}
+
 /// Where a body may be within some time, as a box.
 void sweptBox(const btRigidBody& body, double ahead_s, btVector3& low, btVector3& high) {
     body.getAabb(low, high);
@@ -182,11 +191,9 @@ std::vector<const Breakable*> breakablesAround(btDiscreteDynamicsWorld& world,
     Objects met = metBy(world, mover, ahead_s);
     if (!met.empty()) met.push_back(&mover);
     std::vector<const Breakable*> found;
-    for (const btCollisionObject* object : met) {
-        const Breakable* breakable = breakables.of(*object);
-        if (breakable && isForeseeable(*breakable, time_s) && energy_j >= breakable->least_energy_j)
+    for (const btCollisionObject* object : met)
+        if (const Breakable* breakable = breakableBy(energy_j, *object, breakables, time_s))
             found.push_back(breakable);
-    }
     return found;
 }
 
@@ -194,8 +201,7 @@ std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableReg
                               const StepSnapshot& before, btRigidBody& mover, double ahead_s, double time_s) {
     const double energy_j = energyOf(mover);
     const auto mayBreak = [&](const btCollisionObject& struck) {
-        const Breakable* breakable = breakables.of(struck);
-        return breakable && isForeseeable(*breakable, time_s) && energy_j >= breakable->least_energy_j;
+        return breakableBy(energy_j, struck, breakables, time_s) != nullptr;
     };
     Objects met = metBy(world, mover, ahead_s);
     const bool is_worth_it =

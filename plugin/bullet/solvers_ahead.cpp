@@ -13,14 +13,11 @@ namespace sherd {
 
 namespace {
 
-bool isLarge(const BreakableSolid& solid) {
-    constexpr double much_ms = 40;  // of one core of about 2020
-    return estimatedMilliseconds(solid) > much_ms;
-}
-
 bool isWorthIt(const Breakable& fragment) {
-    return fragment.mayBreak() && isLarge(*fragment.asset.solid()) &&
-           mayRunElsewhere(*fragment.asset.solid(), *fragment.fracture);
+    constexpr double much_ms = 40;  // of one core of about 2020
+    const BreakableSolid& solid = *fragment.asset.solid();
+    return fragment.mayBreak() && estimatedMilliseconds(solid) > much_ms &&
+           mayRunElsewhere(solid, *fragment.fracture);
 }
 
 /// What is held stays where the next ball comes; of the others the heavier ones.
@@ -50,10 +47,7 @@ std::shared_ptr<Job> jobFor(const std::shared_ptr<const BreakableSolid>& solid) 
 
 void SolversAhead::add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread) {
     solid->expectFactor();
-    if (may_have_thread) submit(solid);
-}
-
-void SolversAhead::submit(const std::shared_ptr<const BreakableSolid>& solid) {
+    if (!may_have_thread) return;
     if (!thread_) thread_ = ownThread();
     jobFor(solid)->submit(thread_);
 }

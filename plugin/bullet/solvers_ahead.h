@@ -22,7 +22,6 @@ class SolversAhead {
 
   private:
     void add(const std::shared_ptr<const BreakableSolid>& solid, bool may_have_thread);
-    void submit(const std::shared_ptr<const BreakableSolid>& solid);
 
     std::vector<double> struck_soon_s_;  // when the last ones were taken, simulated time
     Executor thread_;                    // none yet

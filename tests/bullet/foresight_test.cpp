@@ -23,6 +23,12 @@ const BreakableAsset& preparedPlate() {
     return asset;
 }
 
+BodyOptions upright() {
+    BodyOptions options;
+    options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
+    return options;
+}
+
 /// A plate that stands on the floor, and a ball that flies at it. Jobs are done as soon as they are there.
 struct BallAtPlate {
     explicit BallAtPlate(double foresight_s = Budget().foresight_s, WorldKind kind = WorldKind::plain)
@@ -37,13 +43,27 @@ struct BallAtPlate {
             ++jobs;
             job();
         });
-        BodyOptions options;
-        options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
-        target = fracture->add(preparedPlate(), options).value();
+        target = fracture->add(preparedPlate(), upright()).value();
         ball = scene.addBall(1, 0.05, {0.05f, -1, 0.35f}, {0, 6, 0.5f});
     }
     ~BallAtPlate() { fracture.reset(); }
 
+    /// Another body instead of the plate.
+    void replaceTarget(const BreakableAsset& asset, const BodyOptions& options) {
+        fracture->remove(target);
+        target = fracture->add(asset, options).value();
+    }
+    /// One that falls and turns, where the ball is not.
+    void letFall(const BreakableAsset& asset, const btVector3& velocity = {0, 0, 0},
+                 const btVector3& angular_velocity = {0, 0, 0}) {
+        ball->translate(btVector3(3, 0, 0));
+        BodyOptions options;
+        options.start =
+            btTransform(btQuaternion(btVector3(1, 0.4f, 0).normalized(), 0.5f), btVector3(0, 0, 1));
+        options.velocity = velocity;
+        options.angular_velocity = angular_velocity;
+        replaceTarget(asset, options);
+    }
     /// Until the plate breaks, at most so many steps. How many it took.
     int breakIt(int most = 100, double dt = 1.0 / 240) {
         for (int i = 0; i < most; ++i) {
@@ -101,14 +121,7 @@ TEST(Foresight, ChangesNothingOfWhatFlies) {
         std::vector<std::vector<btScalar>> numbers;
         for (const double foresight_s : {0.0, 0.1}) {
             BallAtPlate scene(foresight_s);
-            scene.fracture->remove(scene.target);
-            scene.ball->translate(btVector3(3, 0, 0));
-            BodyOptions options;
-            options.start =
-                btTransform(btQuaternion(btVector3(1, 0.4f, 0).normalized(), 0.5f), btVector3(0, 0, 1));
-            options.velocity = btVector3(0.5f, 0, -2);
-            options.angular_velocity = btVector3(1, 2, 0.5f);
-            ASSERT_TRUE(scene.fracture->add(preparedPlate(), options).ok());
+            scene.letFall(preparedPlate(), btVector3(0.5f, 0, -2), btVector3(1, 2, 0.5f));
             ASSERT_LE(scene.breakIt(200, 1 / rate), 200);
             EXPECT_EQ(scene.fracture->counts().foreseen, foresight_s > 0 ? 1 : 0) << rate << " Hz";
             scene.scene.step(10, 1 / rate);
@@ -277,12 +290,7 @@ TEST(Foresight, WhatIsNotPreparedIsSolvedBeforeToo) {
     std::vector<std::vector<btScalar>> numbers;
     for (const double foresight_s : {0.0, 0.1}) {
         BallAtPlate scene(foresight_s);
-        scene.fracture->remove(scene.target);
-        scene.ball->translate(btVector3(3, 0, 0));
-        BodyOptions options;
-        options.start =
-            btTransform(btQuaternion(btVector3(1, 0.4f, 0).normalized(), 0.5f), btVector3(0, 0, 1));
-        ASSERT_TRUE(scene.fracture->add(plate(crumbly()), options).ok());
+        scene.letFall(plate(crumbly()));
         ASSERT_LE(scene.breakIt(200), 200);
         EXPECT_EQ(scene.broken.front().level, Level::full);
         EXPECT_EQ(scene.fracture->counts().foreseen, foresight_s > 0 ? 1 : 0);
@@ -298,11 +306,8 @@ TEST(Foresight, WhatIsPreparedMeanwhileIsAskedAgain) {
     for (const bool has_threads : {true, false}) {
         BallAtPlate scene;
         if (!has_threads) scene.fracture->setExecutor(nullptr);
-        scene.fracture->remove(scene.target);
-        BodyOptions options;
-        options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
         const BreakableAsset asset = plate(crumbly());
-        ASSERT_TRUE(scene.fracture->add(asset, options).ok());
+        scene.replaceTarget(asset, upright());
         scene.scene.step(25);
         ASSERT_EQ(scene.fracture->counts().seen, 0);
         if (has_threads) EXPECT_EQ(scene.jobs, 1);
@@ -358,14 +363,11 @@ TEST(Foresight, WhatSleepsIsStruckAsItStands) {
 /// The app calls its own functions on the thread that steps.
 TEST(Foresight, NoneOfWhatAsksTheApp) {
     BallAtPlate scene;
-    scene.fracture->remove(scene.target);
-    BodyOptions options;
-    options.start = btTransform(btQuaternion(btVector3(1, 0, 0), SIMD_HALF_PI), btVector3(0, 0, 0.3f));
     Settings settings = coarse(0.06);
     settings.strength.field = [](const Vec3&) { return 1.0; };
     const auto asset = BreakableAsset::fromMesh(plate(crumbly()).surface(), crumbly(), settings);
     ASSERT_TRUE(asset.ok()) << asset.error();
-    ASSERT_TRUE(scene.fracture->add(asset.value(), options).ok());
+    scene.replaceTarget(asset.value(), upright());
     EXPECT_LE(scene.breakIt(), 100);
     EXPECT_EQ(scene.fracture->counts().foreseen, 0);
 }

@@ -3,9 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <thread>
-#include <utility>
 #include <vector>
 
 #include "bullet/support.h"
@@ -14,6 +12,14 @@ namespace {
 
 using namespace sherd;
 using namespace sherd::bullet_tests;
+
+/// Waits for what other threads do, for a minute at most. Whether it has come true.
+bool waitUntil(const std::function<bool()>& is_true) {
+    const auto last = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!is_true() && std::chrono::steady_clock::now() < last)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    return is_true();
+}
 
 /// An upright pane that is held on the left and on the right, and breaks into few pieces.
 struct HeldPane {
@@ -28,10 +34,9 @@ struct HeldPane {
         const auto asset =
             BreakableAsset::fromMesh(shapes::slab(Vec3(1.2, 0.01, 1.2)), Material::glass(), settings);
         EXPECT_TRUE(asset.ok()) << asset.error();
-        pane = asset.value()
-                   .anchored({BoxRegion{{-1, -1, -1}, {-0.55, 1, 1}}, BoxRegion{{0.55, -1, -1}, {1, 1, 1}}})
-                   .value();
-        EXPECT_TRUE(fracture.add(*pane, BodyOptions{}).ok());
+        BodyOptions options;
+        options.supports = {BoxRegion{{-1, -1, -1}, {-0.55, 1, 1}}, BoxRegion{{0.55, -1, -1}, {1, 1, 1}}};
+        EXPECT_TRUE(fracture.add(asset.value(), options).ok());
     }
     void throwBall(btScalar x, btScalar z) {
         scene.addBall(2, 0.05, btVector3(x, -0.8f, z), btVector3(0, 15, 0));
@@ -47,12 +52,8 @@ struct HeldPane {
             if (fracture.asset(body)->unknownCount() > 0) found.push_back(fracture.asset(body));
         return found;
     }
-    /// Waits until so many are, for some time. Whether they are.
     bool waitForFactors(std::size_t count) const {
-        const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-        while (factored().size() < count && std::chrono::steady_clock::now() < last)
-            std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        return factored().size() >= count;
+        return waitUntil([&] { return factored().size() >= count; });
     }
     std::vector<btScalar> numbers() const {
         std::vector<btScalar> all;
@@ -66,7 +67,6 @@ struct HeldPane {
 
     TestWorld scene;
     FractureWorld fracture{scene.world.get()};
-    std::optional<BreakableAsset> pane;
     std::vector<BlowEvent> breaks;
 };
 
@@ -140,10 +140,7 @@ TEST(SolversAhead, WhatIsInTheWayIsFactoredBeforeItIsStruck) {
     EXPECT_EQ(near_by.unknownCount(), 0) << "nothing moves yet";
     scene.addBall(1, 0.05, btVector3(0, -3, 0), btVector3(0, 6, 0));
     scene.step(2);
-    const auto last = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-    while (near_by.unknownCount() == 0 && std::chrono::steady_clock::now() < last)
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-    EXPECT_GT(near_by.unknownCount(), 0);
+    EXPECT_TRUE(waitUntil([&] { return near_by.unknownCount() > 0; }));
     EXPECT_EQ(far_off.unknownCount(), 0);
     EXPECT_EQ(fracture.counts().seen, 0);
 }
