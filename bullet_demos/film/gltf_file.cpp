@@ -58,6 +58,7 @@ ordered_json documentOf(Gltf& gltf) {
                              {"nodes", gltf.nodes},
                              {"meshes", gltf.meshes.meshes()},
                              {"materials", gltf.meshes.materials()}};
+    if (const auto used = gltf.meshes.extensions(); !used.empty()) document["extensionsUsed"] = used;
     if (!gltf.animation.empty()) document["animations"] = ordered_json::array({gltf.animation.json()});
     document["accessors"] = gltf.buffer.accessors();
     document["bufferViews"] = gltf.buffer.views();

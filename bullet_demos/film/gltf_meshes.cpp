@@ -1,5 +1,6 @@
 #include "film/gltf_meshes.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "film/drawn_mesh.h"
@@ -43,6 +44,8 @@ struct UnitSphere {
     }
 };
 
+constexpr const char* transmission = "KHR_materials_transmission";
+
 }  // namespace
 
 int GltfMeshes::addBody(const BodyState& body) {
@@ -55,6 +58,10 @@ int GltfMeshes::addSurface(const BodyState& body) {
     for (const DrawnVertex& vertex : drawn.vertices) {
         positions.push_back(vertex.position);
         normals.push_back(vertex.normal);
+    }
+    if (isClear(body.asset->material())) {
+        const int glass = material("clear", body.look.outside.cwiseSqrt(), 0, 0.05, true);
+        return add("body", positions, normals, {{drawn.outside, glass}, {drawn.crack, glass}});
     }
     const double roughness = 0.9 - 0.6 * std::sqrt(body.look.gloss);
     return add("body", positions, normals,
@@ -93,14 +100,22 @@ int GltfMeshes::add(const char* name, const std::vector<Vec3>& positions, const 
     return static_cast<int>(meshes_.size()) - 1;
 }
 
-int GltfMeshes::material(const std::string& name, const Vec3& colour, double metallic, double roughness) {
+int GltfMeshes::material(const std::string& name, const Vec3& colour, double metallic, double roughness,
+                         bool is_clear) {
     const std::vector<double> base = {colour.x(), colour.y(), colour.z(), 1};
     const ordered_json surface = {
         {"baseColorFactor", base}, {"metallicFactor", metallic}, {"roughnessFactor", roughness}};
-    const ordered_json said = {{"name", name}, {"pbrMetallicRoughness", surface}};
+    ordered_json said = {{"name", name}, {"pbrMetallicRoughness", surface}};
+    if (is_clear) said["extensions"] = {{transmission, {{"transmissionFactor", 0.95}}}};
     const auto [found, is_new] = material_of_.try_emplace(said.dump(), static_cast<int>(materials_.size()));
     if (is_new) materials_.push_back(said);
     return found->second;
+}
+
+std::vector<std::string> GltfMeshes::extensions() const {
+    const bool some_clear = std::any_of(materials_.begin(), materials_.end(),
+                                        [](const auto& one) { return one.contains("extensions"); });
+    return some_clear ? std::vector<std::string>{transmission} : std::vector<std::string>{};
 }
 
 }  // namespace demo

@@ -3,6 +3,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "film/gltf_buffer.h"
 #include "film/recording.h"
@@ -20,6 +22,8 @@ class GltfMeshes {
 
     const nlohmann::ordered_json& meshes() const { return meshes_; }
     const nlohmann::ordered_json& materials() const { return materials_; }
+    /// Names of the extensions that the materials use.
+    std::vector<std::string> extensions() const;
 
   private:
     /// Indices of triangles, and the material that they have.
@@ -29,7 +33,8 @@ class GltfMeshes {
     int addBall(double diameter_m);
     int add(const char* name, const std::vector<Vec3>& positions, const std::vector<Vec3>& normals,
             const std::vector<Part>& parts);
-    int material(const std::string& name, const Vec3& colour, double metallic, double roughness);
+    int material(const std::string& name, const Vec3& colour, double metallic, double roughness,
+                 bool is_clear = false);
 
     GltfBuffer& buffer_;
     nlohmann::ordered_json meshes_ = nlohmann::ordered_json::array();

@@ -88,9 +88,16 @@ void writeMesh(std::ostream& out, const BodyState& state) {
     out << "mesh2 {\n";
     writeList(out, "vertex_vectors", worldVertices(state), write);
     writeList(out, "normal_vectors", normals, write);
-    out << "texture_list { 2, texture { Outside(rgb " << Pov{state.look.outside} << ", " << state.look.gloss
-        << ") }, texture { Crack(rgb " << Pov{state.look.crack} << ") } }\n";
+    const bool is_clear = isClear(state.asset->material());
+    if (is_clear)
+        out << "texture_list { 2, texture { Clear_Face() }, texture { Clear_Face() } }\n";
+    else
+        out << "texture_list { 2, texture { Outside(rgb " << Pov{state.look.outside} << ", "
+            << state.look.gloss << ") }, texture { Crack(rgb " << Pov{state.look.crack} << ") } }\n";
     writeFaces(out, mesh);
+    if (is_clear)
+        out << "inside_vector z\nClear_Inside(rgb " << Pov{state.look.outside.cwiseSqrt()}
+            << ", Stage_Size / 15)\n";
     out << "}\n";
 }
 
@@ -100,6 +107,10 @@ void writePovStage(std::ostream& out, const std::vector<BodyState>& states, cons
                    PovStyle style) {
     out << "#version 3.7;\n";
     if (style == PovStyle::film) out << "#declare Film = true;\n";
+    const bool has_glass = std::any_of(states.begin(), states.end(), [](const BodyState& state) {
+        return state.asset && isClear(state.asset->material());
+    });
+    if (has_glass) out << "#declare Clear = true;\n";
     writeLightsAndCamera(out, camera, pointsToShow(states));
 }
 

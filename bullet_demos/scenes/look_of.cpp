@@ -14,4 +14,8 @@ Look lookOf(const sherd::Material& material) {
     return {{0.72, 0.68, 0.62}, {0.88, 0.84, 0.78}, 0};
 }
 
+bool isClear(const sherd::Material& material) {
+    return material.name == "glass" || material.name == "ice";
+}
+
 }  // namespace demo

@@ -46,6 +46,8 @@ struct Look {
 
 /// The colours of a material that no scene says anything of.
 Look lookOf(const sherd::Material& material);
+/// Whether light goes through it.
+bool isClear(const sherd::Material& material);
 
 /// What the strength is multiplied with where a mesh is painted black and where white
 /// (sherd::strengthFromColours).

@@ -25,7 +25,7 @@ render::Material renderMaterial(const sherd::BreakableAsset& asset, const Look& 
     const sherd::GuideField& guide = asset.settings().fracture.guide;
     if (guide.kind == sherd::GuideField::Kind::constant) material.grain = guide.direction.cast<float>();
     if (asset.material().name == "wood") material.pattern_size = 0.35f * size_m;
-    if (asset.material().name == "glass" || asset.material().name == "ice") {
+    if (isClear(asset.material())) {
         material.pattern = Pattern::plain;
         material.clear = 0.94f;
         material.bent = 0.55f;

@@ -5,10 +5,12 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "film/frame_files.h"
 #include "film/frame_times.h"
 #include "film/recording.h"
+#include "headless/pov_file.h"
 #include "struck_wall.h"
 #include "support/temporary_path.h"
 
@@ -109,6 +111,23 @@ TEST(FrameFiles, AreOneAFrameAndNameTheBodiesThatAreThere) {
     EXPECT_NE(text.find("body_0000.inc"), std::string::npos);
     EXPECT_EQ(text.find("body_0002.inc"), std::string::npos) << "no fragment yet";
     fs::remove_all(folder);
+}
+
+TEST(PovFile, LightGoesThroughGlassAlone) {
+    Scene scene = struckWall(5);
+    scene.duration_s = 0.02;
+    const auto hasGlass = [](const Scene& one) {
+        const SceneRun run = runOf(one);
+        std::ostringstream stage, body;
+        writePovStage(stage, run.before, one.camera, PovStyle::still);
+        writePovBody(body, run.before.front());
+        const bool has_glass = stage.str().find("#declare Clear") != std::string::npos;
+        EXPECT_EQ(body.str().find("Clear_Inside") != std::string::npos, has_glass);
+        return has_glass;
+    };
+    EXPECT_FALSE(hasGlass(scene));
+    scene.bodies[0].material = sherd::Material::glass();
+    EXPECT_TRUE(hasGlass(scene));
 }
 
 TEST(FrameFiles, SayWhatFolderCannotBeMade) {

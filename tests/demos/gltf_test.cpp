@@ -170,6 +170,24 @@ TEST(Gltf, WhatBreaksInTheFirstStepIsNeverThere) {
         EXPECT_NE(channel["target"]["node"], 1);
 }
 
+TEST(Gltf, LightGoesThroughGlassAlone) {
+    Scene scene = struckWall(5);
+    scene.duration_s = 0.02;
+    const auto clearIn = [](const Scene& one) {
+        const std::string path = temporaryPath("clear.glb");
+        EXPECT_TRUE(writeGltf(runOf(one).tracks, path).ok());
+        const json document = Glb(path).document;
+        std::remove(path.c_str());
+        int clear = 0;
+        for (const json& material : document["materials"]) clear += material.contains("extensions");
+        EXPECT_EQ(document.contains("extensionsUsed"), clear > 0);
+        return clear;
+    };
+    EXPECT_EQ(clearIn(scene), 0);
+    scene.bodies[0].material = sherd::Material::glass();
+    EXPECT_EQ(clearIn(scene), 1);
+}
+
 TEST(Gltf, SaysWhichFileCannotBeWritten) {
     const auto status = writeGltf(written().run.tracks, "/proc/nowhere/run.glb");
     ASSERT_FALSE(status.ok());
