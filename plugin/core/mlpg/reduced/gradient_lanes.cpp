@@ -51,10 +51,10 @@ SHERD_INLINED void findGradients(const float (*powers)[width], const PartCoeffic
                 by_z[l] += slopes[2][c][l] * plane[l];
             }
         }
-        for (int l = 0; l < lane_count; ++l) {
-            points.gradient[i][0][l] = by_x[l] * per_edge[0];
-            points.gradient[i][1][l] = by_y[l] * per_edge[1];
-            points.gradient[i][2][l] = by_z[l] * per_edge[2];
+        const Lane* const slope[3] = {&by_x, &by_y, &by_z};
+        for (int d = 0; d < 3; ++d) {
+            const float scale = per_edge[d];
+            for (int l = 0; l < lane_count; ++l) points.gradient[i][d][l] = (*slope[d])[l] * scale;
         }
     }
 }
