@@ -47,6 +47,8 @@ class DecidedBlow {
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
     void finish(double& waiting_ms);
 
+    bool is_foreseen = false;  ///< it was made before the blow fell
+
     // After `finish`.
     bool doneElsewhere() const { return job_ && !job_->doneHere(); }
     BlowOutcome outcome;

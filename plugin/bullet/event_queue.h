@@ -13,7 +13,6 @@ namespace sherd {
 /// An event with the body that broke in it, if one did. The body is kept alive for the app to read.
 struct QueuedEvent {
     BlowEvent event;
-    StageTimes elsewhere;  ///< the part of `event.ms` that other threads did
     std::unique_ptr<Breakable> broken = nullptr;
 };
 

@@ -73,8 +73,8 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
     const AddedTime time(times_.steps.sync);
     for (QueuedEvent& queued : current_) {
         times_.blows += queued.event.ms;
-        times_.blows -= queued.elsewhere;
-        times_.workers += queued.elsewhere;
+        times_.blows -= queued.event.ms_elsewhere;
+        times_.workers += queued.event.ms_elsewhere;
         events_.push(std::move(queued));
     }
     current_.clear();

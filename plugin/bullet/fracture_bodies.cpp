@@ -94,7 +94,7 @@ void FractureWorld::Impl::tellWhatCannotBreak() {
             is_hooked ? "nothing breaks this body while its mass is 0, which it was set to after it was "
                         "added; a static body breaks where it has BodyOptions::supports"
                       : checkHook().error();
-        current_.push_back({std::move(event), {}});
+        current_.push_back({std::move(event)});
     }
 }
 

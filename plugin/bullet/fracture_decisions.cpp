@@ -82,7 +82,7 @@ void FractureWorld::Impl::tellDropped(const StruckBreakable& struck, double impu
     figures.impulse_n_s = impulse_n_s;
     figures.waited_s = waited_s;
     figures.message = std::string("the budget left no room for this blow, so the body stays whole: ") + why;
-    current_.push_back({eventOf(struck, figures), {}});
+    current_.push_back({eventOf(struck, figures)});
 }
 
 void FractureWorld::Impl::tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s) {
@@ -105,8 +105,9 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     }
     BlowEvent event = eventOf(struck, outcome);
     event.warnings.insert(event.warnings.begin(), warnings.begin(), warnings.end());
-    const bool elsewhere = decided && decided->doneElsewhere();
-    current_.push_back({std::move(event), elsewhere ? outcome.ms : StageTimes{}});
+    event.foreseen = decided && decided->is_foreseen;
+    if (decided && decided->doneElsewhere()) event.ms_elsewhere = outcome.ms;
+    current_.push_back({std::move(event)});
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) return std::nullopt;

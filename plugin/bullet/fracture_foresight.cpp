@@ -55,7 +55,9 @@ void FractureWorld::Impl::makeSolversFor(const btRigidBody& mover) {
 std::shared_ptr<DecidedBlow> FractureWorld::Impl::takeForeseen(const StruckBreakable& struck,
                                                                const BlowToDecide& blow) {
     auto foreseen = foresight_.take(struck, blow);
-    if (foreseen) ++counts_.foreseen;
+    if (!foreseen) return nullptr;
+    ++counts_.foreseen;
+    foreseen->is_foreseen = true;
     return foreseen;
 }
 

@@ -82,7 +82,7 @@ TEST(Events, NobodyTakesThemSoTheOldestAreDroppedWithTheirBodies) {
     EventQueue queue;
     std::weak_ptr<const FractureSettings> first, last;
     for (int i = 0; i < 1003; ++i) {
-        QueuedEvent queued{BlowEvent(asset), {}, nullptr};
+        QueuedEvent queued{BlowEvent(asset), nullptr};
         queued.event.impulse_n_s = i;
         if (i == 0 || i == 1002) {
             const auto settings = std::make_shared<const FractureSettings>();

@@ -111,8 +111,13 @@ TEST(Foresight, ABlowIsSolvedBeforeItFalls) {
     EXPECT_EQ(scene.fracture->counts().foreseen_in_vain, 0);
     EXPECT_GE(step - before_break, 0.9 * std::min(ahead_s, step / 240.0) * 240)
         << "steps between the job and the break";
-    EXPECT_EQ(scene.broken.front().waited_s, 0);
-    EXPECT_EQ(scene.broken.front().striker, scene.ball);
+    const BlowEvent& broken = scene.broken.front();
+    EXPECT_EQ(broken.waited_s, 0);
+    EXPECT_EQ(broken.striker, scene.ball);
+    EXPECT_TRUE(broken.foreseen);
+    EXPECT_GT(broken.ms_elsewhere.solve, 0);
+    EXPECT_EQ(broken.ms_elsewhere.solve, broken.ms.solve) << "all of it was solved before";
+    EXPECT_EQ(broken.ms_elsewhere.swap, 0) << "bodies are swapped in the step";
 }
 
 /// A body that falls freely breaks as if nothing had been foreseen, to the last bit.
@@ -166,6 +171,8 @@ TEST(Foresight, WhatTheAppTurnsAsideIsSolvedWhenItFalls) {
         scene.fracture->setExecutor({});  // what is to come is solved as it falls
         ASSERT_LE(scene.breakIt(), 100);
         stresses.push_back(scene.broken.front().largest_stress_pa);
+        EXPECT_FALSE(scene.broken.front().foreseen);
+        EXPECT_EQ(scene.broken.front().ms_elsewhere.total(), 0);
         EXPECT_EQ(scene.fracture->counts().foreseen_in_vain > 0, foresight_s > 0);
     }
     EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
