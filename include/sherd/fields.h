@@ -152,7 +152,7 @@ IfFieldsOf<Self, SamplingSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"spacing_m", "distance between particles",
                 Range::positive("m").orSpecial(0, "chosen from the wall thickness")},
           s.spacing_m);
-    visit(Field{"layers_across_wall", "most particles across a wall", Range::between(0.5, 20)},
+    visit(Field{"layers_across_wall", "particles across a wall, about", Range::between(0.5, 20)},
           s.layers_across_wall);
     visit(Field{"smallest_count", "fewest particles of a compact body", Range::atLeast(1)}, s.smallest_count);
     visit(Field{"largest_count", "most particles, roughly", Range::atLeast(1)}, s.largest_count);

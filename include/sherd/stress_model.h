@@ -23,7 +23,7 @@ struct StressModelReport {
     int unknowns = 0;
     /// Numbers that the factor of the stiffness matrix stores; a solve reads all of them twice.
     long long factor_entries = 0;
-    long long factor_bytes = 0;  ///< memory that these take
+    long long factor_bytes = 0;  ///< memory that these take, 4 bytes each or 8
     /// Of the stiffness matrix, estimated from the factor's diagonal. Near 1e-16 the solve is worth nothing.
     double reciprocal_condition = 0;
     double spacing_m = 0;         ///< between particles

@@ -146,7 +146,7 @@ StressModelReport StressModel::report() const {
     report.surface_points = static_cast<int>(solid.surface_points.size());
     report.unknowns = solver.unknowns;
     report.factor_entries = solver.factor_entries;
-    report.factor_bytes = solver.factor_entries * static_cast<long long>(sizeof(double));
+    report.factor_bytes = solver.factor_bytes;
     report.reciprocal_condition = solver.reciprocal_condition;
     report.spacing_m = solid.spacing;
     report.wall_thickness_m = solid_->wallThickness();

@@ -26,6 +26,10 @@ class SparseSolver {
 
     /// Numbers stored in the triangular factors.
     virtual long long factorEntries() const = 0;
+    /// What these take.
+    long long factorBytes() const {
+        return factorEntries() * static_cast<long long>(isSingle() ? sizeof(float) : sizeof(double));
+    }
 
     /// Estimate of 1 / condition number from the factors' diagonals.
     virtual double reciprocalCondition() const = 0;

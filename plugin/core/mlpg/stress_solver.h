@@ -25,7 +25,7 @@ struct StressSolverReport {
     double assemble_ms = 0;
     double factor_ms = 0;
     int unknowns = 0;
-    long long factor_entries = 0;
+    long long factor_entries = 0, factor_bytes = 0;
     double reciprocal_condition = 0;  ///< estimate from the factor's diagonal; 1e-16 is as good as singular
     std::vector<std::string> warnings;
 };

@@ -162,8 +162,10 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overParticles(
     solver->form = std::move(form).value();
     report.assemble_ms = watch.milliseconds() - report.factor_ms;
     report.unknowns = static_cast<int>(solver->problem.unknowns());
-    report.factor_entries = solver->form->solver().factorEntries();
-    report.reciprocal_condition = solver->form->solver().reciprocalCondition();
+    const SparseSolver& factor = solver->form->solver();
+    report.factor_entries = factor.factorEntries();
+    report.factor_bytes = factor.factorBytes();
+    report.reciprocal_condition = factor.reciprocalCondition();
     return std::unique_ptr<Impl>(std::move(solver));
 }
 

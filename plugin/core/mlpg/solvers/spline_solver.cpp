@@ -262,6 +262,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     const SparseSolver& factor = system.value().solver();
     report.unknowns = stiffness.size;
     report.factor_entries = factor.factorEntries();
+    report.factor_bytes = factor.factorBytes();
     report.reciprocal_condition = factor.reciprocalCondition();
     report.warnings = trustWarnings(factor);
     // Zooms know whole material only.
