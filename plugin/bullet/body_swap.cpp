@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "bullet/anisotropic_friction.h"
 #include "bullet/fragment_motion.h"
 
 namespace sherd {
@@ -19,10 +20,7 @@ constexpr btScalar slow_surface =
 /// The factors hold along the axes of a body, and a piece has axes of its own: those of the whole, seen along
 /// them. Exact where the axes are parallel.
 void inheritAnisotropicFriction(const btRigidBody& parent, btRigidBody& piece) {
-    int mode = btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED;
-    for (const int flag : {int(btCollisionObject::CF_ANISOTROPIC_FRICTION),
-                           int(btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION)})
-        if (parent.hasAnisotropicFriction(flag)) mode |= flag;
+    const int mode = anisotropicFrictionMode(parent);
     if (mode == btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED) return;
     const btMatrix3x3 turn =
         parent.getWorldTransform().getBasis().transpose() * piece.getWorldTransform().getBasis();

@@ -86,6 +86,7 @@ void addPredictiveContact(btDiscreteDynamicsWorld& world, btRigidBody& body, con
     const btVector3 origin = body.getWorldTransform().getOrigin(), way = path * hit.m_closestHitFraction;
     const btVector3 there = origin + way;
     btPersistentManifold* manifold = world.getDispatcher()->getNewManifold(&body, &other);
+    if (!manifold) return;  // its pool is full, and may not grow
     WorldInternals::predictiveManifolds(world).push_back(manifold);
     const btManifoldPoint point(btVector3(0, 0, 0), other.getWorldTransform().inverse() * there,
                                 hit.m_hitNormalWorld, way.dot(-hit.m_hitNormalWorld));

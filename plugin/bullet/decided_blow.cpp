@@ -83,12 +83,12 @@ void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
 }
 
 void DecidedBlow::submit(const Executor& executor) {
-    if (!may_run_elsewhere_ || !executor || std::exchange(submitted_, true)) return;
+    if (!job_ || !may_run_elsewhere_ || !executor || std::exchange(submitted_, true)) return;
     job_->submit(executor);
 }
 
 void DecidedBlow::finish(double& waiting_ms) {
-    if (std::exchange(finished_, true)) return;
+    if (!job_ || std::exchange(finished_, true)) return;
     const Stopwatch watch;
     job_->finish();
     if (doneElsewhere()) waiting_ms += watch.milliseconds();

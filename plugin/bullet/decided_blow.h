@@ -38,7 +38,9 @@ class DecidedBlow {
     void submit(const Executor& executor);
     bool isSubmitted() const { return submitted_; }
     /// Decides it here if no thread has begun.
-    void decideIfFree() { job_->doIfFree(); }
+    void decideIfFree() {
+        if (job_) job_->doIfFree();
+    }
     bool isDecided() const { return !job_ || job_->isDone(); }
     /// Waits for a thread that is at it, for some milliseconds at most.
     void waitIfBegun(double most_ms) {

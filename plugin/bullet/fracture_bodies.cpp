@@ -75,7 +75,6 @@ Status FractureWorld::Impl::checkHook() const {
 /// Once for each body: an app that does not hear of it only sees that nothing breaks.
 void FractureWorld::Impl::tellWhatCannotBreak() {
     const bool is_hooked = decorator_.inPlace();
-    if (is_hooked && !awake_) return;
     if (!is_hooked) {  // then nothing has told which bodies are gone
         breakables_.dropReplaced(world_.getCollisionObjectArray());
         breakables_.syncWithWorld(world_.getCollisionObjectArray());
@@ -118,6 +117,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const bool is_static = asset.solid()->isAnchored();
     if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
         return Error{"a body with supports is static, so its velocities must be 0"};
+    const ThreadsAsAllowed threads(*this);
     const auto sampling = asset.solid()->discretisation();
     if (!sampling) return Error{sampling.error()};
     auto breakable = std::make_unique<Breakable>(
@@ -177,6 +177,7 @@ Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& o
             "setCenterOfMassTransform"};
     if (body->isKinematicObject())
         return Error{"the body is kinematic; only dynamic and static bodies can break"};
+    if (const auto parts = convexParts(*body->getCollisionShape()); !parts) return Error{parts.error()};
     if (body->getInvMass() == 0 && options.supports.empty())
         return Error{
             "the body is static, so it can break only where something holds it: name the parts of its "
@@ -193,6 +194,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
                                           const Settings& settings, const BreakableOptions& options) {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     if (const Status refused = refusal(body, options); !refused) return refused;
+    const ThreadsAsAllowed threads(*this);
     const auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
     const double mass_kg = body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;

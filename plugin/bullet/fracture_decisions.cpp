@@ -165,8 +165,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
 
 std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
-    std::optional<OnThisThreadAlone> alone;
-    if (!mayHaveThreads()) alone.emplace();
+    const ThreadsAsAllowed threads(*this);
     Gated gated = gate(struck, time_step_s);
     const std::vector<std::size_t>& now = gated.now;
     int room = now.empty() ? 0 : roomForFragments();

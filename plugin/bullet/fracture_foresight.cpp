@@ -8,7 +8,6 @@
 #include "bullet/fracture_world_impl.h"
 #include "bullet/rehearsal.h"
 #include "bullet/torn_out.h"
-#include "core/numerics/parallel_chunks.h"
 #include "fracture/decide_blow.h"
 
 namespace sherd {
@@ -30,8 +29,7 @@ void FractureWorld::Impl::lookAhead() {
             least_energy_j = std::min(least_energy_j, breakable->least_energy_j);
             some_unanswered = some_unanswered || !breakable->asset.solid()->hasSolver();
         }
-    std::optional<OnThisThreadAlone> alone;
-    if (!mayHaveThreads()) alone.emplace();
+    const ThreadsAsAllowed threads(*this);
     for (btRigidBody* body : movers) {
         if (!foresight_.mayRehearse()) return;
         if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;

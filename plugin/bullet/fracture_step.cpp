@@ -58,7 +58,7 @@ void FractureWorld::Impl::endSolve(const btContactSolverInfo& info) {
 }
 
 void FractureWorld::Impl::afterIntegration() {
-    tellWhatCannotBreak();
+    if (awake_ || !decorator_.inPlace()) timed(times_.whole, [&] { tellWhatCannotBreak(); });
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             if (awake_) {
@@ -187,8 +187,7 @@ bool FractureWorld::Impl::isBreakable(const btCollisionObject& object) const {
 }
 
 bool FractureWorld::Impl::isFragment(const btCollisionObject& object) const {
-    const Breakable* breakable = breakables_.of(object);
-    return breakable && breakable->isFragment();
+    return breakables_.isFragment(object);
 }
 
 std::vector<const Breakable*> FractureWorld::Impl::bodiesInWorld() const {

@@ -1,6 +1,7 @@
 // Blows that wait for their turn, as the budget has it.
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bullet/applied_blow.h"
@@ -8,7 +9,6 @@
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/world_internals.h"
-#include "core/numerics/parallel_chunks.h"
 #include "fracture/blow_stress.h"
 
 namespace sherd {
@@ -41,7 +41,8 @@ int FractureWorld::Impl::roomForFragments() const {
     const auto alive =
         std::count_if(breakables_.all().begin(), breakables_.all().end(),
                       [](const auto& breakable) { return breakable->isFragment() && breakable->in_world; });
-    return budget_.fragments_alive - static_cast<int>(alive);
+    constexpr int most = std::numeric_limits<int>::max() / 2;  // a body's own places are added to it
+    return std::min(budget_.fragments_alive, most) - static_cast<int>(alive);
 }
 
 /// Tells of the blows on bodies that have no room for as few fragments as they may break into, and leaves
@@ -131,7 +132,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
         blow.decided = takeForeseen(*struck, question);
         if (!blow.decided) blow.decided = DecidedBlow::make(std::move(question));
         blow.is_kept = struck->isKept();
-        if (blow.is_kept) blow.promised = most_fragments - breakable.ownPlaces();
+        blow.promised = most_fragments - breakable.ownPlaces();
         blow.for_pieces = moved(struck->for_pieces, from_world);
         const double turn_s =
             WaitingBlows::turn_s(estimatedMilliseconds(*breakable.asset.solid()), budget_, time_step_s) /
@@ -165,12 +166,11 @@ StruckBreakable FractureWorld::Impl::struckNow(Breakable& breakable, const Waiti
 
 /// The blows whose turn it is: their bodies break where they are by now.
 void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
-    if (!mayHaveThreads()) {
-        const OnThisThreadAlone no_threads;
+    const ThreadsAsAllowed threads(*this);
+    if (!mayHaveThreads())
         waiting_.workUntil(time_s_);
-    } else if (!waiting_.empty()) {
+    else if (!waiting_.empty())
         waiting_.submit(executor(), time_s_);
-    }
     while (const WaitingBlow* due = waiting_.due(time_s_)) {
         waiting_.finishFirst(time_s_ + time_step_s, times_.steps.waiting);
         const auto& all = breakables_.all();

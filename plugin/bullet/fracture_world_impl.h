@@ -22,6 +22,7 @@
 #include "bullet/solvers_ahead.h"
 #include "bullet/step_phase.h"
 #include "bullet/waiting_blows.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/stopwatch.h"
 #include "fracture/blow_outcome.h"
 
@@ -115,6 +116,13 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void makeSolversFor(const btRigidBody& mover);
     /// Whether the app has not forbidden them.
     bool mayHaveThreads() const { return !executor_ || *executor_; }
+    /// While one lives, its thread does alone what others may not help with.
+    struct ThreadsAsAllowed {
+        explicit ThreadsAsAllowed(const Impl& world) {
+            if (!world.mayHaveThreads()) alone.emplace();
+        }
+        std::optional<OnThisThreadAlone> alone;
+    };
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);
     std::optional<ForeseenBlow> worthSolving(const StruckBreakable& struck, double time_s) const;

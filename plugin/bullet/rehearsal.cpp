@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "bullet/anisotropic_friction.h"
 #include "bullet/contact_motion.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_contact.h"
@@ -27,13 +28,7 @@ void copyCollision(const btCollisionObject& from, btCollisionObject& to) {
     // The app's callback for contacts of such objects would be asked of bodies that it does not know.
     to.setCollisionFlags(from.getCollisionFlags() & ~btCollisionObject::CF_CUSTOM_MATERIAL_CALLBACK);
     to.setContactProcessingThreshold(from.getContactProcessingThreshold());
-    to.setAnisotropicFriction(
-        from.getAnisotropicFriction(),
-        from.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_FRICTION)
-            ? btCollisionObject::CF_ANISOTROPIC_FRICTION
-        : from.hasAnisotropicFriction(btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION)
-            ? btCollisionObject::CF_ANISOTROPIC_ROLLING_FRICTION
-            : btCollisionObject::CF_ANISOTROPIC_FRICTION_DISABLED);
+    to.setAnisotropicFriction(from.getAnisotropicFriction(), anisotropicFrictionMode(from));
     to.setCcdMotionThreshold(from.getCcdMotionThreshold());
     to.setCcdSweptSphereRadius(from.getCcdSweptSphereRadius());
     to.forceActivationState(from.getActivationState());
@@ -255,8 +250,7 @@ bool Rehearsal::isBreakable(const btCollisionObject& object) const {
 }
 
 bool Rehearsal::isFragment(const btCollisionObject& object) const {
-    const Breakable* breakable = breakables_.of(object);
-    return breakable && breakable->isFragment();
+    return breakables_.isFragment(object);
 }
 
 }  // namespace sherd

@@ -57,6 +57,7 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budg
         WaitingBlow& kept = is_harder ? blow : other;
         WaitingBlow& left_out = is_harder ? other : blow;
         kept.for_pieces.insert(kept.for_pieces.end(), left_out.for_pieces.begin(), left_out.for_pieces.end());
+        kept.is_kept |= left_out.is_kept;
         if (!is_harder) return Fate::merged;
         blow.struck_at_s = time_s;
         blow.begun_s = other.begun_s;
@@ -149,7 +150,8 @@ std::vector<Push> WaitingBlows::pushesFor(std::uint64_t serial) const {
 
 int WaitingBlows::promised() const {
     int fragments = 0;
-    for (const WaitingBlow& blow : blows_) fragments += blow.promised;
+    for (const WaitingBlow& blow : blows_)
+        if (blow.is_kept) fragments += blow.promised;
     return fragments;
 }
 

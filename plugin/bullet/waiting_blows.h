@@ -19,7 +19,7 @@ struct WaitingBlow {
     std::uint64_t serial = 0;  ///< of the body
     bool is_on_fragment = true;
     bool is_kept = false;  ///< never dropped
-    int promised = 0;      ///< fragments, of one that is kept
+    int promised = 0;      ///< more bodies at most, for which there is room in the world if it is kept
     double impulse_n_s = 0;
     double energy_j = 0;  ///< that it brings at most: of two, the one with more is the harder
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame

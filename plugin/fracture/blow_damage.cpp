@@ -27,6 +27,11 @@ Strength strengthAtSamples(const BreakableSolid& solid, const BodyStrength& stre
 
 namespace {
 
+/// Where nothing presses, nothing was solved.
+Level levelOf(const BlowForces& forces, Level solved) {
+    return forces.strike.empty() ? Level::gate : solved;
+}
+
 /// Of the contact, and of what rings after it, unless the contact alone may have the body in pieces by then.
 void damageOverTime(const StrikeContext& struck, AddDamageAt add_damage_at, BlowDamage& found) {
     const double crack_j = smallestCrackEnergy(struck.solid, struck.fracture);
@@ -66,8 +71,8 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     Result<BlowForces> forces =
         blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
     if (!forces) return Error{forces.error()};
-    found.level = Level::reduced;
     found.forces = std::move(forces).value();
+    found.level = levelOf(found.forces, Level::reduced);
     found.warnings = reduced.warnings;
     if (found.forces.strike.empty()) return success();
     if (!found.forces.contact.near.empty()) {
@@ -102,7 +107,7 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
 void solveFully(const StrikeContext& struck, const Blow& blow, const BodyStrength& strength, StageTimes& ms,
                 BlowDamage& found) {
     const auto stress = std::make_shared<const BlowStress>(valueOrFail(blowStress(struck, blow, ms)));
-    found.level = stress->strike.empty() ? Level::gate : Level::full;  // nothing presses: nothing was solved
+    found.level = levelOf(*stress, Level::full);
     found.residual_rel = stress->unit.residual_rel;
     found.warnings = stress->unit.warnings;
     found.forces = *stress;

@@ -513,4 +513,35 @@ TEST(Explode, OutlivesACallbackThatDestroysTheFractureWorld) {
     EXPECT_EQ(scene.world->getConstraintSolver(), scene.solver.get());
 }
 
+/// All others are out of the world then, and nothing limits how many there may be.
+TEST(AppliedBlow, TheOnlyFragmentThatCameBackBreaksAsAnyOther) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    ASSERT_TRUE(fracture.setBudget(Budget::none()).ok());
+    Settings settings = coarse(0.05);
+    settings.fracture.smallest_fragment_m3 = 1e-6;
+    settings.fracture.fragment_count = 6;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), settings);
+    btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0)).value();
+    const auto strike = [&](btRigidBody* struck) {
+        EXPECT_TRUE(fracture.applyBlow(struck, {struck->getCenterOfMassPosition(), {0, 0, -50}}));
+        const auto events = fracture.takeEvents();
+        EXPECT_EQ(events.size(), 1u);
+        return events.empty() ? std::vector<btRigidBody*>() : events.front().fragments;
+    };
+    const auto fragments = strike(body);
+    ASSERT_GT(fragments.size(), 2u);
+    btRigidBody* heaviest =
+        *std::min_element(fragments.begin(), fragments.end(),
+                          [](const auto* a, const auto* b) { return a->getInvMass() < b->getInvMass(); });
+    scene.step(60);  // no longer just born
+    fracture.takeEvents();
+    for (btRigidBody* fragment : fragments) scene.world->removeRigidBody(fragment);
+    scene.addBall(1, 0.05, {9, 9, 9}, {1, 0, 0});  // a world asleep does not look who is there
+    scene.step(1);
+    scene.world->addRigidBody(heaviest);
+    EXPECT_GT(strike(heaviest).size(), 2u);
+}
+
 }  // namespace

@@ -1,5 +1,4 @@
-// Worlds that are stepped on threads of their own, and assets that other threads make meanwhile. To be run
-// with thread checks (-fsanitize=thread), too.
+// Worlds that are stepped on threads of their own, and assets that other threads make meanwhile.
 
 #include <atomic>
 #include <thread>

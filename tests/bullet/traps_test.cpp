@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "bullet/impulse_write_back.h"
 #include "bullet/support.h"
 
 namespace {
@@ -31,6 +32,20 @@ void expectCalm(const TestWorld& scene, btScalar fastest) {
         ASSERT_TRUE(finite(body->getLinearVelocity()));
         EXPECT_LT(body->getLinearVelocity().length(), fastest);
     }
+}
+
+/// The end of a step does not come where the app's callback throws.
+TEST(Traps, WarmStartingIsOffAgainAfterAStepThatEndedEarly) {
+    TestWorld scene;
+    btContactSolverInfo& info = scene.world->getSolverInfo();
+    info.m_solverMode &= ~SOLVER_USE_WARMSTARTING;
+    const btScalar factor = info.m_warmstartingFactor;
+    ImpulseWriteBack write_back;
+    write_back.begin(*scene.world);
+    write_back.begin(*scene.world);
+    write_back.end(*scene.world);
+    EXPECT_FALSE(info.m_solverMode & SOLVER_USE_WARMSTARTING);
+    EXPECT_EQ(info.m_warmstartingFactor, factor);
 }
 
 TEST(Traps, JointsOfTheBrokenBodyAreTakenOutAndNamed) {

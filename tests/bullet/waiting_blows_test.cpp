@@ -120,6 +120,26 @@ TEST(WaitingBlows, WholeBodiesHaveTheTimeOfFragmentsAndHalfOfTheLongestWaitAtLea
     EXPECT_NEAR(waiting.left_s(budget, 2), budget.longest_wait_s / 2, 1e-9);
 }
 
+/// What an explosion does is not lost because something else strikes the body harder, or first.
+TEST(WaitingBlows, ABodyOfAnExplosionIsKeptWhateverElseStrikesIt) {
+    const Budget budget;
+    for (const bool is_first : {true, false}) {
+        WaitingBlows waiting;
+        WaitingBlow of_explosion = blowOn(1), ordinary = blowOn(1);
+        for (const std::uint64_t body : {10, 11}) add(waiting, blowOn(body), 90, budget, 2);
+        of_explosion.is_kept = true;
+        of_explosion.promised = 5;
+        ordinary.promised = 8;
+        ordinary.energy_j = 5;  // the harder one
+        ASSERT_EQ(add(waiting, is_first ? of_explosion : ordinary, 50, budget, 2), WaitingBlows::Fate::waits);
+        EXPECT_EQ(waiting.promised(), is_first ? 5 : 0);
+        ASSERT_EQ(add(waiting, is_first ? ordinary : of_explosion, 50, budget, 2),
+                  WaitingBlows::Fate::merged);
+        EXPECT_EQ(waiting.promised(), 8) << is_first;
+        EXPECT_NE(waiting.keptFor(1), nullptr) << is_first;
+    }
+}
+
 TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     const Budget budget;
     WaitingBlows waiting;

@@ -2,6 +2,9 @@
 
 #include <sherd/triangle_mesh.h>
 
+#include <algorithm>
+#include <limits>
+
 #include "core/archive/indices.h"
 
 namespace sherd {
@@ -21,8 +24,9 @@ void archiveFields(Archive& to_or_from, TriangleMesh& mesh) {
     archiveIndices(to_or_from, material, static_cast<int>(materials.size()));
     int last_face = file_faces.empty() ? 0 : *std::max_element(file_faces.begin(), file_faces.end());
     archive(to_or_from, last_face);
-    to_or_from.require(0 <= last_face && last_face < std::numeric_limits<int>::max());
-    archiveIndices(to_or_from, file_faces, last_face + 1);
+    const bool is_possible = 0 <= last_face && last_face < std::numeric_limits<int>::max();
+    to_or_from.require(is_possible);
+    archiveIndices(to_or_from, file_faces, is_possible ? last_face + 1 : 1);
 
     const auto isNoneOr = [&](std::size_t size, std::size_t all) {
         to_or_from.require(size == 0 || size == all);
