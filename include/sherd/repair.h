@@ -23,10 +23,10 @@ struct Repair {
     /// The axis of the mesh that points up; the mesh is turned so that it is z.
     UpAxis up_axis = UpAxis::z;
     /// Above 0 the solid gets one cavity that leaves walls of this thickness, m (after scaling): ceramic
-    /// figures are hollow. Parts that are thinner than two walls stay solid. A mesh that is open (a rim of
-    /// more than 0.15 of its diagonal) is taken for a vessel that is modelled as a sheet: it becomes walls of
-    /// this thickness on its inner side, and stays open. Where these would cross, the sheet is wrapped, with
-    /// half of the thickness on either side (`Mode::automatic`).
+    /// figures are hollow. Parts that are thinner than two walls stay solid. With a mode other than `off` a
+    /// mesh that is open (a rim of more than 0.15 of its diagonal) is taken for a vessel that is modelled as
+    /// a sheet: it becomes walls of this thickness on its inner side, and stays open. Where these would
+    /// cross, the sheet is wrapped, with half of the thickness on either side (`Mode::automatic`).
     double shell_thickness_m = 0;
     /// Of the wrap, as a fraction of the mesh's diagonal, 0.001 to 0.1: openings and creases narrower than
     /// this are closed, triangles are about as large.

@@ -182,6 +182,14 @@ TEST(Repair, PartsThatAreNotSewnTogetherEncloseASolidThatBecomesHollow) {
     EXPECT_LT(volumeOf(result.mesh), 0.5) << "not filled up, and called walls";
 }
 
+TEST(Repair, AThicknessWithoutAModeSaysThatNothingIsMended) {
+    Repair off;
+    off.shell_thickness_m = 0.05;
+    const auto refused = repairMesh(bowl(), off);
+    ASSERT_FALSE(refused.ok());
+    EXPECT_NE(refused.error().find("while Repair::mode is off"), std::string::npos) << refused.error();
+}
+
 TEST(Repair, WallsThatWouldCrossAreWrapped) {
     const TriangleMesh two = shapes::joined(bowl(), shapes::translated(bowl(), Vec3(1.5, 0, 0)));
     Repair thick = Repair::automatic();
