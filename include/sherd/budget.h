@@ -13,18 +13,28 @@ enum class Priority {
 };
 
 /// What breaking may cost a step; not what a step may take: what must not wait takes its time, and a whole
-/// body that is not prepared takes most. Every blow on a whole body is decided in its step, or solved before
-/// (`foresight_s`). In its step is decided every blow on a fragment that something lighter than it strikes,
-/// or that falls on one that is held: what breaks there lets the striker through; beyond `solves_per_step`
-/// what is held comes out of its supports whole, and its blow waits. Other blows on fragments wait. So do,
-/// beyond `milliseconds_per_step`, blows on whole bodies that fragments strike; and where more than
-/// `solves_per_step` bodies are struck at once, or a ball breaks another one in the step, those that
-/// breakable bodies strike, the ground, or what is 50 times as heavy, or an explosion. Blows that wait are
-/// solved beside the steps that follow, by the world's executor; the body breaks steps later, where it is by
-/// then, a whole one before fragments. How many follows from simulated time, the size of bodies, and whether
-/// they are prepared by then, never from the clock: a run repeats bit for bit. Events tell
-/// (BlowEvent::waited_s, Outcome::dropped); so BlowCounts. A step is one of Bullet's own: a frame may have
-/// several.
+/// body that is not prepared takes most. A step is one of Bullet's own: a frame may have several.
+///
+/// Decided in their step, always:
+/// - blows on a whole body by what it turns back or slows down;
+/// - blows on a fragment by a lighter body that is no fragment: what breaks lets that through;
+/// - blows on a fragment that supports hold, by what is half as heavy or more. Beyond `solves_per_step` such
+///   fragments come out of their supports whole, and break later.
+///
+/// In their step while it has room, else later:
+/// - blows on a whole body by the ground, a breakable body, or what is 50 times as heavy. There is room
+///   unless more than `solves_per_step` bodies are struck, or a ball breaks another one in the step; then as
+///   far as `milliseconds_per_step` goes;
+/// - blows on a whole body by fragments alone: as far as that goes, one at least;
+/// - what an explosion does: all of it if there is no more than `solves_per_step`, else one at least.
+///
+/// Later: other blows on fragments.
+///
+/// Every blow on a whole body may be solved before it falls (`foresight_s`). Blows that wait are solved
+/// beside the steps that follow, by the world's executor; the body breaks steps later, where it is by then, a
+/// whole one before fragments. How many follows from simulated time, the size of bodies, and whether they are
+/// prepared by then, never from the clock: a run repeats bit for bit. Events tell (BlowEvent::waited_s,
+/// Outcome::dropped); so BlowCounts.
 struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.

@@ -36,7 +36,7 @@ struct StepTimes {
     double sync = 0;      ///< which bodies came and went; removals and events
     double release = 0;   ///< deleting broken bodies that nobody needs any more
     double snapshot = 0;  ///< a copy of all that the solve will change
-    double overlaps = 0;  ///< fragments that overlap where they are born
+    double overlaps = 0;  ///< contacts of fragments: where they are born, and so that they come to rest
     double ground = 0;    ///< keeping fragments on their side of meshes and height fields
     double sweep = 0;     ///< continuous collision among fragments
     double contacts = 0;  ///< gathering the contacts of breakable bodies, vertices that Bullet lacks included
