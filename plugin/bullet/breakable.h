@@ -123,6 +123,10 @@ class BreakableRegistry {
     Breakable* find(const btCollisionObject* object) const;
     /// The same of what is alive for sure, sooner.
     Breakable* of(const btCollisionObject& alive) const;
+    bool isFragment(const btCollisionObject& alive) const {
+        const Breakable* breakable = of(alive);
+        return breakable && breakable->isFragment();
+    }
     /// Removes and returns an entry; nullptr for other bodies.
     std::unique_ptr<Breakable> take(BodyToken token);
     /// Updates `in_world` of every entry. A body that the app removed from the world stays breakable, for

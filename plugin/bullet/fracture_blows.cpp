@@ -97,7 +97,8 @@ void FractureWorld::Impl::removeRequested() {
 /// A blow by itself, or all of an explosion: those are decided side by side, or when the budget has their
 /// turn. What is held takes no impulse itself; what comes loose of it does.
 void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
-    std::vector<StruckBreakable> blows_now, of_explosion;
+    const bool is_explosion = !blows.empty() && blows.front().explosion > 0;
+    std::vector<StruckBreakable> together;
     for (const QueuedBlow& blow : blows)
         for (const auto& [body, pushes] : targetsOf(blow)) {
             if (!isInWorld(world_, body->body) || !body->canBeStruck()) continue;
@@ -107,16 +108,14 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
             const bool is_held = body->isHeld();
             if (!is_held) push(*body->body, pushes);
             if (!body->breaksAt(time_s_)) continue;
-            auto& together = blow.explosion > 0 ? of_explosion : blows_now;
             together.push_back(struck);
-            together.back().is_of_explosion = blow.explosion > 0;
+            together.back().is_of_explosion = is_explosion;
             if (is_held) together.back().for_pieces = pushes;
         }
-    replaceBroken(evaluateBlows(blows_now, 0), time_step_s);
-    if (of_explosion.empty()) return;
     // Where Sherd's solver was replaced no step would end their waiting.
-    const btScalar wait_by_s = decorator_.inPlace() ? world_.getSolverInfo().m_timeStep : btScalar(0);
-    replaceBroken(evaluateBlows(of_explosion, wait_by_s), time_step_s);
+    const bool may_wait = is_explosion && decorator_.inPlace();
+    const btScalar wait_by_s = may_wait ? world_.getSolverInfo().m_timeStep : btScalar(0);
+    replaceBroken(evaluateBlows(together, wait_by_s), time_step_s);
 }
 
 void FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time_step_s) {

@@ -6,6 +6,7 @@
 #include <array>
 #include <limits>
 
+#include "bullet/body_travel.h"
 #include "bullet/contact_motion.h"
 
 namespace sherd {
@@ -18,13 +19,6 @@ constexpr double untouched = -1;  // instead of an energy
 /// Whether its velocities tell how all its points move: it is neither a link nor moved by the app.
 bool movesAsRigidBody(const btCollisionObject& object) {
     return btRigidBody::upcast(&object) && !object.isKinematicObject();
-}
-
-double reachOf(const btCollisionObject& object) {
-    btVector3 centre;
-    btScalar radius;
-    object.getCollisionShape()->getBoundingSphere(centre, radius);
-    return centre.length() + radius;
 }
 
 /// Of the energy that a strike with a certain speed brings, in `blowEnergy`: with all of the striker's mass,
@@ -70,7 +64,7 @@ double PossibleStrikes::fastestMeeting(const btPersistentManifold& manifold) con
         const btRigidBody& body = *btRigidBody::upcast(object);
         const BodyState* known = before_.find(object);
         const BodyState state = known ? *known : stateOf(body);
-        const double reach = reachOf(body), side = object == manifold.getBody0() ? -1 : 1;
+        const double reach = radiusAboutOrigin(body), side = object == manifold.getBody0() ? -1 : 1;
         for (std::size_t i = 0; i < count; ++i) {
             const btVector3& normal = manifold.getContactPoint(static_cast<int>(i)).m_normalWorldOnB;
             speeds[i] += side * state.linear.dot(normal) + reach * state.angular.cross(normal).length();

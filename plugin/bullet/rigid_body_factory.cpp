@@ -175,13 +175,6 @@ OwnedBody makeRigidBody(const BreakableSolid& solid, std::shared_ptr<const Owned
     return owned;
 }
 
-OwnedBody makeRigidBody(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
-                        double mass_scale) {
-    const btTransform frame = principalFrame(solid.moments()).body_from_asset;
-    return makeRigidBody(solid, std::make_shared<OwnedShape>(makeShape(solid, wanted, boxes, frame)),
-                         mass_scale);
-}
-
 void placeBody(OwnedBody& owned, const btTransform& place, const btTransform& drawn,
                const btTransform& body_from_asset) {
     owned.motion_state = std::make_unique<btDefaultMotionState>(drawn * body_from_asset, body_from_asset);

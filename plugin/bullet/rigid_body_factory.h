@@ -59,10 +59,7 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
 /// A rigid body of the solid's mass times `mass_scale`, at the world's origin, not in a world yet. The shape
 /// is in its frame.
 OwnedBody makeRigidBody(const BreakableSolid& solid, std::shared_ptr<const OwnedShape> shape,
-                        double mass_scale = 1);
-/// The same with a shape of its own.
-OwnedBody makeRigidBody(const BreakableSolid& solid, const ShapeChoice& wanted, const std::vector<Box>& boxes,
-                        double mass_scale = 1);
+                        double mass_scale);
 
 /// Puts the body to `place` and gives it a motion state of its own, in which its centre of mass is drawn at
 /// `drawn`: `m_graphicsWorldTrans` is where to draw the asset.

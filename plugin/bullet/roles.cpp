@@ -8,6 +8,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "bullet/body_travel.h"
 #include "bullet/contact_motion.h"
 #include "bullet/decided_blow.h"
 #include "bullet/objects_around.h"
@@ -72,11 +73,8 @@ bool isOnTheWay(const btRigidBody& body, const btCollisionObject& other, double 
 
 /// What a body brings to what stands still, J, and somewhat more: gravity goes on pulling.
 double energyOf(const btRigidBody& mover) {
-    btVector3 centre;
-    btScalar radius;
-    mover.getCollisionShape()->getBoundingSphere(centre, radius);
     const double speed =
-        mover.getLinearVelocity().length() + (centre.length() + radius) * mover.getAngularVelocity().length();
+        mover.getLinearVelocity().length() + radiusAboutOrigin(mover) * mover.getAngularVelocity().length();
     return speed * speed / mover.getInvMass();
 }
 

@@ -22,11 +22,6 @@ constexpr btScalar same_place = btScalar(0.01);        // of the breaking thresh
 // Of the height that a body falls by in a step: what a base is uneven by.
 constexpr btScalar even = btScalar(0.125);
 
-bool isFragment(const btCollisionObject& object, const BreakableRegistry& breakables) {
-    const Breakable* breakable = breakables.of(object);
-    return breakable && breakable->isFragment();
-}
-
 /// A fragment that moves, on something that does not; nullptr for other pairs.
 const Breakable* fragmentOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables) {
     const bool is_b = manifold.getBody0()->isStaticObject();
@@ -145,7 +140,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (isDeeperThan(deepest, manifold) &&
-            (isFragment(*manifold.getBody0(), breakables) || isFragment(*manifold.getBody1(), breakables)))
+            (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1())))
             limitDepth(manifold, deepest, info);
     }
 }

@@ -42,15 +42,6 @@ BlowOutcome solveBlow(const BreakableSolid& solid, const Blow& blow, const Fract
     return completed(std::move(out), solid, blow, fracture, seed, earlier);
 }
 
-BlowOutcome decideBlow(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
-                       std::uint64_t seed, const std::shared_ptr<const DamagedMaterial>& earlier) {
-    StageTimes before;
-    if (auto held = heldByGate(solid, blow, fracture, seed, before.gate, earlier)) return std::move(*held);
-    BlowOutcome out = solveBlow(solid, blow, fracture, seed, earlier);
-    out.ms += before;
-    return out;
-}
-
 void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
                         std::uint64_t seed, BlowFigures& decided,
                         const std::shared_ptr<const DamagedMaterial>& earlier) {

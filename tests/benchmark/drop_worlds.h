@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "benchmark/floor_world.h"
-#include "bullet/rigid_body_factory.h"
 #include "fracture/breakable_solid.h"
+#include "support/plain_twin.h"
 
 namespace sherd::benchmarks {
 
@@ -65,7 +65,7 @@ class PlainTwin {
         for (const btRigidBody* piece : fracture.bodies()) {
             const BreakableSolid& solid = *fracture.asset(piece)->solid();
             solids_.push_back(fracture.asset(piece)->solid());
-            pieces_.push_back(makeRigidBody(solid, shape, {}));
+            pieces_.push_back(plainTwin(solid, shape));
             from_asset_.push_back(principalFrame(solid.moments()).body_from_asset);
             btRigidBody& twin = *pieces_.back().body;
             twin.setCenterOfMassTransform(piece->getWorldTransform());

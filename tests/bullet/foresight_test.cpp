@@ -171,8 +171,6 @@ TEST(Foresight, WhatTheAppTurnsAsideIsSolvedWhenItFalls) {
         scene.fracture->setExecutor({});  // what is to come is solved as it falls
         ASSERT_LE(scene.breakIt(), 100);
         stresses.push_back(scene.broken.front().largest_stress_pa);
-        EXPECT_FALSE(scene.broken.front().foreseen);
-        EXPECT_EQ(scene.broken.front().ms_elsewhere.total(), 0);
         EXPECT_EQ(scene.fracture->counts().foreseen_in_vain > 0, foresight_s > 0);
     }
     EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
@@ -322,6 +320,8 @@ TEST(Foresight, WhatIsPreparedMeanwhileIsAskedAgain) {
         ASSERT_LE(scene.breakIt(), 100);
         EXPECT_EQ(scene.broken.front().level, Level::reduced);
         EXPECT_EQ(scene.fracture->counts().foreseen, 0);
+        EXPECT_FALSE(scene.broken.front().foreseen);
+        EXPECT_EQ(scene.broken.front().ms_elsewhere.total(), 0);
         numbers.push_back(scene.numbers());
     }
     EXPECT_EQ(numbers[0], numbers[1]);

@@ -16,6 +16,7 @@ struct BeforeTheBreak {
     std::vector<btRigidBody*> breakIt() {
         const BlowEvent event = stepUntilBreak(scene, fracture);
         EXPECT_EQ(event.outcome, broke) << event.message;
+        EXPECT_GT(event.fragments.size(), 1u);
         return event.fragments;
     }
     TestWorld scene;

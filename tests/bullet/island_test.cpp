@@ -74,7 +74,9 @@ TEST(Snapshot, PutsBackTheImpulsesThatWarmTheSolverUp) {
     const Island island = connectedIsland(*yard.scene.world, {yard.a});
     StepSnapshot before;
     before.take(*yard.scene.world);
+    ASSERT_GT(island.manifolds.size(), 0);
     for (btPersistentManifold* manifold : island.manifolds) {
+        ASSERT_GT(manifold->getNumContacts(), 0);
         for (int p = 0; p < manifold->getNumContacts(); ++p) {
             btManifoldPoint& point = manifold->getContactPoint(p);
             const btScalar normal = point.m_appliedImpulse, lateral = point.m_appliedImpulseLateral1;

@@ -125,7 +125,9 @@ TEST(MissedVertices, AreNoneBesideTheOtherBody) {
     scene.addBox(0, btVector3(0.05f, 5, 0.5f), btVector3(0, 0, -0.5f));
     btRigidBody* body = scene.addBody(cubeHull(), 4, btVector3(0, 0, 0.095f));
     scene.world->performDiscreteCollisionDetection();
-    for (const btVector3& point : lowestPoints(scene, body, true)) EXPECT_LT(std::abs(point.x()), 0.06);
+    const auto points = lowestPoints(scene, body, true);
+    ASSERT_FALSE(points.empty());
+    for (const btVector3& point : points) EXPECT_LT(std::abs(point.x()), 0.06);
 }
 
 }  // namespace

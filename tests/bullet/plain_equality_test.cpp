@@ -1,8 +1,8 @@
 // Where nothing breaks, the hook must not be felt: the same bits as plain Bullet.
 
-#include "bullet/rigid_body_factory.h"
 #include "bullet/support.h"
 #include "fracture/pipeline.h"
+#include "support/plain_twin.h"
 
 namespace {
 
@@ -37,7 +37,7 @@ class PlainEquality : public testing::TestWithParam<Case> {
         FractureWorld fracture(hooked.world.get());
         btRigidBody* body = fracture.add(asset, standing).value();
 
-        OwnedBody twin = makeRigidBody(*asset.solid(), ShapeChoice(asset.settings().fracture), {});
+        OwnedBody twin = plainTwin(*asset.solid(), ShapeChoice(asset.settings().fracture));
         twin.body->setCenterOfMassTransform(
             standing * principalFrame(asset.solid()->moments()).body_from_asset.inverse());
         plain.world->addRigidBody(twin.body.get());

@@ -94,6 +94,7 @@ TEST(Gltf, TimesRiseAndTurnsAreUnitQuaternions) {
     const Written& file = written();
     const Glb glb(file.path);
     const json& animation = glb.document["animations"].at(0);
+    ASSERT_GT(animation["channels"].size(), 1u);
     for (const json& channel : animation["channels"]) {
         const json& sampler = animation["samplers"].at(channel["sampler"].get<std::size_t>());
         const std::vector<float> times = glb.floats(sampler["input"]), values = glb.floats(sampler["output"]);

@@ -8,7 +8,7 @@
 #include "core/loads/contact_loads.h"
 #include "fracture/blow_damage.h"
 #include "fracture/can_break.h"
-#include "fracture/decide_blow.h"
+#include "fracture/decided.h"
 #include "fracture/default_fracture.h"
 #include "fracture/pipeline.h"
 #include "fracture/random_blows.h"
@@ -94,10 +94,10 @@ TEST_F(BlowBounds, TheGateSkipsATapByItsStress) {
     double speed = 100;
     while (canBreak(solid(), tap(speed), solid().settings().fracture)) speed *= 0.9;
     EXPECT_TRUE(canBreak(solid(), tap(speed), without)) << speed;
-    const BlowOutcome tapped = decideBlow(solid(), tap(speed), solid().settings().fracture, 1);
+    const BlowOutcome tapped = decided(solid(), tap(speed), solid().settings().fracture);
     EXPECT_EQ(tapped.outcome, Outcome::held);
     EXPECT_EQ(tapped.level, Level::gate);
-    const BlowOutcome solved = decideBlow(solid(), tap(speed), without, 1);
+    const BlowOutcome solved = decided(solid(), tap(speed), without);
     EXPECT_EQ(solved.outcome, Outcome::held);
     EXPECT_EQ(solved.level, Level::full);
 }

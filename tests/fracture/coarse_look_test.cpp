@@ -6,7 +6,7 @@
 
 #include "fracture/blow_stress.h"
 #include "fracture/crack_energy.h"
-#include "fracture/decide_blow.h"
+#include "fracture/decided.h"
 #include "fracture/default_fracture.h"
 #include "fracture/pipeline.h"
 #include "fracture/struck_plate.h"
@@ -80,7 +80,7 @@ TEST(CoarseLook, WhatItSaysIsHeldIsHeldByAFullSolve) {
             const auto solid = fragment(surface);
             const FractureSettings& fracture = solid->settings().fracture;
             const Blow blow = blowInTheMiddle(0.02, speed);
-            const BlowOutcome out = decideBlow(*solid, blow, fracture, 1);
+            const BlowOutcome out = decided(*solid, blow, fracture);
             coarse += out.level == Level::coarse;
             full += out.level == Level::full;
             if (out.level != Level::coarse) continue;
@@ -103,7 +103,7 @@ TEST(CoarseLook, ACheckChangesNoLaterDecision) {
     fracture.check_with_full_solve = true;
     int coarse = 0;
     for (const double speed : {0.01, 4.0, 4.0, 4.2}) {  // all held; the gate decides the first
-        const BlowOutcome out = decideBlow(*solid, blowInTheMiddle(0.02, speed), fracture, 1);
+        const BlowOutcome out = decided(*solid, blowInTheMiddle(0.02, speed), fracture);
         coarse += out.level == Level::coarse;
         EXPECT_NE(out.level, Level::full);
         EXPECT_EQ(out.full_solve_outcome, Outcome::held);

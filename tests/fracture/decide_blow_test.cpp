@@ -1,10 +1,9 @@
-#include "fracture/decide_blow.h"
-
 #include <gtest/gtest.h>
 #include <sherd/breakable_asset.h>
 
 #include <stdexcept>
 
+#include "fracture/decided.h"
 #include "fracture/default_fracture.h"
 #include "fracture/struck_plate.h"
 
@@ -27,7 +26,7 @@ FractureSettings checking(const BreakableSolid& solid) {
 
 TEST(DecideBlow, TheGateDecidesWeakBlowsAndSolvesNothing) {
     const auto solid = plate();
-    const BlowOutcome out = decideBlow(*solid, weak, solid->settings().fracture, 1);
+    const BlowOutcome out = decided(*solid, weak, solid->settings().fracture);
     EXPECT_EQ(out.level, Level::gate);
     EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_DOUBLE_EQ(out.impulse_n_s, 0.05 * 0.001);
@@ -40,8 +39,7 @@ TEST(DecideBlow, TheGateDecidesWeakBlowsAndSolvesNothing) {
 TEST(DecideBlow, AFullSolveDecidesTheOthers) {
     const auto solid = plate();
     for (const bool check : {false, true}) {
-        const BlowOutcome out =
-            decideBlow(*solid, hard, check ? checking(*solid) : solid->settings().fracture, 1);
+        const BlowOutcome out = decided(*solid, hard, check ? checking(*solid) : solid->settings().fracture);
         EXPECT_EQ(out.level, Level::full);
         EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
         EXPECT_EQ(out.largest_stress_pa, strike(*solid, hard, 1).largest_stress_pa);
@@ -52,7 +50,7 @@ TEST(DecideBlow, AFullSolveDecidesTheOthers) {
 
 TEST(DecideBlow, ACheckSaysWhatAFullSolveFindsAndDecidesNothing) {
     const auto solid = plate();
-    const BlowOutcome out = decideBlow(*solid, weak, checking(*solid), 1);
+    const BlowOutcome out = decided(*solid, weak, checking(*solid));
     EXPECT_EQ(out.level, Level::gate);
     EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_EQ(out.largest_stress_pa, 0);
@@ -68,7 +66,7 @@ TEST(DecideBlow, ACheckThatFailsSaysWhy) {
     Settings settings;
     settings.strength.field = [](const Vec3&) -> double { throw std::runtime_error("no field today"); };
     const auto solid = plateAsset(Material::plaster(), settings).solid();
-    const BlowOutcome out = decideBlow(*solid, weak, checking(*solid), 1);
+    const BlowOutcome out = decided(*solid, weak, checking(*solid));
     EXPECT_EQ(out.level, Level::gate);
     EXPECT_EQ(out.outcome, Outcome::held);
     EXPECT_EQ(out.full_solve_outcome, Outcome::failed);

@@ -6,7 +6,7 @@
 
 #include "core/numerics/pi.h"
 #include "fracture/blow_damage.h"
-#include "fracture/decide_blow.h"
+#include "fracture/decided.h"
 #include "support/shapes.h"
 
 namespace sherd {
@@ -142,7 +142,7 @@ TEST(VibrationBlow, WhatBreaksUnderABlowBreaksUnderAHarderOne) {
         double broke_at = 0;
         for (double speed = 1; speed < 10; speed *= 1.1) {
             const Blow blow = ball(Vec3(0.1, -0.01, 0), 0.05, speed, 0.02, modulus);
-            const BlowOutcome out = decideBlow(*rod, blow, rod->settings().fracture, 1);
+            const BlowOutcome out = decided(*rod, blow, rod->settings().fracture);
             if (out.outcome == Outcome::broke) {
                 if (broke_at == 0) broke_at = speed;
                 EXPECT_EQ(out.damaged, nullptr) << "pieces have what earlier blows damaged, not this one";
@@ -160,12 +160,12 @@ TEST(VibrationBlow, WhatRingsFaintlyBreaksARodThatAContactCompresses) {
     const auto rod = prepared(shapes::slab({0.045, 0.408, 0.044}, 1, 9, 1), Material::plaster(),
                               Settings::forQuality(Quality::preview));
     const Blow blow = ball(Vec3(-0.004, -0.204, -0.003), 0.334, 45, 0.0614, 3.8e7);
-    const BlowOutcome out = decideBlow(*rod, blow, rod->settings().fracture, 1);
+    const BlowOutcome out = decided(*rod, blow, rod->settings().fracture);
     EXPECT_EQ(out.outcome, Outcome::broke) << out.largest_stress_pa << " Pa";
 }
 
 double largestPiece(const BreakableSolid& solid, const Blow& blow) {
-    const BlowOutcome out = decideBlow(solid, blow, solid.settings().fracture, 1);
+    const BlowOutcome out = decided(solid, blow, solid.settings().fracture);
     EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
     double largest = 0;
     for (const Fragment& fragment : out.fragments) largest = std::max(largest, fragment.solid->mass());

@@ -65,6 +65,9 @@ TEST_F(Bracket, AFurtherSolveOnKeptGridsGivesTheSameBits) {
     const std::vector<Vec3> points = readReference(folder + "/reference_surface.csv").points;
     const StressModel bracket = model(2);
     const auto first = solve(bracket, points), again = solve(bracket, points);
+    ASSERT_EQ(first.size(), points.size());
+    ASSERT_EQ(again.size(), points.size());
+    ASSERT_FALSE(points.empty());
     for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i], again[i]);
 }
 

@@ -74,7 +74,4 @@ struct Discretisation {
 
 double meanParticleVolume(const Discretisation& solid);  ///< m^3
 
-/// Moments of the whole solid, summed over its cells.
-Moments totalMoments(const Discretisation& solid);
-
 }  // namespace sherd

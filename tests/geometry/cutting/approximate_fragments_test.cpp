@@ -104,7 +104,9 @@ TEST(ApproximateFragments, TakeAttributesFromTrianglesNearBy) {
     for (const auto& [a, b, c] : mesh.triangles)
         mesh.material.push_back(mesh.vertices[a].z() + mesh.vertices[b].z() + mesh.vertices[c].z() > 0);
     const Discretisation solid = particlesOnly(mesh, 0.12);
-    for (const FragmentSurface& piece : approximated(mesh, solid, randomClusters(solid, 4, 1)).pieces) {
+    const auto pieces = approximated(mesh, solid, randomClusters(solid, 4, 1)).pieces;
+    ASSERT_GT(pieces.size(), 1u);
+    for (const FragmentSurface& piece : pieces) {
         ASSERT_EQ(piece.mesh.colours.size(), piece.mesh.vertices.size());
         for (std::size_t t = 0; t < piece.parents.size(); ++t) {
             const auto& [a, b, c] = piece.mesh.triangles[t];

@@ -6,7 +6,7 @@
 #include "core/mlpg/particle_forms/heaviside_stiffness.h"
 #include "core/mlpg/particle_forms/particle_inertia.h"
 #include "core/mlpg/pinned_unknowns.h"
-#include "core/sampling/sample_solid.h"
+#include "core/sampling/sampling_support.h"
 #include "support/shapes.h"
 
 namespace sherd {
