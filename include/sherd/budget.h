@@ -16,17 +16,19 @@ enum class Priority {
 /// body that is not prepared takes most. A step is one of Bullet's own: a frame may have several.
 ///
 /// Decided in their step, always:
-/// - blows on a whole body by what it turns back or slows down;
-/// - blows on a fragment by a lighter body that is no fragment: what breaks lets that through;
+/// - blows on a whole body by what it turns back or slows down and cannot break;
+/// - blows on a fragment by a lighter body that cannot break: what breaks lets that through;
 /// - blows on a fragment that supports hold, by what is half as heavy or more. Beyond `solves_per_step` such
 ///   fragments come out of their supports whole, and break later.
 ///
 /// In their step while it has room, else later:
-/// - blows on a whole body by the ground, a breakable body, or what is 50 times as heavy. There is room
-///   unless more than `solves_per_step` bodies are struck, or a ball breaks another one in the step; then as
-///   far as `milliseconds_per_step` goes;
-/// - blows on a whole body by fragments alone: as far as that goes, one at least;
-/// - what an explosion does: all of it if there is no more than `solves_per_step`, else one at least.
+/// - blows on a whole body by the ground, a breakable body, or what is 50 times as heavy; those on a fragment
+///   by a lighter whole body. There is room unless more than `solves_per_step` bodies are struck, or a ball
+///   breaks another one in the step; then as far as `milliseconds_per_step` and `solves_per_step` go;
+/// - blows on a whole body by fragments alone: as far as these go, and one at least where there is no such
+///   crowd;
+/// - what an explosion does to whole and held bodies: all of it if these are no more than `solves_per_step`,
+///   else one at least.
 ///
 /// Later: other blows on fragments.
 ///

@@ -45,8 +45,10 @@ struct BlowEvent : BlowFigures {
     /// left the world while the blow waited. The app may have removed it since the step: then compare it
     /// only.
     const btCollisionObject* striker = nullptr;
-    bool foreseen = false;    ///< other threads were asked before it fell (Budget::foresight_s)
-    StageTimes ms_elsewhere;  ///< the part of `ms` that other threads did: the step paid for the rest
+    bool foreseen = false;  ///< it fell as foreseen (Budget::foresight_s): threads were asked before, if any
+    /// The part of `ms` that other threads did. The step paid for the rest, and for waiting
+    /// (StepTimes::waiting).
+    StageTimes ms_elsewhere;
 
     /// Empty unless it broke, and without those that a FragmentCallback removed. The FractureWorld owns them.
     /// Each is valid until it is removed or the FractureWorld is destroyed; if it breaks in its turn, it

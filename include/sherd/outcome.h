@@ -23,7 +23,7 @@ enum class Outcome {
 enum class Level {
     none,  ///< nothing did: Outcome::dropped, or Outcome::failed before the blow was looked at
     /// The energy of the blow: it is too weak to break the body, or it tears what supports hold of one out of
-    /// them (FractureSettings::same_blow_s). Nothing was solved.
+    /// them (FractureSettings::same_blow_s). Or its contacts press nothing. Nothing was solved.
     gate,
     coarse,   ///< a solve of a fragment on a coarse grid: what it stores pays for no crack by far
     reduced,  ///< the reduced model of the stress that the asset keeps

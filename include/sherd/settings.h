@@ -25,7 +25,7 @@ struct SamplingSettings {
     int smallest_count = 600;       ///< particles; thick bodies get more than the layers ask for
     int largest_count = 20000;      ///< particles, about
     /// How many millions of numbers the factor of the stiffness matrix may store: each takes 4 bytes,
-    /// or 8 where the matrix is too stiff for that, and a solve reads all of them twice. Spline trial
+    /// or 8 where the matrix is too ill-conditioned, and a solve reads all of them twice. Spline trial
     /// functions only.
     double largest_factor_millions = 9;
     /// The same limit where walls would otherwise get less than one particle across; not below it.

@@ -155,7 +155,7 @@ Result<btRigidBody*> FractureWorld::Impl::putIntoWorld(std::unique_ptr<Breakable
     return body;
 }
 
-Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& options) const {
+Status FractureWorld::Impl::refusal(btRigidBody* body) const {
     if (const Status usable = checkHook(); !usable) return usable;
     if (insideStep())
         return Error{
@@ -177,12 +177,6 @@ Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& o
             "setCenterOfMassTransform"};
     if (body->isKinematicObject())
         return Error{"the body is kinematic; only dynamic and static bodies can break"};
-    if (const auto parts = convexParts(*body->getCollisionShape()); !parts) return Error{parts.error()};
-    if (body->getInvMass() == 0 && options.supports.empty())
-        return Error{
-            "the body is static, so it can break only where something holds it: name the parts of its "
-            "surface "
-            "that are held (BreakableOptions::supports), or give it a mass"};
     if (giveToken(*body) == no_token)
         return Error{
             "the body's extension pointer (internalSetExtensionPointer), by which Sherd knows it, is used by "
@@ -193,10 +187,15 @@ Status FractureWorld::Impl::refusal(btRigidBody* body, const BreakableOptions& o
 Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& material,
                                           const Settings& settings, const BreakableOptions& options) {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
-    if (const Status refused = refusal(body, options); !refused) return refused;
+    if (const Status refused = refusal(body); !refused) return refused;
     const ThreadsAsAllowed threads(*this);
     const auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
+    if (body->getInvMass() == 0 && options.supports.empty())
+        return Error{
+            "the body is static, so it can break only where something holds it: name the parts of its "
+            "surface "
+            "that are held (BreakableOptions::supports), or give it a mass"};
     const double mass_kg = body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
     const auto alike = assets_.assetOf(parts.value(), mass_kg, material, settings, options.supports);
     if (!alike) return Error{alike.error()};

@@ -98,15 +98,22 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     const std::vector<std::string> warnings = warningsAtFirstBlow(*struck.breakable);
     ++counts_.seen;
     ++counts_.at(outcome.level);
+    StageTimes elsewhere;
+    if (decided && decided->doneElsewhere()) {
+        elsewhere = outcome.ms;
+        elsewhere.gate = 0;  // the step asked that
+    }
     if (outcome.level == Level::gate && outcome.outcome == Outcome::held && warnings.empty() &&
         !outcome.full_solve_outcome) {
         times_.blows += outcome.ms;  // those of the others are added with their events
+        times_.blows -= elsewhere;
+        times_.workers += elsewhere;
         return std::nullopt;
     }
     BlowEvent event = eventOf(struck, outcome);
     event.warnings.insert(event.warnings.begin(), warnings.begin(), warnings.end());
     event.foreseen = decided && decided->is_foreseen;
-    if (decided && decided->doneElsewhere()) event.ms_elsewhere = outcome.ms;
+    event.ms_elsewhere = elsewhere;
     current_.push_back({std::move(event)});
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);

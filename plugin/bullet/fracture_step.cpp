@@ -23,6 +23,7 @@ constexpr int most_rounds = 8;  // of breaks in one step
 void FractureWorld::Impl::beforeSolve() {
     new_fragments_ = decided_now_ = 0;
     decided_now_ms_ = 0;
+    write_back_.end(world_);  // where the app was called in the last step, and has thrown
     const bool was_awake = std::exchange(awake_, anythingAwake(world_));
     // The clock would take more time than a world asleep does.
     if (!awake_ && !was_awake && !integrating_ && to_delete_.empty() && !events_.hasReleased()) return;

@@ -73,8 +73,8 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
     return true;
 }
 
-/// Whether an explosion has struck the body harder, what comes of that waits for its turn, and nothing flies
-/// through the body until then.
+/// Whether the body waits to break by a harder blow that may not be dropped, and nothing flies through it
+/// until then.
 bool FractureWorld::Impl::isOutdone(const StruckBreakable& struck) const {
     const WaitingBlow* waiting = waiting_.keptFor(struck.breakable->serial);
     return waiting && waiting->energy_j >= energyOf(struck) && lastsWhileItWaits(struck);
@@ -132,7 +132,8 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
         blow.decided = takeForeseen(*struck, question);
         if (!blow.decided) blow.decided = DecidedBlow::make(std::move(question));
         blow.is_kept = struck->isKept();
-        blow.promised = most_fragments - breakable.ownPlaces();
+        blow.promised =
+            std::min(most_fragments, breakable.fracture->largest_fragment_count) - breakable.ownPlaces();
         blow.for_pieces = moved(struck->for_pieces, from_world);
         const double turn_s =
             WaitingBlows::turn_s(estimatedMilliseconds(*breakable.asset.solid()), budget_, time_step_s) /

@@ -186,7 +186,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Status checkHook() const;
     void tellWhatCannotBreak();
     Result<btRigidBody*> putIntoWorld(std::unique_ptr<Breakable> breakable, const BodyOptions& options);
-    Status refusal(btRigidBody* body, const BreakableOptions& options) const;
+    Status refusal(btRigidBody* body) const;
     bool insideStep() const { return isInsideStep(world_); }
     bool isToBeRemoved(const Breakable& breakable) const;
     BodyToken tokenToRemove(const btRigidBody* body) const;

@@ -6,7 +6,6 @@
 namespace sherd {
 
 void ImpulseWriteBack::begin(btDiscreteDynamicsWorld& world) {
-    if (forced_) end(world);  // what the app was called for in the last step has thrown
     btContactSolverInfo& info = world.getSolverInfo();
     forced_ = !(info.m_solverMode & SOLVER_USE_WARMSTARTING);
     if (!forced_) return;

@@ -10,6 +10,7 @@ namespace sherd {
 class ImpulseWriteBack {
   public:
     void begin(btDiscreteDynamicsWorld& world);
+    /// Does nothing where nothing was begun.
     void end(btDiscreteDynamicsWorld& world);
 
   private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <utility>
 
 namespace sherd {
@@ -149,10 +150,11 @@ std::vector<Push> WaitingBlows::pushesFor(std::uint64_t serial) const {
 }
 
 int WaitingBlows::promised() const {
-    int fragments = 0;
+    constexpr long long most = std::numeric_limits<int>::max() / 2;
+    long long fragments = 0;
     for (const WaitingBlow& blow : blows_)
         if (blow.is_kept) fragments += blow.promised;
-    return fragments;
+    return static_cast<int>(std::min(fragments, most));
 }
 
 void WaitingBlows::settle(std::uint64_t serial, double& waiting_ms) {

@@ -66,7 +66,7 @@ class WaitingBlows {
     /// be done by `until_s`.
     void finishFirst(double until_s, double& waiting_ms);
     WaitingBlow takeFirst();
-    /// Of the blow of an explosion that waits for the body; nullptr: none does.
+    /// The blow that waits for the body and may not be dropped, since an explosion has struck; nullptr: none.
     const WaitingBlow* keptFor(std::uint64_t serial) const;
     /// What all blows on the body that wait have for its pieces, in the asset's frame.
     std::vector<Push> pushesFor(std::uint64_t serial) const;

@@ -37,7 +37,6 @@ Repair MeshOptions::chosen() const {
 std::string withOptions(const std::string& sentence) {
     return withNames(sentence, {{"Repair::automatic()", "--repair automatic"},
                                 {"Repair::scale", "--scale"},
-                                {"Repair::mode", "--repair"},
                                 {"Repair::shell_thickness_m", "--shell-thickness"},
                                 {"Repair::wrap_detail", "--wrap-detail"}});
 }

@@ -33,7 +33,7 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
     if (!forces || !(margin * forces.value().strain_energy_j < smallestCrackEnergy(solid, fracture)))
         return std::nullopt;
     BlowOutcome held;
-    held.level = Level::coarse;
+    held.level = forces.value().strike.empty() ? Level::gate : Level::coarse;  // nothing presses
     held.peak_force_n = forces.value().pulse.peak_force_n;
     held.contact_time_s = forces.value().pulse.duration_s;
     return held;

@@ -180,7 +180,12 @@ TEST(Gltf, LightGoesThroughGlassAlone) {
         const json document = Glb(path).document;
         std::remove(path.c_str());
         int clear = 0;
-        for (const json& material : document["materials"]) clear += material.contains("extensions");
+        for (const json& material : document["materials"]) {
+            if (!material.contains("extensions")) continue;
+            ++clear;
+            EXPECT_GT(material["extensions"]["KHR_materials_transmission"]["transmissionFactor"], 0.5);
+            EXPECT_EQ(document["extensionsUsed"], json::array({"KHR_materials_transmission"}));
+        }
         EXPECT_EQ(document.contains("extensionsUsed"), clear > 0);
         return clear;
     };

@@ -247,8 +247,8 @@ Result<RepairedMesh> repairOrThrow(const TriangleMesh& given, const Repair& repa
     const Status sound = checkSurface(original);
     if (off && !sound && repair.shell_thickness_m > 0)
         return Error{sound.error() +
-                     " Repair::shell_thickness_m mends nothing while Repair::mode is off; set "
-                     "that to mend or automatic."};
+                     " Repair::shell_thickness_m mends nothing by itself; Repair::automatic() "
+                     "with it does."};
     if (off && !sound) return Error{sound.error() + hint};
     if (!off && original.triangles.size() > most_triangles)
         return Error{"The surface has " + std::to_string(original.triangles.size()) +

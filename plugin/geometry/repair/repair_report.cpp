@@ -60,10 +60,6 @@ std::vector<std::string> RepairReport::sentences() const {
         said.push_back(
             "The surface was wrapped in a closed one, since what is wrong with it could not be "
             "mended face by face.");
-    if (wrapped && !hollowed && !thickened)
-        said.push_back(
-            "What was a sheet has become as thick as a triangle of the wrap is long; with "
-            "Repair::shell_thickness_m it gets walls of that thickness.");
     if (hollowed) said.push_back("The solid was made hollow.");
     if (thickened) said.push_back("The sheet became walls; its openings stay open.");
     const double distance_m = largest_distance_m > rounding * size_m ? largest_distance_m : 0;

@@ -47,11 +47,6 @@ TEST(Repair, SaysWhatBecameOfHolesAndPrintsNoRoundingErrors) {
         EXPECT_NE(allOf(report).find(words), std::string::npos) << allOf(report);
     report.hollowed = true;
     EXPECT_EQ(allOf(report).find("Repair::shell_thickness_m"), std::string::npos) << allOf(report);
-    report = {};
-    report.wrapped = true;
-    EXPECT_NE(allOf(report).find("What was a sheet"), std::string::npos) << allOf(report);
-    report.thickened = true;
-    EXPECT_EQ(allOf(report).find("What was a sheet"), std::string::npos) << allOf(report);
     EXPECT_EQ(describePlace(Vec3(2.78e-17, -1e-12, 0.25)), "(0, 0, 0.25)");
 }
 
