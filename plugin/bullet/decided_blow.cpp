@@ -61,6 +61,8 @@ std::shared_ptr<DecidedBlow> DecidedBlow::decided(BlowOutcome outcome,
     const std::shared_ptr<DecidedBlow> decided(new DecidedBlow);
     decided->outcome = std::move(outcome);
     decided->shapes = std::move(shapes);
+    decided->job_ = Job::make([] {});
+    decided->job_->doIfFree();
     return decided;
 }
 
@@ -83,12 +85,12 @@ void DecidedBlow::decide(const BlowToDecide& blow, DecidedBlow& decided) {
 }
 
 void DecidedBlow::submit(const Executor& executor) {
-    if (!job_ || !may_run_elsewhere_ || !executor || std::exchange(submitted_, true)) return;
+    if (!may_run_elsewhere_ || !executor || std::exchange(submitted_, true)) return;
     job_->submit(executor);
 }
 
 void DecidedBlow::finish(double& waiting_ms) {
-    if (!job_ || std::exchange(finished_, true)) return;
+    if (std::exchange(finished_, true)) return;
     const Stopwatch watch;
     job_->finish();
     if (doneElsewhere()) waiting_ms += watch.milliseconds();

@@ -38,21 +38,17 @@ class DecidedBlow {
     void submit(const Executor& executor);
     bool isSubmitted() const { return submitted_; }
     /// Decides it here if no thread has begun.
-    void decideIfFree() {
-        if (job_) job_->doIfFree();
-    }
-    bool isDecided() const { return !job_ || job_->isDone(); }
+    void decideIfFree() { job_->doIfFree(); }
+    bool isDecided() const { return job_->isDone(); }
     /// Waits for a thread that is at it, for some milliseconds at most.
-    void waitIfBegun(double most_ms) {
-        if (job_) job_->waitIfBegun(most_ms);
-    }
+    void waitIfBegun(double most_ms) { job_->waitIfBegun(most_ms); }
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.
     void finish(double& waiting_ms);
 
     bool is_foreseen = false;  ///< it was made before the blow fell
 
     // After `finish`.
-    bool doneElsewhere() const { return job_ && !job_->doneHere(); }
+    bool doneElsewhere() const { return !job_->doneHere(); }
     BlowOutcome outcome;
     /// What is to stand for each fragment in collisions.
     std::vector<std::shared_ptr<const OwnedShape>> shapes;
