@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
 #include <utility>
 
 #include "bullet/contact_motion.h"
@@ -17,6 +16,7 @@
 #include "bullet/same_blow.h"
 #include "bullet/shapes.h"
 #include "bullet/torn_out.h"
+#include "core/loads/strike.h"
 
 namespace sherd {
 
@@ -70,6 +70,20 @@ void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
         other.m_appliedImpulseLateral1 += part * point.m_appliedImpulseLateral1;
         other.m_appliedImpulseLateral2 += part * point.m_appliedImpulseLateral2;
     }
+}
+
+/// Sets where the body was struck, and by what.
+void tellWhere(StruckBreakable& struck) {
+    const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
+    const ContactImpulse* foremost = leadingTouch(contacts, any_partner);
+    if (!foremost)
+        foremost = &*std::max_element(
+            contacts.begin(), contacts.end(),
+            [](const ContactImpulse& a, const ContactImpulse& b) { return a.pushed() < b.pushed(); });
+    const btTransform from_asset = struck.breakable->placed(struck.before.transform);
+    struck.position = fromBullet(from_asset * toBullet(foremost->point));
+    struck.normal = fromBullet(from_asset.getBasis() * toBullet(foremost->normal));
+    struck.striker = struck.partners[foremost->partner];
 }
 
 void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollector& collector) {
@@ -158,13 +172,6 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
         entry.blow.partners.push_back(mobilityOf(partner, own.party->asset_from_world, own.point));
     entry.blow.contacts.push_back(contact);
-    const auto order = std::make_tuple(contact.strikes(), contact.strikes() ? contact.touched_s : 0,
-                                       double(point.m_appliedImpulse));
-    if (entry.blow.contacts.size() > 1 && order <= entry.foremost) return;
-    entry.foremost = order;
-    entry.position = fromBullet(own.point);
-    entry.normal = fromBullet(own.push);
-    entry.striker = &partner;
 }
 
 /// Whether the contact belongs to the blow that made the piece.
@@ -267,6 +274,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
 }
 
 std::vector<StruckBreakable> ContactCollector::takeStruck() {
+    for (StruckBreakable& struck : struck_) tellWhere(struck);
     std::sort(struck_.begin(), struck_.end(), [](const StruckBreakable& a, const StruckBreakable& b) {
         return a.breakable->serial < b.breakable->serial;
     });

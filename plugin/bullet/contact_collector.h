@@ -4,7 +4,6 @@
 #include <sherd/push.h>
 
 #include <memory>
-#include <tuple>
 #include <unordered_map>
 #include <vector>
 
@@ -26,11 +25,9 @@ struct StruckBreakable {
     BodyState before;                                ///< the solve, or the applied blow
     Blow blow;                                       ///< asset frame
     std::vector<const btCollisionObject*> partners;  ///< what touches it, by the numbers in the blow
-    Vec3 position =
-        Vec3::Zero();  ///< of the strike that was met first, else of the hardest contact, world frame, m
-    Vec3 normal = Vec3::Zero();  ///< direction in which the body was pushed there, world frame
+    Vec3 position = Vec3::Zero();  ///< of the leading strike, else of the hardest contact, world frame, m
+    Vec3 normal = Vec3::Zero();    ///< direction in which the body was pushed there, world frame
     const btCollisionObject* striker = nullptr;  ///< what pushed it there; nullptr: the app itself
-    std::tuple<bool, double, double> foremost;   ///< strikes, how long ago it was met, normal impulse there
     bool is_of_explosion = false;
     std::vector<Push> for_pieces;  ///< of a held body: what its loose pieces are still to be given
 

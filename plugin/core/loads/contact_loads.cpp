@@ -45,15 +45,20 @@ StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
     return {&contact, spot, hertz, 1, contact.normal};
 }
 
-/// The striking contacts of a partner as they were met, without those that share a patch with an earlier one:
-/// boxes side by side give the same point twice.
-std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, const Blow& blow, int partner,
+/// The striking contacts of the leading one's partner, those that were met at about the same time as it
+/// first, without those that share a patch with one before them: boxes side by side give the same point
+/// twice.
+std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, const Blow& blow,
+                                                    const ContactImpulse& leading,
                                                     const ContactSettings& settings) {
     std::vector<const ContactImpulse*> met, separate;
     for (const ContactImpulse& contact : blow.contacts)
-        if (contact.partner == partner && contact.strikes()) met.push_back(&contact);
-    std::stable_sort(met.begin(), met.end(), [](const ContactImpulse* a, const ContactImpulse* b) {
-        return a->touched_s > b->touched_s;
+        if (contact.partner == leading.partner && contact.strikes()) met.push_back(&contact);
+    const auto apart_s = [&](const ContactImpulse* contact) {
+        return contact == &leading ? -1 : std::abs(contact->touched_s - leading.touched_s);
+    };
+    std::stable_sort(met.begin(), met.end(), [&](const ContactImpulse* a, const ContactImpulse* b) {
+        return apart_s(a) < apart_s(b);
     });
     const double patch = settings.smallest_patch * body.wall_thickness_m;
     for (const ContactImpulse* contact : met) {
@@ -79,18 +84,18 @@ void giveCurvature(double smallest_patch_m, Strike& strike) {
 
 Strike strikeOf(const ContactBody& body, const Blow& blow, int partner, const ContactSettings& settings) {
     Strike strike;
-    const ContactImpulse* first = firstTouch(blow, partner);
-    if (!first) return strike;
-    const StrikePoint first_point = strikePoint(body, *first, settings);
-    strike.points = {first_point};
+    const ContactImpulse* leading = leadingTouch(blow.contacts, partner);
+    if (!leading || !blow.isStruckBy(partner)) return strike;
+    const StrikePoint leading_point = strikePoint(body, *leading, settings);
+    strike.points = {leading_point};
     shareOut(body.mobility, blow.partner(partner), strike);
     const double duration = strike.hertzDuration();
 
     strike.points.clear();
-    for (const ContactImpulse* contact : separateContacts(body, blow, partner, settings)) {
-        const double present = presence(first->touched_s - contact->touched_s, duration);
+    for (const ContactImpulse* contact : separateContacts(body, blow, *leading, settings)) {
+        const double present = presence(leading->touched_s - contact->touched_s, duration);
         if (!(present > 0)) break;
-        strike.points.push_back(contact == first ? first_point : strikePoint(body, *contact, settings));
+        strike.points.push_back(contact == leading ? leading_point : strikePoint(body, *contact, settings));
         strike.points.back().share = present;
     }
     shareOut(body.mobility, blow.partner(partner), strike);

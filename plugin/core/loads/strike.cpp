@@ -83,17 +83,24 @@ Vec3 alongImpulse(const ContactImpulse& contact) {
 
 }  // namespace
 
-const ContactImpulse* firstTouch(const Blow& blow, int partner) {
+const ContactImpulse* leadingTouch(const std::vector<ContactImpulse>& contacts, int partner) {
+    constexpr double hard = 0.5;  // of the fastest: a quarter of its energy
+    const auto counts = [&](const ContactImpulse& contact) {
+        return contact.strikes() && (partner == any_partner || contact.partner == partner);
+    };
+    double fastest = 0;
+    for (const ContactImpulse& contact : contacts)
+        if (counts(contact)) fastest = std::max(fastest, contact.approach_m_s);
     const ContactImpulse* first = nullptr;
-    for (const ContactImpulse& contact : blow.contacts)
-        if (contact.partner == partner && contact.strikes() &&
+    for (const ContactImpulse& contact : contacts)
+        if (counts(contact) && contact.approach_m_s >= hard * fastest &&
             (!first || contact.touched_s > first->touched_s))
             first = &contact;
-    return blow.isStruckBy(partner) ? first : nullptr;
+    return first;
 }
 
-double presence(double later_s, double duration_s) {
-    return later_s < duration_s / 2 ? std::cos(pi * later_s / duration_s) : 0;
+double presence(double apart_s, double duration_s) {
+    return std::abs(apart_s) < duration_s / 2 ? std::cos(pi * apart_s / duration_s) : 0;
 }
 
 void shareOut(const Mobility& body, const Mobility& partner, Strike& strike) {

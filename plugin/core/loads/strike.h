@@ -33,12 +33,16 @@ struct Strike {
     double hertzDuration() const;
 };
 
-/// The contact of a partner that is met first of those that strike; nullptr if none does.
-const ContactImpulse* firstTouch(const Blow& blow, int partner);
+constexpr int any_partner = -1;
 
-/// How far a contact that is met `later_s` after the first is on its way when the first one presses hardest,
-/// half a pulse after it was met: 1 to 0.
-double presence(double later_s, double duration_s);
+/// The contact of a partner that strikes hard and is met first; nullptr if none strikes. One that closes
+/// slowly is not it while others close twice as fast: what it takes off these is little, and when it was met
+/// is not known, since it may have slid there.
+const ContactImpulse* leadingTouch(const std::vector<ContactImpulse>& contacts, int partner);
+
+/// How far a contact that is met `apart_s` after the leading one, or before it, is on its way when that
+/// presses hardest, half a pulse after it was met: 1 to 0.
+double presence(double apart_s, double duration_s);
 
 /// Shares the strike of `partner` out between its points, and sets what they feel of both bodies, and the
 /// speed. `share` comes in as the presence of each. Frictionless rigid bodies that meet at all points at once

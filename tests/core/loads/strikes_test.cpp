@@ -112,10 +112,25 @@ TEST(Strikes, WhatIsMetLaterIsNotThereYet) {
     EXPECT_EQ(presence(0, 1e-3), 1);
     EXPECT_NEAR(presence(0.25e-3, 1e-3), std::sqrt(0.5), 1e-12);
     EXPECT_EQ(presence(0.5e-3, 1e-3), 0);
-    Blow blow{{contact(Vec3::Zero()), contact(Vec3::UnitX()), contact(Vec3::UnitY())}, {}};
-    blow.contacts[1].touched_s = 2e-3;
-    EXPECT_EQ(firstTouch(blow, 0), &blow.contacts[1]);
-    EXPECT_EQ(firstTouch(blow, 1), nullptr);
+    EXPECT_EQ(presence(-0.25e-3, 1e-3), presence(0.25e-3, 1e-3)) << "met before the leading one";
+    EXPECT_EQ(presence(-0.5e-3, 1e-3), 0);
+    std::vector<ContactImpulse> contacts{contact(Vec3::Zero()), contact(Vec3::UnitX()),
+                                         contact(Vec3::UnitY())};
+    contacts[1].touched_s = 2e-3;
+    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[1]);
+    EXPECT_EQ(leadingTouch(contacts, 1), nullptr);
+    contacts[1].partner = 1;
+    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[0]);
+    EXPECT_EQ(leadingTouch(contacts, any_partner), &contacts[1]);
+}
+
+TEST(Strikes, WhatHasBarelyTouchedDoesNotLead) {
+    std::vector<ContactImpulse> contacts{contact(Vec3::Zero()), contact(Vec3::UnitX())};
+    contacts[1].touched_s = 2e-3;
+    contacts[1].approach_m_s = 0.4 * contacts[0].approach_m_s;
+    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[0]);
+    contacts[1].approach_m_s = 0.6 * contacts[0].approach_m_s;
+    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[1]);
 }
 
 }  // namespace
