@@ -40,6 +40,8 @@ class DecidedBlow {
     /// Decides it here if no thread has begun.
     void decideIfFree() { job_->doIfFree(); }
     bool isDecided() const { return job_->isDone(); }
+    /// Since a thread began with it, ms; 0: none has.
+    double decidedFor_ms() const { return job_->begunFor_ms(); }
     /// Waits for a thread that is at it, for some milliseconds at most.
     void waitIfBegun(double most_ms) { job_->waitIfBegun(most_ms); }
     /// Returns when it is decided. Adds what it took to `waiting_ms` if another thread has done it.

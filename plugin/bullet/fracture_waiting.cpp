@@ -121,6 +121,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
         blow.serial = breakable.serial;
         blow.is_on_fragment = breakable.isFragment();
         blow.impulse_n_s = normalImpulse(struck->blow);
+        blow.work_ms = estimatedMilliseconds(*breakable.asset.solid());
         blow.energy_j = energyOf(*struck);
         blow.position = fromBullet(from_world * toBullet(struck->position));
         blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));
@@ -136,8 +137,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
             std::min(most_fragments, breakable.fracture->largest_fragment_count) - breakable.ownPlaces();
         blow.for_pieces = moved(struck->for_pieces, from_world);
         const double turn_s =
-            WaitingBlows::turn_s(estimatedMilliseconds(*breakable.asset.solid()), budget_, time_step_s) /
-            (blow.is_kept ? haste : 1);
+            WaitingBlows::turn_s(blow.work_ms, budget_, time_step_s) / (blow.is_kept ? haste : 1);
         switch (waiting_.add(std::move(blow), turn_s, budget_, time_s_)) {
             case WaitingBlows::Fate::waits:
                 break;

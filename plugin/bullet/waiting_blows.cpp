@@ -122,10 +122,15 @@ const WaitingBlow* WaitingBlows::due(double time_s) const {
 }
 
 void WaitingBlows::finishFirst(double until_s, double& waiting_ms) {
+    constexpr double slower = 2;  // than the estimate has it
     DecidedBlow& first = *blows_.front().decided;
     first.decideIfFree();
-    for (std::size_t i = 1; i < blows_.size() && !first.isDecided(); ++i)
-        if (blows_[i].worked_by_s <= until_s && isFirstOfItsBody(i)) blows_[i].decided->decideIfFree();
+    for (std::size_t i = 1; i < blows_.size() && !first.isDecided(); ++i) {
+        const WaitingBlow& next = blows_[i];
+        const double left_ms = slower * blows_.front().work_ms - first.decidedFor_ms();
+        const bool fits = next.decided->isSubmitted() && slower * next.work_ms <= 2 * left_ms;
+        if ((fits || next.worked_by_s <= until_s) && isFirstOfItsBody(i)) next.decided->decideIfFree();
+    }
     first.finish(waiting_ms);
 }
 

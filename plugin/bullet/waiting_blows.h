@@ -21,6 +21,7 @@ struct WaitingBlow {
     bool is_kept = false;  ///< never dropped
     int promised = 0;      ///< more bodies at most, for which there is room in the world if it is kept
     double impulse_n_s = 0;
+    double work_ms = 0;   ///< what it is estimated to take
     double energy_j = 0;  ///< that it brings at most: of two, the one with more is the harder
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
     const btCollisionObject* striker = nullptr;           ///< may be dead: compared with its token
@@ -63,7 +64,8 @@ class WaitingBlows {
     /// The next blow, if it is its turn.
     const WaitingBlow* due(double time_s) const;
     /// Returns when the next blow is decided. While another thread is at it, this one takes those that are to
-    /// be done by `until_s`.
+    /// be done by `until_s`, and others that are no longer than what is left of it makes up for: at most as
+    /// long again is waited.
     void finishFirst(double until_s, double& waiting_ms);
     WaitingBlow takeFirst();
     /// The blow that waits for the body and may not be dropped, since an explosion has struck; nullptr: none.

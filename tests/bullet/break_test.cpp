@@ -98,8 +98,8 @@ TEST(Break, BallGoesOnThroughTheBrokenPane) {
     EXPECT_LT(ball->getWorldTransform().getOrigin().z(), -0.2);
 }
 
-// At 60 steps a second a fast ball is first seen where it overlaps deeply. Some of its contacts are across its
-// way there: how deep they are over how fast they close says nothing of when they were met.
+// At 60 steps a second a fast ball is first seen where it overlaps deeply. Some of its contacts are across
+// its way there: how deep they are over how fast they close says nothing of when they were met.
 TEST(Break, WhatABallGrazesOnItsWayDoesNotHoldItsBlow) {
     constexpr btScalar rate = 60, speed = 7;
     constexpr int starts = 20;

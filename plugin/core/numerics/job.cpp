@@ -20,6 +20,7 @@ void Job::submit(const Executor& executor) {
     try {
         executor([job = shared_from_this()] {
             if (!job->begin()) return;
+            const HasOwnWork work;
             const OnThisThreadAlone others_have_work(&job->awaited_);
             job->run();
         });
@@ -52,9 +53,16 @@ bool Job::isDone() {
     return done_;
 }
 
+double Job::begunFor_ms() {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    return begun_ ? since_begun_.milliseconds() : 0;
+}
+
 bool Job::begin() {
     const std::lock_guard<std::mutex> lock(mutex_);
-    return !std::exchange(begun_, true);
+    if (std::exchange(begun_, true)) return false;
+    since_begun_ = Stopwatch();
+    return true;
 }
 
 void Job::run() {

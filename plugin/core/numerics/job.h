@@ -9,6 +9,8 @@
 #include <memory>
 #include <mutex>
 
+#include "core/numerics/stopwatch.h"
+
 namespace sherd {
 
 /// Work that any thread may do, and one does: the first that comes. It throws nothing. It is done with the
@@ -25,6 +27,8 @@ class Job : public std::enable_shared_from_this<Job> {
     /// Returns when the work is done; does it here if nobody has begun.
     void finish();
     bool isDone();
+    /// Since a thread began with it, ms; 0: none has.
+    double begunFor_ms();
     /// Waits for a thread that is at it, for some milliseconds at most.
     void waitIfBegun(double most_ms);
     /// After `finish`: whether the thread that called it, or `doIfFree`, did the work.
@@ -40,6 +44,7 @@ class Job : public std::enable_shared_from_this<Job> {
     std::mutex mutex_;
     std::condition_variable ended_;
     std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
+    Stopwatch since_begun_;
     bool begun_ = false, done_ = false, done_here_ = false;
 };
 

@@ -1,6 +1,7 @@
 #include "core/numerics/parallel_chunks.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cfenv>
 #include <condition_variable>
 #include <exception>
@@ -15,6 +16,9 @@ namespace sherd {
 namespace {
 
 thread_local const OnThisThreadAlone* alone = nullptr;  // the innermost there is
+
+std::atomic<int> with_own_work{0};  // threads
+thread_local int own_work = 0;      // of these, whether this is one
 
 /// Chunks that are shared out; it lives on the stack of the thread that asked for them.
 class SharedWork {
@@ -139,15 +143,29 @@ OnThisThreadAlone::~OnThisThreadAlone() {
     alone = outer_;
 }
 
+HasOwnWork::HasOwnWork() : counts_(own_work == 0 && !yieldsToOtherThreads()) {
+    if (!counts_) return;
+    own_work = 1;
+    ++with_own_work;
+}
+
+HasOwnWork::~HasOwnWork() {
+    if (!counts_) return;
+    own_work = 0;
+    --with_own_work;
+}
+
 void forEachChunk(int count, const std::function<void(int)>& work) {
     const bool here = count < 2 || (alone && !alone->isOver());
     Helpers* const helpers = here ? nullptr : &Helpers::ofThisThread();
-    if (!helpers || helpers->count() == 0) {
+    // A helper more than there are cores would be given its chunk late, and all would wait for it.
+    const int free = helpers ? helpers->count() - (with_own_work - own_work) : 0;
+    if (free <= 0) {
         for (int chunk = 0; chunk < count; ++chunk) work(chunk);
         return;
     }
     SharedWork shared(count, work);
-    helpers->run(shared, std::min(helpers->count(), count - 1));
+    helpers->run(shared, std::min(free, count - 1));
     shared.throwTrouble();
 }
 

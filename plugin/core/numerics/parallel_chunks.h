@@ -28,6 +28,19 @@ class OnThisThreadAlone {
     const OnThisThreadAlone* outer_;
 };
 
+/// While one of these lives, its thread has work of its own: `forEachChunk` on other threads leaves it a
+/// core. Threads that yield to others need none.
+class HasOwnWork {
+  public:
+    HasOwnWork();
+    ~HasOwnWork();
+    HasOwnWork(const HasOwnWork&) = delete;
+    HasOwnWork& operator=(const HasOwnWork&) = delete;
+
+  private:
+    bool counts_;
+};
+
 /// First item of a chunk when `total` items are split into `count` chunks of nearly equal size.
 inline int chunkBegin(int chunk, int count, int total) {
     return static_cast<int>(static_cast<long long>(total) * chunk / count);
