@@ -84,7 +84,7 @@ Vec3 alongImpulse(const ContactImpulse& contact) {
 }  // namespace
 
 const ContactImpulse* leadingTouch(const std::vector<ContactImpulse>& contacts, int partner) {
-    constexpr double hard = 0.5;  // of the fastest: a quarter of its energy
+    constexpr double hard = 0.8;  // of the fastest: two thirds of its energy
     const auto counts = [&](const ContactImpulse& contact) {
         return contact.strikes() && (partner == any_partner || contact.partner == partner);
     };

@@ -35,9 +35,9 @@ struct Strike {
 
 constexpr int any_partner = -1;
 
-/// The contact of a partner that strikes hard and is met first; nullptr if none strikes. One that closes
-/// slowly is not it while others close twice as fast: what it takes off these is little, and when it was met
-/// is not known, since it may have slid there.
+/// The contact of a partner that strikes hard and is met first; nullptr if none strikes. One across the way
+/// that closes more slowly than others is not it: how deep it is over how fast it closes is longer ago than
+/// it was met.
 const ContactImpulse* leadingTouch(const std::vector<ContactImpulse>& contacts, int partner);
 
 /// How far a contact that is met `apart_s` after the leading one, or before it, is on its way when that

@@ -124,12 +124,12 @@ TEST(Strikes, WhatIsMetLaterIsNotThereYet) {
     EXPECT_EQ(leadingTouch(contacts, any_partner), &contacts[1]);
 }
 
-TEST(Strikes, WhatHasBarelyTouchedDoesNotLead) {
+TEST(Strikes, WhatClosesSlowlyDoesNotLead) {
     std::vector<ContactImpulse> contacts{contact(Vec3::Zero()), contact(Vec3::UnitX())};
     contacts[1].touched_s = 2e-3;
-    contacts[1].approach_m_s = 0.4 * contacts[0].approach_m_s;
+    contacts[1].approach_m_s = 0.7 * contacts[0].approach_m_s;
     EXPECT_EQ(leadingTouch(contacts, 0), &contacts[0]);
-    contacts[1].approach_m_s = 0.6 * contacts[0].approach_m_s;
+    contacts[1].approach_m_s = 0.9 * contacts[0].approach_m_s;
     EXPECT_EQ(leadingTouch(contacts, 0), &contacts[1]);
 }
 
