@@ -109,11 +109,13 @@ TEST(Job, OneThatIsAtWorkIsWaitedForAWhile) {
     });
     job->waitIfBegun(1e6);  // nobody is at it
     EXPECT_FALSE(job->isDone());
+    EXPECT_EQ(job->begunFor_ms(), 0);
     std::thread worker;
     job->submit([&](std::function<void()> work) { worker = std::thread(std::move(work)); });
     has_begun.get_future().wait();
     job->waitIfBegun(1);
     EXPECT_FALSE(job->isDone());
+    EXPECT_GE(job->begunFor_ms(), 1);
     goes_on.set_value();
     job->waitIfBegun(1e6);
     EXPECT_TRUE(job->isDone());

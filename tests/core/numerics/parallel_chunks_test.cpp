@@ -56,18 +56,19 @@ TEST(ParallelChunks, OnThisThreadAlone) {
     for (int chunk = 0; chunk < 50; ++chunk) EXPECT_EQ(order[chunk], chunk);
 }
 
+/// Whether a helper comes for two chunks: neither ends before the other has begun, or a second is over.
+bool othersTakePart() {
+    std::atomic<int> on_others{0}, here{0};
+    const std::thread::id own = std::this_thread::get_id();
+    forEachChunk(2, [&](int) {
+        ++here;
+        for (int i = 0; i < 1000 && here < 2; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        if (std::this_thread::get_id() != own) ++on_others;
+    });
+    return on_others > 0;
+}
+
 TEST(ParallelChunks, AloneUntilAnotherThreadWaits) {
-    const auto othersTakePart = [] {
-        std::atomic<int> on_others{0}, here{0};
-        const std::thread::id own = std::this_thread::get_id();
-        forEachChunk(2, [&](int) {  // neither chunk ends before the other has begun, or a second is over
-            ++here;
-            for (int i = 0; i < 1000 && here < 2; ++i)
-                std::this_thread::sleep_for(std::chrono::milliseconds(1));
-            if (std::this_thread::get_id() != own) ++on_others;
-        });
-        return on_others > 0;
-    };
     if (std::thread::hardware_concurrency() < 2 || !othersTakePart()) GTEST_SKIP() << "one core";
     std::atomic<bool> over{false};
     const OnThisThreadAlone alone(&over);
@@ -77,6 +78,28 @@ TEST(ParallelChunks, AloneUntilAnotherThreadWaits) {
     const OnThisThreadAlone for_good;
     const OnThisThreadAlone inner(&over);
     EXPECT_FALSE(othersTakePart());
+}
+
+TEST(ParallelChunks, ThreadsWithWorkOfTheirOwnKeepTheirCores) {
+    const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    if (cores < 2 || !othersTakePart()) GTEST_SKIP() << "one core";
+    std::atomic<int> at_work{0};
+    std::atomic<bool> over{false};
+    std::vector<std::thread> threads;
+    for (int i = 1; i < cores; ++i)
+        threads.emplace_back([&] {
+            const HasOwnWork work;
+            const HasOwnWork counts_once;
+            ++at_work;
+            while (!over) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        });
+    while (at_work < cores - 1) std::this_thread::yield();
+    EXPECT_FALSE(othersTakePart());
+    over = true;
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_TRUE(othersTakePart());
+    const HasOwnWork own;
+    EXPECT_TRUE(othersTakePart()) << "what shares out is not in its own way";
 }
 
 }  // namespace
