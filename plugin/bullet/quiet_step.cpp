@@ -24,6 +24,11 @@ double energyOf(const btRigidBody& body, btScalar time_step_s) {
     return 0.5 * (double(speed) * speed / body.getInvMass() + largest * spin * spin);
 }
 
+/// What the app moves is often flagged as static, too: so the manual of Bullet has it.
+bool staysPut(const btCollisionObject& object) {
+    return object.isStaticObject() && !object.isKinematicObject();
+}
+
 bool moves(const btCollisionObject& object) {
     return !object.getInterpolationLinearVelocity().isZero() ||
            !object.getInterpolationAngularVelocity().isZero();
@@ -34,7 +39,7 @@ bool moves(const btCollisionObject& object) {
 bool anythingAwake(const btDiscreteDynamicsWorld& world) {
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i)
-        if (objects[i]->isActive() && !objects[i]->isStaticObject()) return true;
+        if (objects[i]->isActive() && !staysPut(*objects[i])) return true;
     return false;
 }
 
@@ -47,7 +52,7 @@ bool nothingCanBreak(const btDiscreteDynamicsWorld& world, const BreakableRegist
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i) {
         const btCollisionObject& object = *objects[i];
-        if (!object.isActive() || object.isStaticObject()) continue;
+        if (!object.isActive() || staysPut(object)) continue;
         const btRigidBody* body = btRigidBody::upcast(&object);
         if (object.isKinematicObject() ? moves(object) : !body) return false;
         if (body && body->getInvMass() > 0) sum += energyOf(*body, static_cast<btScalar>(time_step_s));

@@ -62,6 +62,10 @@ TEST_F(QuietStep, KinematicBodiesThatMoveAreNot) {
     EXPECT_TRUE(quiet());
     ball->setInterpolationLinearVelocity(btVector3(0, 0, -1));
     EXPECT_FALSE(quiet());
+    ball->setCollisionFlags(ball->getCollisionFlags() | btCollisionObject::CF_STATIC_OBJECT);
+    EXPECT_FALSE(quiet());
+    scene.bodies[0]->forceActivationState(ISLAND_SLEEPING);
+    EXPECT_TRUE(anythingAwake(*scene.world));
 }
 
 TEST_F(QuietStep, SleepersDoNotCount) {

@@ -449,4 +449,30 @@ TEST(Traps, WhatWasNailedDownDoesNotBreak) {
     }
 }
 
+// Bullet's manual adds the flag to a body of mass 0, which is flagged as static already.
+TEST(Traps, WhatTheAppMovesBreaksWhatItStrikes) {
+    for (const int flags : {btCollisionObject::CF_KINEMATIC_OBJECT + 0,
+                            btCollisionObject::CF_KINEMATIC_OBJECT | btCollisionObject::CF_STATIC_OBJECT})
+        for (const bool asleep : {false, true}) {
+            TestWorld scene;
+            FractureWorld fracture(scene.world.get());
+            btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0)).value();
+            if (asleep) body->forceActivationState(ISLAND_SLEEPING);
+            btRigidBody* hammer = scene.addBox(0, btVector3(0.1f, 0.1f, 0.1f), btVector3(0, 0, 0.2f));
+            hammer->setCollisionFlags(flags);
+            hammer->forceActivationState(DISABLE_DEACTIVATION);
+            btDefaultMotionState path(hammer->getWorldTransform());
+            hammer->setMotionState(&path);
+            BlowEvent event = noBreak();
+            for (int step = 0; step < 30 && event.outcome != Outcome::broke; ++step) {
+                path.m_graphicsWorldTrans.getOrigin() -= btVector3(0, 0, 2.0f / 240);
+                event = stepUntilBreak(scene, fracture, 1);
+            }
+            EXPECT_EQ(event.outcome, Outcome::broke) << "flags " << flags << ", asleep " << asleep;
+            EXPECT_EQ(event.striker, hammer);
+            EXPECT_NEAR(event.asset_transform.getOrigin().z(), 0, 1e-6) << "by the first touch";
+            hammer->setMotionState(nullptr);
+        }
+}
+
 }  // namespace
