@@ -72,6 +72,15 @@ void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
     }
 }
 
+/// How fast what rests on a body comes onto it when that lands: at rest, or on its way back, it lies in the
+/// way of what still moves as before. 0 or less if it does not.
+double speedOnto(const btCollisionObject& landed, const btVector3& point, const btVector3& push,
+                 const PointMotion& self, double time_step_s) {
+    const PointMotion after = motionAt(landed, nullptr, point, push, time_step_s);
+    const double closing = (after.velocity - self.velocity).dot(push);
+    return closing > slowestStrike(self, after, time_step_s) ? closing : std::min(closing, 0.0);
+}
+
 /// Sets where the body was struck, and by what.
 void tellWhere(StruckBreakable& struck) {
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
@@ -262,6 +271,8 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.approach_m_s = closing > slowestStrike(self, partner, time_step_s_)
                                ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
                                : std::min(closing, 0.0);
+    if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
+        contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
     contact.touched_s = closing > 0 ? std::clamp(depth_m / closing, -time_step_s_, time_step_s_) : 0;
     contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;

@@ -27,6 +27,11 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
         const bool foreseen = std::find(predictive.begin(), predictive.end(), manifold) != predictive.end();
         look(*manifold, foreseen, strikes, pressed);
     }
+    if (!landed_.empty())
+        for (const btPersistentManifold* manifold : pressed) {
+            noteRider(*manifold->getBody0(), *manifold->getBody1());
+            noteRider(*manifold->getBody1(), *manifold->getBody0());
+        }
     if (strikes.empty()) return;
     Neighbours neighbours;
     for (const btPersistentManifold* manifold : pressed)
@@ -37,7 +42,7 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
 }
 
 void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
-                 std::vector<const btPersistentManifold*>& pressed) const {
+                 std::vector<const btPersistentManifold*>& pressed) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const BodyState *before_a = before_.find(a), *before_b = before_.find(b);
     Strike on_a{b, a, {}, {}, 0, 0, -1, -1};
@@ -71,12 +76,31 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
     const Strike on_b{a, b, on_a.point, -on_a.push, on_a.speed_m_s, 0, on_a.struck_child, on_a.striker_child};
     for (Strike strike : {on_a, on_b}) {
         const Breakable *struck = breakables_.of(*strike.struck), *by = breakables_.of(*strike.striker);
-        if (!givesWay(*strike.struck) || !givesWay(*strike.striker)) continue;
+        if (!givesWay(*strike.struck)) continue;
+        if (!givesWay(*strike.striker)) {
+            noteLanding(strike);
+            continue;
+        }
         if (struck && isOfTheSameBlow(*struck, *strike.striker, by, time_s_)) continue;
         const double mass = 1 / double(btRigidBody::upcast(strike.striker)->getInvMass());
         strike.energy_j = 0.5 * mass * strike.speed_m_s * strike.speed_m_s;
         strikes.push_back(strike);
     }
+}
+
+/// Heaps of fragments land all the time.
+void Piles::noteLanding(const Strike& strike) {
+    if (breakables_.isFragment(*strike.struck)) return;
+    double& speed = landed_[strike.struck];
+    speed = std::max(speed, strike.speed_m_s);
+}
+
+void Piles::noteRider(const btCollisionObject& rider, const btCollisionObject& carrier) {
+    const auto landed = landed_.find(&carrier);
+    const Breakable* breakable = breakables_.of(rider);
+    if (landed == landed_.end() || !breakable || !givesWay(rider)) return;
+    const double energy = 0.5 * breakable->asset.solid()->mass() * landed->second * landed->second;
+    if (energy >= breakable->least_energy_j) riding_.insert(&rider);
 }
 
 Piles::Pile Piles::pileOf(const Strike& strike, const Neighbours& neighbours) const {
@@ -116,7 +140,7 @@ void Piles::assign(Pile pile) {
 }
 
 bool Piles::squeeze(const Breakable& breakable) const {
-    return pile_of_.count(breakable.body) > 0;
+    return pile_of_.count(breakable.body) > 0 || riding_.count(breakable.body) > 0;
 }
 
 void Piles::attachTo(StruckBreakable& struck) const {

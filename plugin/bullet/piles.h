@@ -1,6 +1,7 @@
 #pragma once
 
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "bullet/breakable.h"
@@ -23,8 +24,10 @@ class Piles {
           const std::vector<const btPersistentManifold*>& predictive, const BreakableRegistry& breakables,
           const StepSnapshot& before, double time_s, double time_step_s);
 
-    /// Whether a body is squeezed by a strike on another one that may break it.
+    /// Whether a body is squeezed by a strike on another one that may break it, or rides on one that lands.
     bool squeeze(const Breakable& breakable) const;
+    /// Whether a body, no fragment, met what does not give way. What rests on it goes on and strikes it.
+    bool lands(const btCollisionObject& object) const { return landed_.count(&object) > 0; }
     /// Gives a blow its stack.
     void attachTo(StruckBreakable& struck) const;
 
@@ -45,7 +48,9 @@ class Piles {
 
     /// How the bodies of a manifold meet: as strikes, if they do; else pressed on each other, if they are.
     void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
-              std::vector<const btPersistentManifold*>& pressed) const;
+              std::vector<const btPersistentManifold*>& pressed);
+    void noteLanding(const Strike& strike);
+    void noteRider(const btCollisionObject& rider, const btCollisionObject& carrier);
     Pile pileOf(const Strike& strike, const Neighbours& neighbours) const;
     void assign(Pile pile);
     Stack stackOf(const Pile& pile, StruckBreakable& struck) const;
@@ -62,7 +67,10 @@ class Piles {
     const StepSnapshot& before_;
     double time_s_, time_step_s_;
     std::vector<Pile> piles_;
-    std::unordered_map<const btCollisionObject*, std::size_t> pile_of_;  // for look-up only
+    // For look-up only.
+    std::unordered_map<const btCollisionObject*, std::size_t> pile_of_;
+    std::unordered_map<const btCollisionObject*, double> landed_;  // m/s
+    std::unordered_set<const btCollisionObject*> riding_;          // on what landed
 };
 
 }  // namespace sherd

@@ -54,6 +54,9 @@ struct Scene {
     void strike(const btVector3& from, const btVector3& velocity) {
         btRigidBody* hammer = scene.addBall(hammer_kg, head, from, velocity);
         hammer->setGravity(btVector3(0, 0, 0));
+        listen();
+    }
+    void listen() {
         before.take(*scene.world);
         scene.step(1, 1 / rate);
         ContactCollector collector(registry, before, 0, scene.world->getSolverInfo());
@@ -161,6 +164,34 @@ TEST(Squeezed, TheWeakestBrickOfAColumnBreaksWhereverItStands) {
                 }
             EXPECT_EQ(heard, std::vector<int>(3, 1)) << rate << " Hz, weak " << weak;
         }
+}
+
+/// The closing speed and the striker of what a brick on a tray hears when that comes down at `speed`.
+struct OnATray {
+    OnATray(double rate, btScalar speed) : scene(rate) {
+        scene.scene.world->setGravity(btVector3(0, 0, 0));
+        const btScalar thick = 0.02f, in = 1e-4f;
+        tray = scene.scene.addBox(3, btVector3(0.2f, 0.2f, thick / 2), btVector3(0, 0, thick / 2 - in));
+        scene.addBrick(at(0, 0, thick + btScalar(height / 2) - 2 * in));
+        for (btRigidBody* body : {tray, scene.bricks[0]}) body->setLinearVelocity(btVector3(0, 0, -speed));
+        scene.listen();
+        for (const StruckBreakable& one : scene.struck)
+            for (const ContactImpulse& contact : one.blow.contacts)
+                closing_m_s = std::max(closing_m_s, contact.approach_m_s);
+    }
+    Scene scene;
+    btRigidBody* tray = nullptr;
+    double closing_m_s = 0;
+};
+
+TEST(Squeezed, WhatRestsOnATrayStrikesItWhenThatLands) {
+    for (const double rate : {60.0, 120.0, 240.0, 960.0}) {
+        const OnATray landed(rate, 3);
+        ASSERT_EQ(landed.scene.struck.size(), 1u) << rate << " Hz";
+        EXPECT_EQ(landed.scene.struck[0].striker, landed.tray);
+        EXPECT_NEAR(landed.closing_m_s, 3, 0.15) << rate << " Hz";
+        EXPECT_EQ(OnATray(rate, 0).closing_m_s, 0) << "it stands";
+    }
 }
 
 }  // namespace
