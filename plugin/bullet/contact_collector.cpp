@@ -248,7 +248,7 @@ bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
 }
 
 bool ContactCollector::listens(const Breakable& breakable) const {
-    const bool may_break = possible_.mayBreak(breakable) || (piles_ && piles_->squeeze(breakable));
+    const bool may_break = possible_.mayBreak(breakable) || (piles_ && piles_->mayBreak(breakable));
     return may_break && breakable.canBeStruck() && (!breakable.isDynamic() || breakable.body->isActive()) &&
            (breakable.isHeldRest() || breakable.breaksAt(time_s_));
 }

@@ -139,7 +139,7 @@ void Piles::assign(Pile pile) {
     if (is_heard) piles_.push_back(std::move(pile));
 }
 
-bool Piles::squeeze(const Breakable& breakable) const {
+bool Piles::mayBreak(const Breakable& breakable) const {
     return pile_of_.count(breakable.body) > 0 || riding_.count(breakable.body) > 0;
 }
 

@@ -16,7 +16,8 @@ namespace sherd {
 /// its bricks. Nothing strikes the lower ones, and Bullet's impulses there are those of a time step; so the
 /// pile goes into the blow as it stands (`Stack`), and the loads follow from how it gives way while the
 /// strike lasts. A pile is the struck body and up to eleven others that move, the nearest by contacts. Of
-/// several strikes on one pile, the one that brings most energy counts for those that it does not touch.
+/// several strikes on one pile, the one that brings most energy counts for those that it does not touch. What
+/// rests on a body that lands, on what does not give way, is struck by that in turn.
 class Piles {
   public:
     /// From the solved manifolds of a step. `predictive` are those of continuous collision.
@@ -24,8 +25,8 @@ class Piles {
           const std::vector<const btPersistentManifold*>& predictive, const BreakableRegistry& breakables,
           const StepSnapshot& before, double time_s, double time_step_s);
 
-    /// Whether a body is squeezed by a strike on another one that may break it, or rides on one that lands.
-    bool squeeze(const Breakable& breakable) const;
+    /// Whether a strike on another body may break this one: it is squeezed, or rides on what lands.
+    bool mayBreak(const Breakable& breakable) const;
     /// Whether a body, no fragment, met what does not give way. What rests on it goes on and strikes it.
     bool lands(const btCollisionObject& object) const { return landed_.count(&object) > 0; }
     /// Gives a blow its stack.
