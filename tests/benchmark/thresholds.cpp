@@ -103,7 +103,8 @@ std::vector<StrikeCase> strikeCases() {
     const BreakableAsset rod = boxOf(Material::ceramic(), Vec3(-0.01, -0.2, -0.01), Vec3(0.01, 0.2, 0.01));
     const BreakableAsset block =
         boxOf(Material::plaster(), Vec3(-0.06, -0.06, -0.06), Vec3(0.06, 0.06, 0.06));
-    const btVector3 side(-0.3f, 0, 0), above(0, 0, 0.3f);
+    const btVector3 side(-0.3f, 0, 0), above(0, 0, 0.3f), slanting(0.3f, 0.1f, 0.15f),
+        outside(0.3f, 0, 0.02f), aslant(0.05f, 0, 0.3f);
     const btQuaternion edge(btVector3(0, 0, 1), 0.6f), corner(btVector3(1, 0.3f, 0), 0.7f);
     const auto flat = btQuaternion::getIdentity();
     return {
@@ -113,38 +114,14 @@ std::vector<StrikeCase> strikeCases() {
         {"box's edge on a cup", cup, false, cube, 0.5, {0, 0, 0.05f}, side, edge, 0.05},
         {"ball on a plate", plate, false, ballOf(0.03), 0.3, {0.03f, 0.02f, 0}, above, flat, 0.04},
         {"ball on a plate, floor", plate, true, ballOf(0.03), 0.3, {0.03f, 0.02f, 0}, above, flat, 0.04},
-        {"ball slanting",
-         plate,
-         false,
-         ballOf(0.03),
-         0.3,
-         {0.03f, 0.02f, 0},
-         {0.3f, 0.1f, 0.15f},
-         flat,
-         0.04},
-        {"ball on a plate's edge",
-         plate,
-         false,
-         ballOf(0.03),
-         0.3,
-         {0.15f, 0.02f, 0},
-         {0.3f, 0, 0.02f},
-         flat,
-         0.05},
+        {"ball slanting", plate, false, ballOf(0.03), 0.3, {0.03f, 0.02f, 0}, slanting, flat, 0.04},
+        {"ball on a plate's edge", plate, false, ballOf(0.03), 0.3, {0.15f, 0.02f, 0}, outside, flat, 0.05},
         {"box flat on a plate", plate, false, cube, 0.5, {0.02f, 0, 0}, above, flat, 0.04},
         {"box's corner on a plate", plate, false, cube, 0.5, {0.02f, 0, 0}, above, corner, 0.04},
         {"ball on a wall, floor", wall, true, ballOf(0.05), 1, {0, 0.05f, 0.4f}, {-0.4f, 0, 0}, flat, 0.06},
         {"ball on a rod's end", rod, false, ballOf(0.02), 0.1, {0, 0.18f, 0}, side, flat, 0.03},
         {"ball on a rod's middle", rod, false, ballOf(0.02), 0.1, {0, 0, 0}, side, flat, 0.03},
-        {"ball on a block, floor",
-         block,
-         true,
-         ballOf(0.04),
-         1,
-         {0, 0.01f, 0.06f},
-         {0.05f, 0, 0.3f},
-         flat,
-         0.06},
+        {"ball on a block, floor", block, true, ballOf(0.04), 1, {0, 0.01f, 0.06f}, aslant, flat, 0.06},
     };
 }
 
