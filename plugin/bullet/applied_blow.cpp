@@ -45,35 +45,49 @@ Status checkPush(const Push& push) {
     return success();
 }
 
-/// 1/kg; 0 for a body that is held.
-double inverseMassAt(const btRigidBody& body, const Push& push) {
-    return body.getInvMass() > 0 ? body.computeImpulseDenominator(push.point, push.impulse_n_s.normalized())
-                                 : 0;
+/// How pushes, all at once, move the places that they hit along themselves, m/s. A body that is held would be
+/// moved by them if it were not, as a mass.
+std::vector<double> motionBy(const Breakable& breakable, const std::vector<Push>& pushes) {
+    const btRigidBody& body = *breakable.body;
+    const Vec3 centre = fromBullet(body.getCenterOfMassPosition());
+    const Mobility mobility = canMove(body) ? mobilityOf(body, btTransform::getIdentity(), btVector3(0, 0, 0))
+                                            : Mobility::ofPoint(breakable.asset.mass(), centre);
+    Wrench sum = Wrench::Zero();
+    for (const Push& push : pushes)
+        sum += mobility.wrench(fromBullet(push.point), fromBullet(push.impulse_n_s));
+    const Wrench motion = mobility.response(sum);
+    std::vector<double> speeds;
+    for (const Push& push : pushes)
+        speeds.push_back(
+            motion.dot(mobility.wrench(fromBullet(push.point), fromBullet(push.impulse_n_s).normalized())));
+    return speeds;
 }
 
-/// Speed that a push gives to the place that it hits, m/s. A body that is held would be moved as fast by it
-/// if it were not.
-double speedBy(const Breakable& breakable, const Push& push) {
-    const double given = inverseMassAt(*breakable.body, push);
-    return push.impulse_n_s.length() * (given > 0 ? given : 1 / breakable.asset.mass());
+/// Speeds that pushes give to the places that they hit, m/s. Where others push against one, it is what that
+/// one does by itself.
+std::vector<double> speedsBy(const Breakable& breakable, const std::vector<Push>& pushes) {
+    std::vector<double> speeds = motionBy(breakable, pushes);
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+        speeds[i] = std::max(speeds[i], motionBy(breakable, {pushes[i]}).front());
+    return speeds;
 }
 
-/// A striker that is stopped with the impulse of the push from its speed; one that does not give way if no
-/// faster striker is needed for that.
-Mobility strikerOf(const btRigidBody& body, const ContactImpulse& contact, const Push& push) {
-    const double both = contact.approach_m_s / push.impulse_n_s.length();
-    const double inverse_mass = both - inverseMassAt(body, push);
-    return inverse_mass > 1e-6 * both ? Mobility::ofPoint(1 / inverse_mass, contact.point) : Mobility{};
+/// A striker that is stopped with the impulse of the push from its speed, when the place that it hits has
+/// come to move by `moved_m_s`; one that does not give way if no faster striker is needed for that.
+Mobility strikerOf(const ContactImpulse& contact, double moved_m_s) {
+    const double left = contact.approach_m_s - moved_m_s;
+    return left > 1e-6 * contact.approach_m_s ? Mobility::ofPoint(contact.pushed() / left, contact.point)
+                                              : Mobility{};
 }
 
-ContactImpulse asContact(const Breakable& breakable, const btTransform& asset_from_world, const Push& push) {
+ContactImpulse asContact(const btTransform& asset_from_world, const Push& push, double speed_m_s) {
     const double impulse = push.impulse_n_s.length();
     const btVector3 direction = push.impulse_n_s.normalized();
     ContactImpulse contact;
     contact.point = fromBullet(asset_from_world * push.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * direction).normalized();
     contact.impulse = impulse * contact.normal;
-    contact.approach_m_s = std::max(push.speed_m_s, speedBy(breakable, push));
+    contact.approach_m_s = std::max(double(push.speed_m_s), speed_m_s);
     contact.patch_radius_m = push.patch_radius_m;
     return contact;
 }
@@ -95,11 +109,12 @@ Status checkPushes(const std::vector<Push>& pushes) {
 }
 
 Status checkSpeeds(const Breakable& breakable, const std::vector<Push>& pushes) {
-    for (const Push& push : pushes) {
-        const double speed = speedBy(breakable, push);
+    const std::vector<double> speeds = speedsBy(breakable, pushes);
+    for (std::size_t i = 0; i < pushes.size(); ++i) {
+        const double speed = speeds[i];
         if (speed < speed_of_light_m_s) continue;
         std::ostringstream sentence;
-        sentence << "the push of " << words(push.impulse_n_s) << " N s at " << words(push.point)
+        sentence << "the push of " << words(pushes[i].impulse_n_s) << " N s at " << words(pushes[i].point)
                  << " m would move the body there at " << speed
                  << " m/s, faster than light; give a smaller impulse, or a point on the body";
         return Error{sentence.str()};
@@ -127,17 +142,21 @@ StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes
     StruckBreakable struck;
     struck.breakable = &breakable;
     struck.before = stateOf(body);
+    const std::vector<double> speeds = speedsBy(breakable, pushes);
+    const std::vector<double> moved =
+        body.getInvMass() > 0 ? motionBy(breakable, pushes) : std::vector<double>(pushes.size());
     double hardest = 0;
-    for (const Push& push : pushes) {
-        ContactImpulse contact = asContact(breakable, asset_from_world, push);
-        contact.partner = static_cast<int>(struck.blow.partners.size());
-        struck.blow.partners.push_back(strikerOf(body, contact, push));
+    for (std::size_t i = 0; i < pushes.size(); ++i) {
+        const Push& push = pushes[i];
+        ContactImpulse contact = asContact(asset_from_world, push, speeds[i]);
+        contact.partner = static_cast<int>(i);
+        struck.blow.partners.push_back(strikerOf(contact, moved[i]));
         struck.blow.contacts.push_back(contact);
         const double impulse = push.impulse_n_s.length();
         if (!(impulse > hardest)) continue;
         hardest = impulse;
         struck.position = onSurface(breakable, contact);
-        struck.normal = fromBullet(push.impulse_n_s / push.impulse_n_s.length());
+        struck.normal = fromBullet(push.impulse_n_s / impulse);
     }
     return struck;
 }

@@ -21,8 +21,9 @@ Status checkSpeeds(const Breakable& breakable, const std::vector<Push>& pushes);
 Status checkPlaces(const Breakable& breakable, const std::vector<Push>& pushes);
 
 /// Pushes as contacts of the body: each stops a striker of the speed v that carries J = m v. Where v is not
-/// known it is J (n . K n), with which m is the body's own effective mass at the point, and 1/2 m v^2 what J
-/// gives to the body.
+/// known it is that which all pushes give to the place, or this one alone if that is more: with one, m is the
+/// body's own effective mass at the point, and 1/2 m v^2 what J gives to the body. A push given in parts
+/// brings what it brings as one.
 StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes);
 
 /// Pushes a body, if it moves.

@@ -84,7 +84,7 @@ double speedOnto(const btCollisionObject& landed, const btVector3& point, const 
 /// Sets where the body was struck, and by what.
 void tellWhere(StruckBreakable& struck) {
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
-    const ContactImpulse* foremost = leadingTouch(contacts, any_partner);
+    const ContactImpulse* foremost = leadingTouch(struck.blow, struck.breakable->asset.solid()->mass());
     if (!foremost)
         foremost = &*std::max_element(
             contacts.begin(), contacts.end(),
@@ -176,6 +176,10 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     if (!contact.strikes() && !rests) return;
     const btCollisionObject& partner = *other.party->object;
     if (isExempt(own, other)) return;
+    const bool is_out_of_reach =
+        contact.strikes() && piles_ &&
+        piles_->isStoppedBefore(partner, -own.push, contact.touched_s, contact.approach_m_s);
+    if (is_out_of_reach) return;
     StruckBreakable& entry = entryOf(breakable);
     contact.partner = entry.numberOf(&partner);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
@@ -273,7 +277,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
                                : std::min(closing, 0.0);
     if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
-    contact.touched_s = closing > 0 ? std::clamp(depth_m / closing, -time_step_s_, time_step_s_) : 0;
+    contact.touched_s = timeSinceTouch(closing, depth_m, time_step_s_);
     contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = strikingRadius(*striker.getCollisionShape(), other.child);
@@ -285,13 +289,13 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
 }
 
 std::vector<StruckBreakable> ContactCollector::takeStruck() {
+    if (piles_)
+        for (StruckBreakable& struck : struck_) piles_->attachTo(struck);
     for (StruckBreakable& struck : struck_) tellWhere(struck);
     std::sort(struck_.begin(), struck_.end(), [](const StruckBreakable& a, const StruckBreakable& b) {
         return a.breakable->serial < b.breakable->serial;
     });
     place_in_struck_.clear();
-    if (piles_)
-        for (StruckBreakable& struck : struck_) piles_->attachTo(struck);
     return std::move(struck_);
 }
 

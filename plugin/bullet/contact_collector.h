@@ -42,7 +42,7 @@ struct StruckBreakable {
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
 /// that inside the solver. So a body at rest shows none, with one exception: now and then Bullet drops a
 /// resting contact for a step, and the body comes back with what it fell meanwhile. Closing speeds up to two
-/// steps of free fall of both bodies count as none. What the app pushes is no such case: it strikes.
+/// steps of free fall of either body count as none. What the app pushes is no such case: it strikes.
 class ContactCollector final : public btCollisionWorld::ContactResultCallback {
   public:
     ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,

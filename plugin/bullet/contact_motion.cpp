@@ -51,9 +51,13 @@ double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, dou
     return std::sqrt(std::max(now * now - 2 * gravity_m_s2 * way, closing_m_s * closing_m_s / 4));
 }
 
+double timeSinceTouch(double closing_m_s, double depth_m, double time_step_s) {
+    return closing_m_s > 0 ? std::clamp(depth_m / closing_m_s, -time_step_s, time_step_s) : 0;
+}
+
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s) {
     constexpr double resting_steps = 2;
-    return resting_steps * time_step_s * (std::abs(a.gravity) + std::abs(b.gravity));
+    return resting_steps * time_step_s * std::max(std::abs(a.gravity), std::abs(b.gravity));
 }
 
 double largestRestingGap() {

@@ -30,7 +30,11 @@ PointMotion motionAt(const btCollisionObject& object, const BodyState* state, co
 /// this step's pull.
 double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, double time_step_s);
 
-/// Closing speed of two points, m/s, up to which they rest on each other: two steps of free fall of both.
+/// How long ago surfaces met that close so fast and overlap by `depth_m`, s: no longer than a step. Below
+/// zero where they are still apart, and 0 where they do not close.
+double timeSinceTouch(double closing_m_s, double depth_m, double time_step_s);
+
+/// Closing speed of two points, m/s, up to which they rest on each other: two steps of free fall of one.
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s);
 
 /// Between bodies that rest on each other, at most, m.

@@ -14,6 +14,8 @@ namespace sherd {
 namespace {
 
 constexpr std::size_t most_bodies = 12;
+constexpr double own_part = 0.5;    // of a meeting's speed: what brings it lands on the other
+constexpr double whole_part = 0.8;  // of a striker's speed: without it no strike is left
 
 }  // namespace
 
@@ -27,11 +29,7 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
         const bool foreseen = std::find(predictive.begin(), predictive.end(), manifold) != predictive.end();
         look(*manifold, foreseen, strikes, pressed);
     }
-    if (!landed_.empty())
-        for (const btPersistentManifold* manifold : pressed) {
-            noteRider(*manifold->getBody0(), *manifold->getBody1());
-            noteRider(*manifold->getBody1(), *manifold->getBody0());
-        }
+    if (!landed_.empty()) noteRiders(pressed);
     if (strikes.empty()) return;
     Neighbours neighbours;
     for (const btPersistentManifold* manifold : pressed)
@@ -45,7 +43,10 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
                  std::vector<const btPersistentManifold*>& pressed) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const BodyState *before_a = before_.find(a), *before_b = before_.find(b);
-    Strike on_a{b, a, {}, {}, 0, 0, -1, -1};
+    Strike on_a;
+    on_a.striker = b;
+    on_a.struck = a;
+    double speed_of_a = 0, speed_of_b = 0;  // towards each other
     btScalar impulse = 0;
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         const btManifoldPoint& point = manifold.getContactPoint(i);
@@ -59,28 +60,34 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         if (!(closing > slowestStrike(of_a, of_b, time_step_s_))) continue;
         const double speed = speedOfTouch(closing, of_b.fall - of_a.fall, -point.getDistance(), time_step_s_);
         if (speed <= on_a.speed_m_s) continue;
-        on_a = {b,
-                a,
-                place,
-                push,
-                speed,
-                0,
-                is_predictive ? -1 : point.m_index1,
-                is_predictive ? -1 : point.m_index0};
+        on_a.point = place;
+        on_a.push = push;
+        on_a.speed_m_s = speed;
+        on_a.touched_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
+        on_a.striker_child = is_predictive ? -1 : point.m_index1;
+        on_a.struck_child = is_predictive ? -1 : point.m_index0;
+        speed_of_a = -of_a.velocity.dot(push);
+        speed_of_b = of_b.velocity.dot(push);
     }
-    if (!(impulse > 0)) return;
     if (!(on_a.speed_m_s > 0)) {
-        if (!is_predictive) pressed.push_back(&manifold);
+        if (impulse > 0 && !is_predictive) pressed.push_back(&manifold);
         return;
     }
-    const Strike on_b{a, b, on_a.point, -on_a.push, on_a.speed_m_s, 0, on_a.struck_child, on_a.striker_child};
+    if (!(impulse > 0 || on_a.touched_s > 0)) return;  // went by
+    on_a.is_brought = speed_of_a >= own_part * on_a.speed_m_s;
+    Strike on_b = on_a;
+    std::swap(on_b.striker, on_b.struck);
+    std::swap(on_b.striker_child, on_b.struck_child);
+    on_b.push = -on_a.push;
+    on_b.is_brought = speed_of_b >= own_part * on_a.speed_m_s;
     for (Strike strike : {on_a, on_b}) {
         const Breakable *struck = breakables_.of(*strike.struck), *by = breakables_.of(*strike.striker);
         if (!givesWay(*strike.struck)) continue;
-        if (!givesWay(*strike.striker)) {
-            noteLanding(strike);
-            continue;
-        }
+        const bool is_stopped = !givesWay(*strike.striker);
+        if (is_stopped || strike.is_brought) noteLanding(strike);
+        if (is_stopped && !by)  // what may break does not hold it up for sure
+            stops_[strike.struck].push_back({strike.push, strike.speed_m_s, strike.touched_s});
+        if (is_stopped) continue;
         if (struck && isOfTheSameBlow(*struck, *strike.striker, by, time_s_)) continue;
         const double mass = 1 / double(btRigidBody::upcast(strike.striker)->getInvMass());
         strike.energy_j = 0.5 * mass * strike.speed_m_s * strike.speed_m_s;
@@ -95,12 +102,40 @@ void Piles::noteLanding(const Strike& strike) {
     speed = std::max(speed, strike.speed_m_s);
 }
 
-void Piles::noteRider(const btCollisionObject& rider, const btCollisionObject& carrier) {
+void Piles::noteRiders(const std::vector<const btPersistentManifold*>& pressed) {
+    bool goes_on = true;
+    for (std::size_t level = 0; goes_on && level < most_bodies; ++level) {
+        goes_on = false;
+        for (const btPersistentManifold* manifold : pressed) {
+            const btCollisionObject *a = manifold->getBody0(), *b = manifold->getBody1();
+            if (noteRider(*a, *b)) goes_on = true;
+            if (noteRider(*b, *a)) goes_on = true;
+        }
+    }
+}
+
+bool Piles::noteRider(const btCollisionObject& rider, const btCollisionObject& carrier) {
     const auto landed = landed_.find(&carrier);
-    const Breakable* breakable = breakables_.of(rider);
-    if (landed == landed_.end() || !breakable || !givesWay(rider)) return;
-    const double energy = 0.5 * breakable->asset.solid()->mass() * landed->second * landed->second;
-    if (energy >= breakable->least_energy_j) riding_.insert(&rider);
+    if (landed == landed_.end() || !givesWay(rider)) return false;
+    const double speed = landed->second;
+    if (const Breakable* breakable = breakables_.of(rider)) {
+        const double energy = 0.5 * breakable->asset.solid()->mass() * speed * speed;
+        if (energy >= breakable->least_energy_j) riding_.insert(&rider);
+    }
+    if (breakables_.isFragment(rider)) return false;
+    double& known = landed_[&rider];
+    return std::exchange(known, std::max(known, speed)) < speed;
+}
+
+bool Piles::isStoppedBefore(const btCollisionObject& striker, const btVector3& push, double touched_s,
+                            double closing_m_s) const {
+    const auto stops = stops_.find(&striker);
+    return stops != stops_.end() &&
+           std::any_of(stops->second.begin(), stops->second.end(), [&](const Stop& stop) {
+               const double before_m = (stop.touched_s - touched_s) * closing_m_s;
+               return before_m > largestRestingGap() &&
+                      stop.speed_m_s * stop.push.dot(push) >= whole_part * closing_m_s;
+           });
 }
 
 Piles::Pile Piles::pileOf(const Strike& strike, const Neighbours& neighbours) const {
@@ -145,7 +180,13 @@ bool Piles::mayBreak(const Breakable& breakable) const {
 
 void Piles::attachTo(StruckBreakable& struck) const {
     const auto found = pile_of_.find(struck.breakable->body);
-    if (found != pile_of_.end()) struck.blow.stack = stackOf(piles_[found->second], struck);
+    if (found == pile_of_.end()) return;
+    struck.blow.stack = stackOf(piles_[found->second], struck);
+    if (!struck.blow.stack.strike.strikes()) return;
+    const double energy = broughtAtMost(struck.blow, struck.breakable->asset.solid()->mass(), true).energy_j;
+    if (energy >= struck.breakable->least_energy_j) return;
+    for (ContactImpulse& contact : struck.blow.contacts)
+        contact.approach_m_s = std::min(contact.approach_m_s, 0.0);
 }
 
 }  // namespace sherd

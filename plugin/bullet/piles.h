@@ -16,8 +16,9 @@ namespace sherd {
 /// its bricks. Nothing strikes the lower ones, and Bullet's impulses there are those of a time step; so the
 /// pile goes into the blow as it stands (`Stack`), and the loads follow from how it gives way while the
 /// strike lasts. A pile is the struck body and up to eleven others that move, the nearest by contacts. Of
-/// several strikes on one pile, the one that brings most energy counts for those that it does not touch. What
-/// rests on a body that lands, on what does not give way, is struck by that in turn.
+/// several strikes on one pile, the one that brings most energy counts for those that it does not touch, and
+/// for those that nothing else strikes hard enough to break them. What rests on a body that lands is struck
+/// by that in turn, and so is what rests on it.
 class Piles {
   public:
     /// From the solved manifolds of a step. `predictive` are those of continuous collision.
@@ -27,9 +28,14 @@ class Piles {
 
     /// Whether a strike on another body may break this one: it is squeezed, or rides on what lands.
     bool mayBreak(const Breakable& breakable) const;
-    /// Whether a body, no fragment, met what does not give way. What rests on it goes on and strikes it.
+    /// Whether a body, no fragment, came upon another one, or rests on what did. What rests on it goes on and
+    /// strikes it.
     bool lands(const btCollisionObject& object) const { return landed_.count(&object) > 0; }
-    /// Gives a blow its stack.
+    /// Whether a striker was stopped by what does not give way before it touched what would push it like
+    /// that: a wall between them is thinner than its way in a step.
+    bool isStoppedBefore(const btCollisionObject& striker, const btVector3& push, double touched_s,
+                         double closing_m_s) const;
+    /// Gives a blow its stack. Strikes beside that are then left out if they cannot break the body.
     void attachTo(StruckBreakable& struck) const;
 
   private:
@@ -38,7 +44,14 @@ class Piles {
         const btCollisionObject *striker = nullptr, *struck = nullptr;
         btVector3 point, push;  // on the struck body
         double speed_m_s = 0, energy_j = 0;
+        double touched_s = 0;  // before the solve
         int striker_child = -1, struck_child = -1;
+        bool is_brought = false;  // by the struck body, most of the speed
+    };
+    /// By what does not give way.
+    struct Stop {
+        btVector3 push;
+        double speed_m_s, touched_s;
     };
     struct Pile {
         Strike strike;
@@ -51,7 +64,9 @@ class Piles {
     void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
               std::vector<const btPersistentManifold*>& pressed);
     void noteLanding(const Strike& strike);
-    void noteRider(const btCollisionObject& rider, const btCollisionObject& carrier);
+    void noteRiders(const std::vector<const btPersistentManifold*>& pressed);
+    /// Whether the rider is one that others may ride on, faster than was known.
+    bool noteRider(const btCollisionObject& rider, const btCollisionObject& carrier);
     Pile pileOf(const Strike& strike, const Neighbours& neighbours) const;
     void assign(Pile pile);
     Stack stackOf(const Pile& pile, StruckBreakable& struck) const;
@@ -70,6 +85,7 @@ class Piles {
     std::vector<Pile> piles_;
     // For look-up only.
     std::unordered_map<const btCollisionObject*, std::size_t> pile_of_;
+    std::unordered_map<const btCollisionObject*, std::vector<Stop>> stops_;
     std::unordered_map<const btCollisionObject*, double> landed_;  // m/s
     std::unordered_set<const btCollisionObject*> riding_;          // on what landed
 };

@@ -21,8 +21,8 @@ struct BlowBound {
 std::optional<BlowBound> quickBound(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
                                     const ContactSettings& contact);
 
-/// Closer ones, from the strikes of the blow and what the body stands on.
+/// Closer ones, from the strike of the blow and what the body stands on.
 std::optional<BlowBound> closeBound(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
-                                    const std::vector<Strike>& strikes, const ContactSettings& contact);
+                                    const Strike& strike, const ContactSettings& contact);
 
 }  // namespace sherd

@@ -56,11 +56,11 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     const AddedTime time(ms.loads);
     const ContactBody body = struckBody(solid);
     const Stack& stack = blow.stack;
-    const std::vector<Strike> strikes = {strikeOn(stack)};
+    const Strike strike = strikeOn(stack);
     const auto foundations = foundationsOf(body, blow, {}, contact);
     const double compliance = rodCompliance(body, stack.strike.push);
     BlowForces forces;
-    forces.pulse = contactPulse(impactOf(strikes, 1), 0, contact.shortest_contact_s);
+    forces.pulse = contactPulse(impactOf(strike, 1), 0, contact.shortest_contact_s);
     SupportAnswer answer;
     double pressed = 0;
     for (int round = 0; round < most_solves; ++round) {
@@ -69,7 +69,7 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
         pressed = forceAlong(stack.strike.push, answer.forces);
         if (!(pressed > least_share)) return BlowForces{};
         if (std::abs(pressed - before) < same_answer) break;
-        forces.pulse = contactPulse(impactOf(strikes, answer.held),
+        forces.pulse = contactPulse(impactOf(strike, answer.held),
                                     0.5 * compliance * pressed * pressed + answer.others_energy_j,
                                     contact.shortest_contact_s);
     }
@@ -119,8 +119,8 @@ bool isHeld(const BreakableSolid& solid, const Blow& blow) {
     return solid.isAnchored() || blow.isSupported();
 }
 
-double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const std::vector<Strike>& strikes) {
-    return impactOf(strikes, isHeld(solid, blow) ? 1 : 0).energy();
+double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const Strike& strike) {
+    return impactOf(strike, isHeld(solid, blow) ? 1 : 0).energy();
 }
 
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
@@ -140,9 +140,9 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
                               const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms) {
     const ContactBody body = struckBody(solid);
     if (blow.isSqueezed()) return squeezingForces(solid, contact, blow, solve, ms);
-    const auto strikes = timed(ms.loads, [&] { return strikesOf(body, blow, contact); });
+    const Strike strike = timed(ms.loads, [&] { return strikeOf(body, blow, contact); });
     BlowForces forces;
-    const auto patches = timed(ms.loads, [&] { return contactPatches(body, strikes, contact); });
+    const auto patches = timed(ms.loads, [&] { return contactPatches(body, strike, contact); });
     forces.strike = forces.loads = unitLoads(patches);
     if (forces.strike.empty()) return forces;
     // Finer grids around the contacts see the near field themselves.
@@ -154,15 +154,15 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     if (solid.isAnchored())  // its supports are part of the stress problem
         answer.held = 1;
     else
-        foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strikes, contact); });
+        foundations = timed(ms.loads, [&] { return foundationsOf(body, blow, strike, contact); });
 
-    const double patch_energy_j = patchEnergy(body, strikes, contact, solid.spacing());
-    const double unseen_j = patch_energy_j - patchEnergy(body, strikes, contact, grid.spacing_m);
+    const double patch_energy_j = patchEnergy(body, strike, contact, solid.spacing());
+    const double unseen_j = patch_energy_j - patchEnergy(body, strike, contact, grid.spacing_m);
     double brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
         Result<UnitResponse> unit = solve(forces.loads, forces.contact);
         if (!unit) return Error{unit.error()};
-        const Impact impact = impactOf(strikes, answer.held);
+        const Impact impact = impactOf(strike, answer.held);
         strikeBody(impact,
                    {std::move(unit.value().modes), unit.value().strain_energy_j + unseen_j, patch_energy_j,
                     answer.others_energy_j},

@@ -63,8 +63,8 @@ ContactBody struckBody(const BreakableSolid& solid);
 /// Whether a solid is anchored or rests on something, so that it may not give way to a blow.
 bool isHeld(const BreakableSolid& solid, const Blow& blow);
 
-/// Energy that a blow brings to a solid at most, J, by its strikes.
-double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const std::vector<Strike>& strikes);
+/// Energy that a blow brings to a solid at most, J, by its strike.
+double broughtEnergy(const BreakableSolid& solid, const Blow& blow, const Strike& strike);
 
 /// Stress under loads of 1 N in total, with free surfaces free of traction. Adds the times to `ms`.
 Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& solver,
@@ -75,7 +75,7 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 /// and the duration. Where the body's vibrations are known, it is the impact on these that does. Supports
 /// answer the more the longer the pulse is, and lengthen it themselves, so the solve is repeated until their
 /// answer stays. Weight is left out: the body bears it before and after the blow as well. What a grid coarser
-/// than the solid's own does not see of the dents below the strikes is added (patchEnergy). The last loads
+/// than the solid's own does not see of the dents below the strike is added (patchEnergy). The last loads
 /// that `solve` is given are those that are returned.
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
                               const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms);

@@ -43,8 +43,8 @@ double leastEnergy(const BreakableSolid& solid, const FractureSettings& fracture
 }
 
 // From the bound that costs least to the one that costs most: the energy that the blow brings at most, which
-// the solid cannot store more of; what the table of a prepared solid says of the contacts; then those of the
-// strikes as the surface has them.
+// the solid cannot store more of; what the table of a prepared solid says of the contacts; then that of the
+// strike as the surface has them.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
     const double needed = leastEnergy(solid, fracture);
     if (!(blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed)) return false;
@@ -57,10 +57,10 @@ bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSetti
     const auto quick = quickBound(solid, table, blow, fracture.contact);
     if (!to_break.mayBe(quick)) return false;
 
-    const auto strikes = strikesOf(struckBody(solid), blow, fracture.contact);
-    if (!(broughtEnergy(solid, blow, strikes) > needed)) return false;
+    const Strike strike = strikeOf(struckBody(solid), blow, fracture.contact);
+    if (!(broughtEnergy(solid, blow, strike) > needed)) return false;
     const bool is_hopeless = to_break.mayBe(quick, hope);
-    return is_hopeless || to_break.mayBe(closeBound(solid, table, blow, strikes, fracture.contact));
+    return is_hopeless || to_break.mayBe(closeBound(solid, table, blow, strike, fracture.contact));
 }
 
 }  // namespace sherd

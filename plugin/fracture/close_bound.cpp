@@ -11,33 +11,22 @@ namespace sherd {
 
 namespace {
 
-/// The loads of strikes, as unitLoads has them.
-PerNewton underStrikes(const ContactBody& body, const PeakTable& table, const std::vector<Strike>& strikes,
-                       const ContactSettings& settings) {
-    const double smallest = smallestPatch(body, settings);
-    const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
-    double momentum = 0;
-    for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
+/// The loads of a strike, as unitLoads has them.
+PerNewton underStrike(const ContactBody& body, const PeakTable& table, const Strike& strike,
+                      const ContactSettings& settings) {
     PerNewton all;
     Wrench wrench = Wrench::Zero();
-    for (const Strike& strike : strikes)
-        for (const StrikePoint& point : strike.points) {
-            const double mass = point.share * strike.mass(0);
-            if (!(mass > 0)) continue;
-            const double given = point.contact->patch_radius_m;
-            const double peak = hertzPeakForce(point.hertz, mass, strike.speed_m_s);
-            const double radius = given > 0
-                                      ? std::max(given, smallest)
-                                      : std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
-            const Vec3 force = mass * strike.speed_m_s / momentum * point.push;
-            const PerNewton one =
-                underForce(body, table, point.spot.point, point.contact->normal, force, 0, radius);
-            all.stress_pa += one.stress_pa;
-            all.root_compliance += one.root_compliance;
-            all.work += one.work;
-            wrench += body.mobility.wrench(point.spot.point, force);
-        }
-    for (const ContactPatch& patch : contactPatches(body, strikes, settings))
+    for (const StrikePoint& point : strike.points) {
+        if (!(point.share > 0)) continue;
+        const Vec3 force = point.share * point.push;
+        const PerNewton one = underForce(body, table, point.spot.point, point.contact->normal, force, 0,
+                                         patchRadius(body, strike, point, settings));
+        all.stress_pa += one.stress_pa;
+        all.root_compliance += one.root_compliance;
+        all.work += one.work;
+        wrench += body.mobility.wrench(point.spot.point, force);
+    }
+    for (const ContactPatch& patch : contactPatches(body, strike, settings))
         for (const ContactDisc& disc : contactDiscs(body.surface, patch))
             all.near_pa =
                 std::max(all.near_pa, (disc.hollow ? most_if_hollow : 1) *
@@ -66,15 +55,15 @@ double largestShare(const ContactBody& body, const std::vector<Foundation>& foun
 }  // namespace
 
 std::optional<BlowBound> closeBound(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
-                                    const std::vector<Strike>& strikes, const ContactSettings& contact) {
+                                    const Strike& strike, const ContactSettings& contact) {
     if (table.levels.empty()) return std::nullopt;
-    if (strikes.empty()) return BlowBound{};
+    if (!strike.strikes()) return BlowBound{};
     const ContactBody body = struckBody(solid);
-    const PerNewton strike = underStrikes(body, table, strikes, contact);
+    const PerNewton under_strike = underStrike(body, table, strike, contact);
     PerNewton answer;
     double held = solid.isAnchored() ? 1 : 0;
     if (!solid.isAnchored() && blow.isSupported()) {
-        const std::vector<Foundation> foundations = foundationsOf(body, blow, strikes, contact);
+        const std::vector<Foundation> foundations = foundationsOf(body, blow, strike, contact);
         std::vector<Support> supports;
         for (const Foundation& foundation : foundations) {
             Support support{foundation.push, {}, {}};
@@ -85,21 +74,22 @@ std::optional<BlowBound> closeBound(const BreakableSolid& solid, const PeakTable
         }
         // Between the shortest and the longest pulse that there may be.
         const double shortest = contact.shortest_contact_s;
-        const double quick = contactPulse(impactOf(strikes, 0), 0, shortest).duration_s;
-        double stress_free = strike.energy_j();
+        const double quick = contactPulse(impactOf(strike, 0), 0, shortest).duration_s;
+        double stress_free = under_strike.energy_j();
         PerNewton most;
         if (!supports.empty()) {
-            if (!boundAnswer(table, supports, solid.mass(), strike.root_mobility, 1, most))
+            if (!boundAnswer(table, supports, solid.mass(), under_strike.root_mobility, 1, most))
                 return std::nullopt;
-            const double root = strike.root_compliance + most.root_compliance;
+            const double root = under_strike.root_compliance + most.root_compliance;
             stress_free = 0.5 * root * root;
-            const double slow = contactPulse(impactOf(strikes, 1), stress_free, shortest).duration_s;
+            const double slow = contactPulse(impactOf(strike, 1), stress_free, shortest).duration_s;
             held = largestShare(body, foundations, movingShare(body, quick), slow);
             answer.stress_pa = held * most.stress_pa;
             answer.root_compliance = held * most.root_compliance;
         }
     }
-    return boundOf(impactOf(strikes, held), strike, answer, isHeld(solid, blow), slowestPeriod(solid),
+    const bool is_held = isHeld(solid, blow) || broughtAtMost(blow, solid.mass(), true).pinched;
+    return boundOf(impactOf(strike, held), under_strike, answer, is_held, slowestPeriod(solid),
                    contact.shortest_contact_s);
 }
 

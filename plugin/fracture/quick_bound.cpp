@@ -28,42 +28,36 @@ class Quick {
 
     std::optional<BlowBound> find() {
         if (blow_.contacts.size() > most_contacts) return std::nullopt;
-        double energy = 0;
-        for (int partner = 0; partner < blow_.partnerCount(); ++partner)
-            if (blow_.isStruckBy(partner)) addStrike(partner, energy);
-        if (!(energy > 0)) return BlowBound{};
-        impact_.speed_m_s = std::sqrt(2 * energy / impact_.mass_kg);
+        const std::vector<char> is_struck_by = blow_.struckBy();
+        std::vector<const ContactImpulse*> contacts;
+        for (const ContactImpulse& contact : blow_.contacts)
+            if (contact.strikes() && is_struck_by[contact.partner]) contacts.push_back(&contact);
+        if (contacts.empty()) return BlowBound{};
+        const BroughtBound brought = broughtAtMost(blow_, mass_kg_, held_);
+        impact_.mass_kg = brought.mass_kg;
+        impact_.speed_m_s = std::sqrt(2 * brought.energy_j / brought.mass_kg);
+        if (contacts.size() == 1)
+            addAlone(*contacts[0]);
+        else
+            for (const ContactImpulse* contact : contacts)
+                include(*contact, withoutFriction(*contact), std::max(0.0, contact->friction));
+        impact_.hertz_force_n = hertzForce(contacts, impact_.mass_kg, impact_.speed_m_s);
         PerNewton answer;
         if (has_supports_ && !boundAnswer(table_, supports(), mass_kg_, strike_.root_mobility, 1, answer))
             return std::nullopt;
-        return boundOf(impact_, strike_, answer, held_, period_s_, settings_.shortest_contact_s);
+        return boundOf(impact_, strike_, answer, held_ || brought.pinched, period_s_,
+                       settings_.shortest_contact_s);
     }
 
   private:
-    void addStrike(int number, double& energy) {
-        const Mobility partner = blow_.partner(number);
-        std::vector<const ContactImpulse*> contacts;
-        double speed = 0, friction = -1;
-        for (const ContactImpulse& contact : blow_.contacts) {
-            if (contact.partner != number || !contact.strikes()) continue;
-            contacts.push_back(&contact);
-            speed = std::max(speed, contact.approach_m_s);
-            friction = std::max(friction, contact.friction);
-        }
-        double mass = partner.fixed() ? mass_kg_ : 1 / ((held_ ? 0 : 1 / mass_kg_) + partner.inverse_mass);
-        if (contacts.size() == 1) {
-            Strike strike;
-            strike.points = {{contacts[0], {contacts[0]->point, -1}, {}, 1, contacts[0]->normal}};
-            shareOut(body_.mobility, partner, strike);
-            mass = strike.mass(held_ ? 1 : 0);
-            include(*contacts[0], strike.points[0].push, 0);
-        } else {
-            for (const ContactImpulse* contact : contacts)
-                include(*contact, withoutFriction(*contact), std::max(0.0, friction));
-        }
-        impact_.mass_kg += mass;
-        impact_.hertz_force_n += hertzForce(contacts, mass, speed);
-        energy += 0.5 * mass * speed * speed;
+    /// What is pushed at one place only is known.
+    void addAlone(const ContactImpulse& contact) {
+        Strike strike;
+        strike.points = {{&contact, {contact.point, -1}, {}, 1, contact.normal}};
+        shareOut(body_.mobility, blow_, strike);
+        impact_.mass_kg = strike.mass(held_ ? 1 : 0);
+        impact_.speed_m_s = contact.approach_m_s;
+        include(contact, strike.points[0].push, 0);
     }
 
     /// Includes a contact as if it had all of the force: all bounds are convex, so that it does not matter

@@ -237,7 +237,7 @@ double trueStress(const std::vector<std::shared_ptr<const BreakableSolid>>& zoom
     const BlowForces forces = unzoomed.forcesOf(blow);
     const ContactBody body = struckBody(*zoomed[0]);
     const ContactSettings& settings = zoomed[0]->settings().fracture.contact;
-    const auto patches = contactPatches(body, strikesOf(body, blow, settings), settings);
+    const auto patches = contactPatches(body, strikeOf(body, blow, settings), settings);
     bool flat = true;
     for (const ContactPatch& patch : patches) {
         const std::vector<ContactDisc> discs = contactDiscs(body.surface, patch);

@@ -71,8 +71,8 @@ struct Gate {
             quick_pa = bound->equivalent_stress_pa;
         quick_ms = watch.milliseconds();
         watch = Stopwatch();
-        const auto strikes = strikesOf(struckBody(solid), blow, contact);
-        if (const auto bound = closeBound(solid, table, blow, strikes, contact))
+        const Strike strike = strikeOf(struckBody(solid), blow, contact);
+        if (const auto bound = closeBound(solid, table, blow, strike, contact))
             close_pa = bound->equivalent_stress_pa;
         close_ms = watch.milliseconds();
     }

@@ -225,8 +225,8 @@ TEST_P(Sunk, FragmentsComeOutOnTheSideOfTheirCentres) {
 
 TEST_P(Sunk, WhatTheyBreakIntoComesOutOnThatSideToo) {
     ASSERT_NO_FATAL_FAILURE(sinkPieces(0));
-    for (const btRigidBody* piece : pieces_)
-        scene_.addBall(10, 0.05, piece->getCenterOfMassPosition() + btVector3(0.03f, 0, 0.15f),
+    for (const btRigidBody* piece : pieces_)  // on the half that is not under the ground
+        scene_.addBall(10, 0.05, piece->getCenterOfMassPosition() + btVector3(-0.03f, 0, 0.15f),
                        btVector3(0, 0, -4));
     scene_.step(30, 1.0 / 60);
     int broken = 0;

@@ -166,32 +166,62 @@ TEST(Squeezed, TheWeakestBrickOfAColumnBreaksWhereverItStands) {
         }
 }
 
-/// The closing speed and the striker of what a brick on a tray hears when that comes down at `speed`.
+/// The closing speed and the striker of what a brick on a tray hears when that comes down at `speed`, with
+/// crates between them, on the floor or on a table top that stands on it.
 struct OnATray {
-    OnATray(double rate, btScalar speed) : scene(rate) {
+    OnATray(double rate, btScalar speed, int crates = 0, bool is_table = false) : scene(rate) {
         scene.scene.world->setGravity(btVector3(0, 0, 0));
         const btScalar thick = 0.02f, in = 1e-4f;
-        tray = scene.scene.addBox(3, btVector3(0.2f, 0.2f, thick / 2), btVector3(0, 0, thick / 2 - in));
-        scene.addBrick(at(0, 0, thick + btScalar(height / 2) - 2 * in));
-        for (btRigidBody* body : {tray, scene.bricks[0]}) body->setLinearVelocity(btVector3(0, 0, -speed));
+        btScalar top = -in;
+        if (is_table) {
+            scene.scene.addBox(50, btVector3(0.5f, 0.5f, 0.05f), btVector3(0, 0, 0.05f - in));
+            top += 0.1f - in;
+        }
+        for (int i = 0; i <= crates; ++i, top += thick - in) {
+            tray = scene.scene.addBox(3, btVector3(0.2f, 0.2f, thick / 2), btVector3(0, 0, top + thick / 2));
+            tray->setLinearVelocity(btVector3(0, 0, -speed));
+        }
+        scene.addBrick(at(0, 0, top + btScalar(height / 2)));
+        scene.bricks[0]->setLinearVelocity(btVector3(0, 0, -speed));
         scene.listen();
         for (const StruckBreakable& one : scene.struck)
             for (const ContactImpulse& contact : one.blow.contacts)
                 closing_m_s = std::max(closing_m_s, contact.approach_m_s);
     }
     Scene scene;
-    btRigidBody* tray = nullptr;
+    btRigidBody* tray = nullptr;  // the uppermost
     double closing_m_s = 0;
 };
 
 TEST(Squeezed, WhatRestsOnATrayStrikesItWhenThatLands) {
-    for (const double rate : {60.0, 120.0, 240.0, 960.0}) {
-        const OnATray landed(rate, 3);
-        ASSERT_EQ(landed.scene.struck.size(), 1u) << rate << " Hz";
-        EXPECT_EQ(landed.scene.struck[0].striker, landed.tray);
-        EXPECT_NEAR(landed.closing_m_s, 3, 0.15) << rate << " Hz";
-        EXPECT_EQ(OnATray(rate, 0).closing_m_s, 0) << "it stands";
-    }
+    for (const double rate : {60.0, 120.0, 240.0, 960.0})
+        for (const bool is_table : {false, true})
+            for (const int crates : {0, 1}) {
+                const OnATray landed(rate, 3, crates, is_table);
+                ASSERT_EQ(landed.scene.struck.size(), 1u) << rate << " Hz, " << crates;
+                EXPECT_EQ(landed.scene.struck[0].striker, landed.tray);
+                EXPECT_NEAR(landed.closing_m_s, 3, 0.5) << rate << " Hz, " << crates;
+                EXPECT_EQ(OnATray(rate, 0, crates, is_table).closing_m_s, 0) << "it stands";
+            }
+}
+
+// What touches the lower brick faintly in the same step does not hide from it what comes through the upper.
+TEST(Squeezed, ATrifleDoesNotHideTheLoadThatGoesThrough) {
+    const auto pressed = [](bool with_pea) {
+        Scene column(240);
+        for (int i = 0; i < 2; ++i) column.addBrick(at(0, 0, btScalar(height * (i + 0.5))));
+        column.settle();
+        if (with_pea)
+            column.scene.addBall(1e-4, 0.005,
+                                 btVector3(btScalar(side / 2) + 0.0051f, 0, btScalar(height / 2)),
+                                 btVector3(-1, 0, 0));
+        const double top = column.bricks.back()->getWorldTransform().getOrigin().z() + height / 2;
+        column.strike(btVector3(0, 0, btScalar(top + head + 1e-4)), btVector3(0, 0, -0.5f));
+        return column.forces(0, -Vec3::UnitZ()).from;
+    };
+    const double alone = pressed(false);
+    EXPECT_GT(alone, 1000);
+    EXPECT_NEAR(pressed(true), alone, 0.05 * alone);
 }
 
 }  // namespace

@@ -53,9 +53,9 @@ TEST_F(BlowBounds, AreAboveWhatTheFullSolveFinds) {
         const BlowDamage truth = blowDamage({solid(), sampling, fracture, 1}, blow, strength, ms);
         const double stress =
             *std::max_element(truth.damage.overstress.begin(), truth.damage.overstress.end());
-        const auto strikes = strikesOf(struckBody(solid()), blow, fracture.contact);
+        const Strike strike = strikeOf(struckBody(solid()), blow, fracture.contact);
         const auto first = quickBound(solid(), table, blow, fracture.contact);
-        const auto second = closeBound(solid(), table, blow, strikes, fracture.contact);
+        const auto second = closeBound(solid(), table, blow, strike, fracture.contact);
         for (const auto& bound : {first, second}) {
             if (!bound) continue;
             least = std::min(least, bound->equivalent_stress_pa / stress);

@@ -32,8 +32,8 @@ void strikeAtRandom(int count) {
             const double stored = stress.value().strain_energy_j;
             ASSERT_GT(stored, 0) << shape.name << ", blow " << i;
             ASSERT_LE(stored, brought) << shape.name << ", blow " << i;
-            const auto strikes = strikesOf(struckBody(solid), blow, solid.settings().fracture.contact);
-            ASSERT_LE(stored, broughtEnergy(solid, blow, strikes) * (1 + 1e-9))
+            const Strike strike = strikeOf(struckBody(solid), blow, solid.settings().fracture.contact);
+            ASSERT_LE(stored, broughtEnergy(solid, blow, strike) * (1 + 1e-9))
                 << shape.name << ", blow " << i;
             supported += blow.isSupported();
             answered += stress.value().loads.size() > stress.value().strike.size();

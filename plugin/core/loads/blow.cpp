@@ -1,16 +1,45 @@
 #include "core/loads/blow.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace sherd {
 
 namespace {
 
-/// The largest mass that a strike can stop.
-double largestMass(double body_mass_kg, const Mobility& partner, bool held) {
-    if (partner.fixed()) return body_mass_kg;
-    return 1 / ((held ? 0 : 1 / body_mass_kg) + partner.inverse_mass);
-}
+/// How one partner meets the body, or all together that do not give way.
+class Meeting {
+  public:
+    void add(const ContactImpulse& contact) {
+        if (!(fastest_ > 0)) first_ = contact.normal;
+        least_cosine_ = std::min(least_cosine_, first_.dot(contact.normal));
+        const double closing = contact.approach_m_s;
+        fastest_ = std::max(fastest_, closing);
+        slowest_ = std::min(slowest_, closing);
+        fastest_with_slip_ = std::max(fastest_with_slip_, std::hypot(closing, contact.slip_m_s.norm()));
+    }
+    bool strikes() const { return fastest_ > 0; }
+    /// Whether all push about alike.
+    bool isEven() const { return evenness() > 0.5; }
+    /// With a mass that cannot be larger if the points share the blow in any way. Forces that push apart feel
+    /// little of a body, and stop more than its mass, the slower: then it is the whole speed that counts.
+    /// `more_m_s`: by which the partner may be faster than it closes.
+    BroughtBound of(double mass_kg, double more_m_s = 0) const {
+        const double speed = (isEven() ? fastest_ : fastest_with_slip_) + more_m_s;
+        const double mass = isEven() ? mass_kg / evenness() : mass_kg * speed * speed / (slowest_ * slowest_);
+        return {mass, 0.5 * mass_kg / (isEven() ? evenness() : 1) * speed * speed};
+    }
+    double fastest() const { return fastest_; }
+
+  private:
+    /// Of the square of a sum of normals with shares that add up to 1, at least.
+    double evenness() const { return least_cosine_ > 0 ? 2 * least_cosine_ * least_cosine_ - 1 : 0; }
+
+    Vec3 first_ = Vec3::Zero();
+    double fastest_ = 0, fastest_with_slip_ = 0, slowest_ = std::numeric_limits<double>::infinity();
+    double least_cosine_ = 1;
+};
 
 }  // namespace
 
@@ -27,14 +56,21 @@ int Blow::partnerCount() const {
 
 bool Blow::isStruckBy(int partner) const {
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
-        return contact.partner == partner && contact.strikes() && contact.pushed() > 0;
+        return contact.partner == partner && contact.strikes() &&
+               (contact.pushed() > 0 || contact.touched_s > 0);
     });
 }
 
+std::vector<char> Blow::struckBy() const {
+    std::vector<char> all(static_cast<std::size_t>(partnerCount()));
+    for (std::size_t number = 0; number < all.size(); ++number)
+        all[number] = isStruckBy(static_cast<int>(number));
+    return all;
+}
+
 bool Blow::isStruck() const {
-    for (int number = 0; number < partnerCount(); ++number)
-        if (isStruckBy(number)) return true;
-    return false;
+    const std::vector<char> all = struckBy();
+    return std::find(all.begin(), all.end(), true) != all.end();
 }
 
 bool Blow::isSupported() const {
@@ -48,16 +84,39 @@ double normalImpulse(const Blow& blow) {
     return sum;
 }
 
-double blowEnergy(const Blow& blow, double mass_kg, bool held) {
-    double energy = blow.isSqueezed() ? blow.stack.largestEnergy() : 0;
-    for (int number = 0; number < blow.partnerCount(); ++number) {
-        if (!blow.isStruckBy(number)) continue;
-        double speed = 0;
-        for (const ContactImpulse& contact : blow.contacts)
-            if (contact.partner == number) speed = std::max(speed, contact.approach_m_s);
-        energy += 0.5 * largestMass(mass_kg, blow.partner(number), held) * speed * speed;
+double stoppedMass(const Mobility& partner, double mass_kg) {
+    return 1 / (1 / mass_kg + partner.inverse_mass);
+}
+
+BroughtBound broughtAtMost(const Blow& blow, double mass_kg, bool held) {
+    const std::vector<char> is_struck_by = blow.struckBy();
+    std::vector<Meeting> meetings(is_struck_by.size());
+    Meeting of_fixed;
+    for (const ContactImpulse& contact : blow.contacts)
+        if (contact.strikes() && is_struck_by[contact.partner])
+            (blow.partner(contact.partner).fixed() ? of_fixed : meetings[contact.partner]).add(contact);
+    const auto strikes = [](const Meeting& meeting) { return meeting.strikes(); };
+    const auto count = std::count_if(meetings.begin(), meetings.end(), strikes) + of_fixed.strikes();
+    BroughtBound sum;
+    sum.pinched = count > 1;
+    const auto add = [&](const BroughtBound& more) {
+        sum.mass_kg += more.mass_kg;
+        sum.energy_j += more.energy_j;
+    };
+    if (of_fixed.strikes()) add(of_fixed.of(mass_kg));
+    for (std::size_t number = 0; number < meetings.size(); ++number) {
+        const Meeting& meeting = meetings[number];
+        if (!meeting.strikes()) continue;
+        const Mobility& partner = blow.partners[number];
+        const bool keeps_all = held || sum.pinched || !meeting.isEven();
+        // The body may run from it, into what does not give way.
+        add(meeting.of(keeps_all ? partner.mass() : stoppedMass(partner, mass_kg), of_fixed.fastest()));
     }
-    return energy;
+    return sum;
+}
+
+double blowEnergy(const Blow& blow, double mass_kg, bool held) {
+    return blow.isSqueezed() ? blow.stack.largestEnergy() : broughtAtMost(blow, mass_kg, held).energy_j;
 }
 
 }  // namespace sherd

@@ -41,8 +41,11 @@ struct Blow {
     Mobility partner(int number) const;
     /// All numbers of partners are below it.
     int partnerCount() const;
-    /// Whether a partner strikes: some contact of it closes, and some impulse came of that.
+    /// Whether a partner strikes: some contact of it closes, and that has met or some impulse came of it.
+    /// What has met may have none where something else stopped the partner as well, a little later.
     bool isStruckBy(int partner) const;
+    /// The same of all partners, by their numbers.
+    std::vector<char> struckBy() const;
     /// Whether any partner does.
     bool isStruck() const;
     /// Whether nothing strikes the body itself, but a strike on another body may press on it.
@@ -54,11 +57,24 @@ struct Blow {
 /// Sum of the normal impulses, N s.
 double normalImpulse(const Blow& blow);
 
-/// Energy that all strikes together bring to a body of `mass_kg` at most, J: whatever the body stands on or
-/// leans against, and wherever on the body a partner touches first. `held`: something keeps the body from
-/// giving way, so that a partner is stopped with all of its own mass. A partner that cannot give way brings
-/// what it takes to stop the body's mass, held or not. A body that is squeezed gets no more than what the
-/// strike on the other body brings.
+/// The mass that a partner and a free body of `mass_kg` stop between them at most, kg.
+double stoppedMass(const Mobility& partner, double mass_kg);
+
+/// What all strikes together bring at most.
+struct BroughtBound {
+    double mass_kg = 0;  ///< that is stopped at the closing speed that goes with the energy
+    double energy_j = 0;
+    bool pinched = false;  ///< several partners strike: each may keep the body from giving way to others
+};
+
+/// What strikes bring to a body of `mass_kg` at most: whatever the body stands on or leans against, and
+/// wherever on the body a partner touches first. `held`: something keeps the body from giving way, so that a
+/// partner is stopped with all of its own mass. Partners that cannot give way bring what it takes to stop the
+/// body's mass once, held or not.
+BroughtBound broughtAtMost(const Blow& blow, double mass_kg, bool held);
+
+/// Energy that a blow brings to a body at most, J: that of its strikes, or, of a body that is squeezed, that
+/// of the strike on the other body.
 double blowEnergy(const Blow& blow, double mass_kg, bool held);
 
 /// Where and along which direction a body is struck.

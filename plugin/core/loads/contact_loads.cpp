@@ -45,15 +45,15 @@ StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
     return {&contact, spot, hertz, 1, contact.normal};
 }
 
-/// The striking contacts of the leading one's partner, those that were met at about the same time as it
-/// first, without those that share a patch with one before them: boxes side by side give the same point
-/// twice.
+/// The striking contacts, those that were met at about the same time as the leading one first, without those
+/// that share a patch with one of their partner before them: boxes side by side give the same point twice.
 std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, const Blow& blow,
                                                     const ContactImpulse& leading,
                                                     const ContactSettings& settings) {
+    const std::vector<char> is_struck_by = blow.struckBy();
     std::vector<const ContactImpulse*> met, separate;
     for (const ContactImpulse& contact : blow.contacts)
-        if (contact.partner == leading.partner && contact.strikes()) met.push_back(&contact);
+        if (contact.strikes() && is_struck_by[contact.partner]) met.push_back(&contact);
     const auto apart_s = [&](const ContactImpulse* contact) {
         return contact == &leading ? -1 : std::abs(contact->touched_s - leading.touched_s);
     };
@@ -63,7 +63,7 @@ std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, con
     const double patch = settings.smallest_patch * body.wall_thickness_m;
     for (const ContactImpulse* contact : met) {
         const auto shared = [&](const ContactImpulse* other) {
-            return (contact->point - other->point).norm() < patch &&
+            return contact->partner == other->partner && (contact->point - other->point).norm() < patch &&
                    contact->normal.dot(other->normal) > alike;
         };
         if (std::none_of(separate.begin(), separate.end(), shared)) separate.push_back(contact);
@@ -82,33 +82,6 @@ void giveCurvature(double smallest_patch_m, Strike& strike) {
     }
 }
 
-Strike strikeOf(const ContactBody& body, const Blow& blow, int partner, const ContactSettings& settings) {
-    Strike strike;
-    const ContactImpulse* leading = leadingTouch(blow.contacts, partner);
-    if (!leading || !blow.isStruckBy(partner)) return strike;
-    const StrikePoint leading_point = strikePoint(body, *leading, settings);
-    strike.points = {leading_point};
-    shareOut(body.mobility, blow.partner(partner), strike);
-    const double duration = strike.hertzDuration();
-
-    strike.points.clear();
-    for (const ContactImpulse* contact : separateContacts(body, blow, *leading, settings)) {
-        const double present = presence(leading->touched_s - contact->touched_s, duration);
-        if (!(present > 0)) break;
-        strike.points.push_back(contact == leading ? leading_point : strikePoint(body, *contact, settings));
-        strike.points.back().share = present;
-    }
-    shareOut(body.mobility, blow.partner(partner), strike);
-    giveCurvature(settings.smallest_patch * body.wall_thickness_m, strike);
-    return strike;
-}
-
-double momentumOf(const std::vector<Strike>& strikes) {
-    double momentum = 0;
-    for (const Strike& strike : strikes) momentum += strike.mass(0) * strike.speed_m_s;
-    return momentum;
-}
-
 }  // namespace
 
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,
@@ -119,27 +92,32 @@ double contactModulus(const ContactBody& body, const ContactImpulse& contact,
                           known ? contact.partner_poisson_ratio : settings.partner_poisson_ratio);
 }
 
-std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
-    std::vector<Strike> strikes;
-    for (int partner = 0; partner < blow.partnerCount(); ++partner) {
-        Strike strike = strikeOf(body, blow, partner, settings);
-        if (!strike.points.empty()) strikes.push_back(std::move(strike));
+Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
+    Strike strike;
+    const double mass = body.mobility.mass();
+    const ContactImpulse* leading = leadingTouch(blow, mass);
+    if (!leading) return strike;
+    const StrikePoint leading_point = strikePoint(body, *leading, settings);
+    strike.points = {leading_point};
+    strike.most_energy_j = broughtAtMost(blow, mass, true).energy_j;
+    shareOut(body.mobility, blow, strike);
+    const double duration = strike.hertzDuration();
+
+    strike.points.clear();
+    for (const ContactImpulse* contact : separateContacts(body, blow, *leading, settings)) {
+        const double present = presence(leading->touched_s - contact->touched_s, duration);
+        if (!(present > 0)) break;
+        strike.points.push_back(contact == leading ? leading_point : strikePoint(body, *contact, settings));
+        strike.points.back().share = present;
     }
-    return strikes;
+    shareOut(body.mobility, blow, strike);
+    giveCurvature(settings.smallest_patch * body.wall_thickness_m, strike);
+    return strike;
 }
 
-Impact impactOf(const std::vector<Strike>& strikes, double held) {
-    Impact all;
-    double energy = 0;
-    for (const Strike& strike : strikes) {
-        const double mass = strike.mass(held);
-        for (const StrikePoint& point : strike.points)
-            all.hertz_force_n += hertzPeakForce(point.hertz, point.share * mass, strike.speed_m_s);
-        all.mass_kg += mass;
-        energy += 0.5 * mass * strike.speed_m_s * strike.speed_m_s;
-    }
-    if (energy > 0) all.speed_m_s = std::sqrt(2 * energy / all.mass_kg);
-    return all;
+Impact impactOf(const Strike& strike, double held) {
+    if (!strike.strikes()) return {};
+    return {strike.mass(held), strike.speed_m_s, strike.hertzForce(held)};
 }
 
 double patchRadius(const ContactBody& body, const Strike& strike, const StrikePoint& point,
@@ -152,41 +130,35 @@ double patchRadius(const ContactBody& body, const Strike& strike, const StrikePo
     return std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
 }
 
-double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
-                   const ContactSettings& settings, double spacing_m) {
+double patchEnergy(const ContactBody& body, const Strike& strike, const ContactSettings& settings,
+                   double spacing_m) {
     constexpr double sharpest = 0.5;  // of a spacing: what is smaller looks like that on the grid
     const Material& m = body.material;
     const double compliance = 5 * (1 - m.poisson_ratio * m.poisson_ratio) / (7 * m.youngs_modulus_pa);
-    const double momentum = momentumOf(strikes);
     double energy = 0;
-    for (const Strike& strike : strikes)
-        for (const StrikePoint& point : strike.points) {
-            const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
-            const double radius = std::max(patchRadius(body, strike, point, settings), sharpest * spacing_m);
-            energy += 0.5 * compliance * share * share / radius;
-        }
+    for (const StrikePoint& point : strike.points) {
+        const double radius = std::max(patchRadius(body, strike, point, settings), sharpest * spacing_m);
+        energy += 0.5 * compliance * point.share * point.share / radius;
+    }
     return energy;
 }
 
-std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const Strike& strike,
                                          const ContactSettings& settings) {
     constexpr double few = 4, fine = 0.18, coarse = 0.5;  // patches; lengths of parts in radii
-    double count = 0;
-    for (const Strike& strike : strikes) count += static_cast<double>(strike.points.size());
+    const double count = static_cast<double>(strike.points.size());
     const double length = std::clamp(fine * std::sqrt(count / few), fine, coarse);
-    const double momentum = momentumOf(strikes);
     std::vector<ContactPatch> patches;
-    for (const Strike& strike : strikes)
-        for (const StrikePoint& point : strike.points) {
-            const double share = point.share * strike.mass(0) * strike.speed_m_s / momentum;
-            ContactPatch patch{point.spot,
-                               point.contact->normal,
-                               share * point.push,
-                               patchRadius(body, strike, point, settings),
-                               {}};
-            patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m, length);
-            patches.push_back(std::move(patch));
-        }
+    for (const StrikePoint& point : strike.points) {
+        if (!(point.share > 0)) continue;
+        ContactPatch patch{point.spot,
+                           point.contact->normal,
+                           point.share * point.push,
+                           patchRadius(body, strike, point, settings),
+                           {}};
+        patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m, length);
+        patches.push_back(std::move(patch));
+    }
     return patches;
 }
 

@@ -22,26 +22,27 @@ struct ContactBody {
     double radius_m = 0;  ///< of the sphere about its centre that holds it
 };
 
-/// What strikes a body, partner by partner. What carries its weight or answers the strike elsewhere is no
-/// part of it (see Foundation). The radius of curvature is read off the surface and the partner, and kept
-/// between a fraction of the wall and the body's own radius (flat on flat). Of a partner's contacts those
-/// count that have met by the time at which the first one presses hardest: how far bodies overlap, and so how
-/// many contacts there are, is a matter of the time step, not of the blow. Refers to the contacts of `blow`.
-std::vector<Strike> strikesOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings);
+/// What strikes a body. What carries its weight or answers the strike elsewhere is no part of it (see
+/// Foundation). The radius of curvature is read off the surface and the partner, and kept between a fraction
+/// of the wall and the body's own radius (flat on flat). Of all contacts those count that have met by the
+/// time at which the leading one presses hardest, whoever they are of: how far bodies overlap, and so how
+/// many contacts there are, is a matter of the time step, not of the blow; and a floor of four bodies stops
+/// what falls on their seam once, as one would. Refers to the contacts of `blow`.
+Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings);
 
-/// Of all strikes, with supports that take the share `held` of the body's mobility away.
-Impact impactOf(const std::vector<Strike>& strikes, double held);
+/// Of a strike, with supports that take the share `held` of the body's mobility away.
+Impact impactOf(const Strike& strike, double held);
 
 /// Radius of the disc over which a strike's force at one of its points is spread, m.
 double patchRadius(const ContactBody& body, const Strike& strike, const StrikePoint& point,
                    const ContactSettings& settings);
 
-/// Strain energy that the patches of strikes store about themselves at 1 N in total, J. Under a traction that
-/// falls off as (1 - (r/a)^2)^(3/2) a half-space gives way by 5 (1 - nu^2) F / (7 E a) in the mean, weighted
-/// with the traction (the Hankel transform of Johnson 1985, 3.4). A Hertz contact gives way by that, too:
-/// what a grid of that spacing stores there is counted twice.
-double patchEnergy(const ContactBody& body, const std::vector<Strike>& strikes,
-                   const ContactSettings& settings, double spacing_m);
+/// Strain energy that the patches of a strike store about themselves at 1 N in total, J. Under a traction
+/// that falls off as (1 - (r/a)^2)^(3/2) a half-space gives way by 5 (1 - nu^2) F / (7 E a) in the mean,
+/// weighted with the traction (the Hankel transform of Johnson 1985, 3.4). A Hertz contact gives way by that,
+/// too: what a grid of that spacing stores there is counted twice.
+double patchEnergy(const ContactBody& body, const Strike& strike, const ContactSettings& settings,
+                   double spacing_m);
 
 /// The part of the surface that a point of a strike presses on, and how strongly.
 struct ContactPatch {
@@ -52,9 +53,9 @@ struct ContactPatch {
     std::vector<PatchPart> parts;
 };
 
-/// The strikes as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
+/// A strike as tractions of 1 N in total (the sum of the normal forces), each point spread over its Hertz
 /// patch on the true surface.
-std::vector<ContactPatch> contactPatches(const ContactBody& body, const std::vector<Strike>& strikes,
+std::vector<ContactPatch> contactPatches(const ContactBody& body, const Strike& strike,
                                          const ContactSettings& settings);
 
 /// Their quadrature points.

@@ -85,10 +85,9 @@ struct Source {
     double share;
 };
 
-std::vector<Source> sourcesOf(const Blow& blow, const std::vector<Strike>& strikes) {
+std::vector<Source> sourcesOf(const Blow& blow, const Strike& strike) {
     std::vector<Source> sources;
-    for (const Strike& strike : strikes)
-        for (const StrikePoint& point : strike.points) sources.push_back({point.spot.point, point.share});
+    for (const StrikePoint& point : strike.points) sources.push_back({point.spot.point, point.share});
     if (sources.empty() && blow.stack.strike.strikes()) sources.push_back({blow.stack.strike.point, 1});
     return sources;
 }
@@ -184,10 +183,10 @@ Foundation foundationOf(const ContactBody& body, const Group& group, const Mobil
 
 }  // namespace
 
-std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
-                                      const std::vector<Strike>& strikes, const ContactSettings& settings) {
+std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow, const Strike& strike,
+                                      const ContactSettings& settings) {
     std::vector<Foundation> foundations;
-    const std::vector<Source> sources = sourcesOf(blow, strikes);
+    const std::vector<Source> sources = sourcesOf(blow, strike);
     if (sources.empty()) return foundations;
     const std::vector<Group> groups = groupsOf(blow);
     const double points = std::min(most_points, points_in_all / std::max<std::size_t>(1, groups.size()));

@@ -33,7 +33,7 @@ struct Foundation {
 /// as stiff as a rigid disc of their area on a half-space, 2 E* a (Johnson 1985, 3.4). In a heap the 16 that
 /// carry most stand for all. Of a body that is squeezed the beds on all sides count, with the load where the
 /// other body is struck.
-std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow,
-                                      const std::vector<Strike>& strikes, const ContactSettings& settings);
+std::vector<Foundation> foundationsOf(const ContactBody& body, const Blow& blow, const Strike& strike,
+                                      const ContactSettings& settings);
 
 }  // namespace sherd

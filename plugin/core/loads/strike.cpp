@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <iterator>
 
 #include "core/numerics/pi.h"
 
@@ -10,16 +12,49 @@ namespace sherd {
 
 namespace {
 
-/// Velocity changes along the normals over normal impulses, #points x #points, 1/kg.
-Eigen::MatrixXd normalMobility(const Mobility& mobility, const Strike& strike) {
-    const long count = static_cast<long>(strike.points.size());
-    Eigen::MatrixXd wrenches(6, count), changes(6, count);
+using Points = std::vector<StrikePoint>;
+
+/// The points of one partner.
+Points pointsOf(const Points& all, int partner) {
+    Points own;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(own),
+                 [&](const StrikePoint& point) { return point.contact->partner == partner; });
+    return own;
+}
+
+std::vector<int> partnersOf(const Points& points) {
+    std::vector<int> partners;
+    for (const StrikePoint& point : points) partners.push_back(point.contact->partner);
+    std::sort(partners.begin(), partners.end());
+    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
+    return partners;
+}
+
+/// Velocity changes along the normals over normal impulses, #points x #points, 1/kg: those of a body that
+/// feels only what `acts` on it.
+Eigen::MatrixXd normalMobility(const Mobility& mobility, const Points& points,
+                               const std::function<bool(const StrikePoint&)>& acts) {
+    const long count = static_cast<long>(points.size());
+    Eigen::MatrixXd wrenches = Eigen::MatrixXd::Zero(6, count), changes = wrenches;
     for (long i = 0; i < count; ++i) {
-        const ContactImpulse& contact = *strike.points[i].contact;
+        if (!acts(points[i])) continue;
+        const ContactImpulse& contact = *points[i].contact;
         wrenches.col(i) = mobility.wrench(contact.point, contact.normal);
         changes.col(i) = mobility.response(wrenches.col(i));
     }
     return wrenches.transpose() * changes;
+}
+
+/// Of the struck body and of all that strikes it.
+Eigen::MatrixXd mobilityOfAll(const Mobility& body, const Blow& blow, const Points& points) {
+    Eigen::MatrixXd sum = normalMobility(body, points, [](const StrikePoint&) { return true; });
+    for (const int number : partnersOf(points)) {
+        const Mobility partner = blow.partner(number);
+        if (!partner.fixed())
+            sum += normalMobility(partner, points,
+                                  [&](const StrikePoint& point) { return point.contact->partner == number; });
+    }
+    return sum;
 }
 
 /// Normal impulses p >= 0 with A p = v. A is singular where points are many: contacts give way a little, each
@@ -44,35 +79,38 @@ Eigen::VectorXd sharedImpulses(Eigen::MatrixXd a, const Eigen::VectorXd& v) {
     return impulses.cwiseMax(0);
 }
 
-/// Tangential force over normal force of a rigid blow at the points' mean.
-Vec3 friction(const Mobility& body, const Mobility& partner, const Strike& strike) {
+/// Tangential force over normal force of a rigid blow by one partner at the mean of its points.
+Vec3 friction(const Mobility& body, const Mobility& partner, const Points& points) {
     Vec3 place = Vec3::Zero(), normal = Vec3::Zero(), closing = Vec3::Zero();
-    double coefficient = 0;
-    for (const StrikePoint& point : strike.points) {
+    double sum = 0, coefficient = 0;
+    for (const StrikePoint& point : points) {
         const ContactImpulse& contact = *point.contact;
         place += point.share * contact.point;
         normal += point.share * contact.normal;
         closing += point.share * (contact.approach_m_s * contact.normal + contact.slip_m_s);
         coefficient += point.share * contact.friction;
+        sum += point.share;
     }
     if (!(normal.norm() > 0)) return Vec3::Zero();
     normal.normalize();
-    const Vec3 impulse = (body.at(place) + partner.at(place)).ldlt().solve(closing);
+    place /= sum;
+    const Vec3 impulse = (body.at(place) + partner.at(place)).ldlt().solve(closing / sum);
     const double pressed = impulse.dot(normal);
     if (!(pressed > 0)) return Vec3::Zero();
     const Vec3 held = impulse / pressed - normal;
-    return held.norm() > coefficient ? Vec3(coefficient * held.normalized()) : held;
+    return held.norm() > coefficient / sum ? Vec3(coefficient / sum * held.normalized()) : held;
 }
 
-/// The velocity along the normals that the strike's points get by its pushes, each as its share says, 1/kg.
-double feltMobility(const Mobility& mobility, const Strike& strike) {
+/// The velocity along the normals that points get by their pushes, each as its share says, 1/kg.
+double feltMobility(const Mobility& mobility, const Points& points) {
     Wrench normal = Wrench::Zero(), push = Wrench::Zero();
-    for (const StrikePoint& point : strike.points) {
+    for (const StrikePoint& point : points) {
         normal += point.share * mobility.wrench(point.contact->point, point.contact->normal);
         push += point.share * mobility.wrench(point.contact->point, point.push);
     }
     // Friction may make the points feel more than the whole body; there is no more of it to stop.
-    return std::max(normal.dot(mobility.response(push)), mobility.inverse_mass);
+    return std::max(normal.dot(mobility.response(push)),
+                    mobility.inverse_mass * normal.head<3>().squaredNorm());
 }
 
 /// The force of a contact whose impulse says all, with a normal part of 1.
@@ -83,17 +121,19 @@ Vec3 alongImpulse(const ContactImpulse& contact) {
 
 }  // namespace
 
-const ContactImpulse* leadingTouch(const std::vector<ContactImpulse>& contacts, int partner) {
-    constexpr double hard = 0.8;  // of the fastest: two thirds of its energy
-    const auto counts = [&](const ContactImpulse& contact) {
-        return contact.strikes() && (partner == any_partner || contact.partner == partner);
+const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg) {
+    constexpr double hard = 0.64;  // of the hardest one's energy
+    const std::vector<char> is_struck_by = blow.struckBy();
+    const auto energyOf = [&](const ContactImpulse& contact) {
+        if (!contact.strikes() || !is_struck_by[contact.partner]) return 0.0;
+        const double speed = contact.approach_m_s;
+        return 0.5 * stoppedMass(blow.partner(contact.partner), mass_kg) * speed * speed;
     };
-    double fastest = 0;
-    for (const ContactImpulse& contact : contacts)
-        if (counts(contact)) fastest = std::max(fastest, contact.approach_m_s);
+    double hardest = 0;
+    for (const ContactImpulse& contact : blow.contacts) hardest = std::max(hardest, energyOf(contact));
     const ContactImpulse* first = nullptr;
-    for (const ContactImpulse& contact : contacts)
-        if (counts(contact) && contact.approach_m_s >= hard * fastest &&
+    for (const ContactImpulse& contact : blow.contacts)
+        if (energyOf(contact) > 0 && energyOf(contact) >= hard * hardest &&
             (!first || contact.touched_s > first->touched_s))
             first = &contact;
     return first;
@@ -103,11 +143,10 @@ double presence(double apart_s, double duration_s) {
     return std::abs(apart_s) < duration_s / 2 ? std::cos(pi * apart_s / duration_s) : 0;
 }
 
-void shareOut(const Mobility& body, const Mobility& partner, Strike& strike) {
+void shareOut(const Mobility& body, const Blow& blow, Strike& strike) {
     Eigen::VectorXd speeds(static_cast<long>(strike.points.size()));
     for (long i = 0; i < speeds.size(); ++i) speeds[i] = strike.points[i].contact->approach_m_s;
-    const Eigen::VectorXd impulses =
-        sharedImpulses(normalMobility(body, strike) + normalMobility(partner, strike), speeds);
+    const Eigen::VectorXd impulses = sharedImpulses(mobilityOfAll(body, blow, strike.points), speeds);
     double sum = 0;
     for (long i = 0; i < speeds.size(); ++i) sum += strike.points[i].share *= impulses[i];
     strike.speed_m_s = 0;
@@ -115,12 +154,24 @@ void shareOut(const Mobility& body, const Mobility& partner, Strike& strike) {
         point.share /= sum;
         strike.speed_m_s += point.share * point.contact->approach_m_s;
     }
-    const bool known = strike.points.front().contact->friction >= 0;
-    const Vec3 lateral = known ? friction(body, partner, strike) : Vec3(Vec3::Zero());
-    for (StrikePoint& point : strike.points)
-        point.push = known ? Vec3(point.contact->normal + lateral) : alongImpulse(*point.contact);
-    strike.body_mobility = feltMobility(body, strike);
-    strike.partner_mobility = feltMobility(partner, strike);
+    Points of_fixed;
+    strike.partner_mobility = 0;
+    for (const int number : partnersOf(strike.points)) {
+        const Mobility partner = blow.partner(number);
+        const Points own = pointsOf(strike.points, number);
+        const bool known = own.front().contact->friction >= 0;
+        const Vec3 lateral = known ? friction(body, partner, own) : Vec3(Vec3::Zero());
+        for (StrikePoint& point : strike.points)
+            if (point.contact->partner == number)
+                point.push = known ? Vec3(point.contact->normal + lateral) : alongImpulse(*point.contact);
+        const Points pushed = pointsOf(strike.points, number);
+        if (partner.fixed())
+            of_fixed.insert(of_fixed.end(), pushed.begin(), pushed.end());
+        else
+            strike.partner_mobility += feltMobility(partner, pushed);
+    }
+    strike.body_mobility = feltMobility(body, strike.points);
+    strike.lasting_mobility = feltMobility(body, of_fixed);
 }
 
 Strike strikeOn(const Stack& stack) {
@@ -131,18 +182,25 @@ Strike strikeOn(const Stack& stack) {
     strike.points.push_back({nullptr, {}, distant.hertz, 1, distant.push});
     strike.body_mobility = distant.push.dot(struck->mobility.at(distant.point) * distant.push);
     strike.partner_mobility = distant.striker_mobility;
+    if (!(distant.striker_mobility > 0)) strike.lasting_mobility = strike.body_mobility;
     strike.speed_m_s = distant.speed_m_s;
     return strike;
 }
 
 double Strike::mass(double held) const {
-    return 1 / (partner_mobility > 0 ? (1 - held) * body_mobility + partner_mobility : body_mobility);
+    const double felt = (1 - held) * (body_mobility - lasting_mobility) + lasting_mobility + partner_mobility;
+    return std::min(1 / felt, 2 * most_energy_j / (speed_m_s * speed_m_s));
+}
+
+double Strike::hertzForce(double held) const {
+    double force = 0;
+    for (const StrikePoint& point : points)
+        force += hertzPeakForce(point.hertz, point.share * mass(held), speed_m_s);
+    return force;
 }
 
 double Strike::hertzDuration() const {
-    double force = 0;
-    for (const StrikePoint& point : points)
-        force += hertzPeakForce(point.hertz, point.share * mass(0), speed_m_s);
+    const double force = hertzForce(0);
     return force > 0 ? pulseDuration(force, mass(0) * speed_m_s) : 0;
 }
 

@@ -39,6 +39,21 @@ TEST(Blow, ImpulsesDoNotCount) {
         << "went by without touching";
 }
 
+TEST(Blow, WhatHasMetCountsThoughSomethingElseStopsIt) {
+    Blow blow{{striking(0, 2)}, {Mobility::ofPoint(1)}};
+    blow.contacts[0].touched_s = 1e-3;
+    EXPECT_NEAR(blowEnergy(blow, 1, false), 0.5 * 0.5 * 4, 1e-12);
+    blow.contacts[0].touched_s = -1e-3;
+    EXPECT_FALSE(blow.isStruck()) << "is still on its way";
+}
+
+TEST(Blow, WhatRunsIntoAWallBroughtMoreThanItClosesWith) {
+    // A body of 1 kg at 2 m/s between a wall and what is 3 m/s faster: that has 5 m/s to lose.
+    Blow blow{{striking(1, 2), striking(1, 3, 1)}, {Mobility{}, Mobility::ofPoint(4)}};
+    blow.contacts[0].normal = blow.contacts[0].impulse = -Vec3::UnitZ();
+    EXPECT_NEAR(blowEnergy(blow, 1, false), 0.5 * 1 * 4 + 0.5 * 4 * 25, 1e-12);
+}
+
 TEST(Blow, WhatMerelyPressesBringsNoEnergy) {
     EXPECT_EQ(blowEnergy({{striking(5, 0)}, {Mobility::ofPoint(1)}}, 1, false), 0);
     EXPECT_EQ(blowEnergy({{striking(5, -0.1)}, {Mobility::ofPoint(1)}}, 1, false), 0);

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "core/loads/contact_loads.h"
 #include "core/loads/strike.h"
 
 namespace {
@@ -33,7 +34,7 @@ Strike together(const std::vector<ContactImpulse>& contacts, const Mobility& bod
                 const Mobility& partner = {}) {
     Strike strike;
     for (const ContactImpulse& c : contacts) strike.points.push_back({&c, {}, {0.01, 1e10}, 1, c.normal});
-    shareOut(body, partner, strike);
+    shareOut(body, {{}, {partner}}, strike);
     return strike;
 }
 
@@ -114,23 +115,86 @@ TEST(Strikes, WhatIsMetLaterIsNotThereYet) {
     EXPECT_EQ(presence(0.5e-3, 1e-3), 0);
     EXPECT_EQ(presence(-0.25e-3, 1e-3), presence(0.25e-3, 1e-3)) << "met before the leading one";
     EXPECT_EQ(presence(-0.5e-3, 1e-3), 0);
-    std::vector<ContactImpulse> contacts{contact(Vec3::Zero()), contact(Vec3::UnitX()),
-                                         contact(Vec3::UnitY())};
-    contacts[1].touched_s = 2e-3;
-    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[1]);
-    EXPECT_EQ(leadingTouch(contacts, 1), nullptr);
-    contacts[1].partner = 1;
-    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[0]);
-    EXPECT_EQ(leadingTouch(contacts, any_partner), &contacts[1]);
+    Blow blow{{contact(Vec3::Zero()), contact(Vec3::UnitX()), contact(Vec3::UnitY())}, {}};
+    blow.contacts[1].touched_s = 2e-3;
+    EXPECT_EQ(leadingTouch(blow, 1), &blow.contacts[1]);
+    EXPECT_EQ(leadingTouch({}, 1), nullptr);
 }
 
 TEST(Strikes, WhatClosesSlowlyDoesNotLead) {
-    std::vector<ContactImpulse> contacts{contact(Vec3::Zero()), contact(Vec3::UnitX())};
-    contacts[1].touched_s = 2e-3;
-    contacts[1].approach_m_s = 0.7 * contacts[0].approach_m_s;
-    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[0]);
-    contacts[1].approach_m_s = 0.9 * contacts[0].approach_m_s;
-    EXPECT_EQ(leadingTouch(contacts, 0), &contacts[1]);
+    Blow blow{{contact(Vec3::Zero()), contact(Vec3::UnitX())}, {}};
+    blow.contacts[1].touched_s = 2e-3;
+    blow.contacts[1].approach_m_s = 0.7 * blow.contacts[0].approach_m_s;
+    EXPECT_EQ(leadingTouch(blow, 1), &blow.contacts[0]);
+    blow.contacts[1].approach_m_s = 0.9 * blow.contacts[0].approach_m_s;
+    EXPECT_EQ(leadingTouch(blow, 1), &blow.contacts[1]);
+}
+
+TEST(Strikes, SeveralBodiesThatDoNotGiveWayStopABodyOnce) {
+    std::vector<ContactImpulse> corners;
+    for (const double x : {-0.1, 0.1})
+        for (const double y : {-0.2, 0.2}) {
+            corners.push_back(contact(Vec3(x, y, -0.05)));
+            corners.back().partner = static_cast<int>(corners.size()) - 1;
+        }
+    const Mobility body = block(3, Vec3(0.2, 0.4, 0.1));
+    const Strike strike = together(corners, body);
+    for (const StrikePoint& point : strike.points) EXPECT_NEAR(point.share, 0.25, 1e-12);
+    EXPECT_NEAR(strike.mass(0), 3, 1e-9);
+    EXPECT_NEAR(strike.mass(1), 3, 1e-9);
+    EXPECT_NEAR(blowEnergy({corners, {}}, 3, false), 0.5 * 3 * 4, 1e-9);
+}
+
+TEST(Strikes, BallsThatHitTogetherAreStoppedByTheBodyTogether) {
+    // Four of 1 kg against 3 kg: 1/m = 1/3 + 1/4.
+    std::vector<ContactImpulse> hits;
+    Blow blow;
+    for (const double x : {-0.1, 0.1})
+        for (const double y : {-0.1, 0.1}) {
+            hits.push_back(contact(Vec3(x, y, -0.05)));
+            hits.back().partner = static_cast<int>(blow.partners.size());
+            blow.partners.push_back(Mobility::ofPoint(1));
+        }
+    Strike strike;
+    for (const ContactImpulse& c : hits) strike.points.push_back({&c, {}, {0.01, 1e10}, 1, c.normal});
+    shareOut(block(3, Vec3(1, 1, 0.1)), blow, strike);
+    EXPECT_NEAR(strike.mass(0), 12 / 7.0, 1e-9);
+    EXPECT_NEAR(strike.mass(1), 4, 1e-9) << "held in place";
+}
+
+TEST(Strikes, WhatPinchesABodyIsStoppedWithAllItsMass) {
+    std::vector<ContactImpulse> sides{contact(Vec3(0, 0, -0.05)), contact(Vec3(0, 0, 0.05))};
+    sides[1].normal = sides[1].impulse = -Vec3::UnitZ();
+    sides[1].partner = 1;
+    Strike strike;
+    for (const ContactImpulse& c : sides) strike.points.push_back({&c, {}, {0.01, 1e10}, 1, c.normal});
+    const Blow blow{sides, {Mobility::ofPoint(100), Mobility::ofPoint(100)}};
+    shareOut(block(1, Vec3(0.1, 0.1, 0.1)), blow, strike);
+    EXPECT_NEAR(strike.mass(0), 200, 1e-6) << "and not 2 x 0.99 kg";
+    EXPECT_TRUE(broughtAtMost(blow, 1, false).pinched);
+    EXPECT_NEAR(blowEnergy(blow, 1, false), 0.5 * 200 * 4, 1e-9);
+}
+
+TEST(Strikes, AWedgeIsStoppedWhollyBetweenWhatItFallsInto) {
+    // Slopes of 60 degrees close at half the speed along their normals, 4 m/s down.
+    std::vector<ContactImpulse> slopes;
+    for (const int side : {-1, 1}) {
+        slopes.push_back(contact(Vec3::Zero(), 4 * 0.5));
+        slopes.back().normal = Vec3(side * std::sqrt(0.75), 0, 0.5);
+        slopes.back().slip_m_s = Vec3(0, 0, 4) - 4 * 0.5 * slopes.back().normal;
+        slopes.back().partner = (side + 1) / 2;
+    }
+    const Strike strike = together(slopes, block(3, Vec3(0.1, 0.1, 0.1)));
+    EXPECT_NEAR(impactOf(strike, 0).energy(), 0.5 * 3 * 16, 1e-6);
+    EXPECT_NEAR(blowEnergy({slopes, {}}, 3, false), 0.5 * 3 * 16, 1e-9);
+}
+
+TEST(Strikes, TheOneWithMostEnergyLeadsHoweverSlow) {
+    Blow blow{{contact(Vec3::Zero(), 4), contact(Vec3::UnitX(), 2)},
+              {Mobility::ofPoint(0.01), Mobility::ofPoint(10)}};
+    blow.contacts[0].touched_s = 2e-3;
+    blow.contacts[1].partner = 1;
+    EXPECT_EQ(leadingTouch(blow, 10), &blow.contacts[1]);
 }
 
 }  // namespace

@@ -50,11 +50,11 @@ struct Standing {
                 half.norm()};
     }
     std::vector<Foundation> foundations() const {
-        return foundationsOf(body(), blow, strikesOf(body(), blow, settings), settings);
+        return foundationsOf(body(), blow, strikeOf(body(), blow, settings), settings);
     }
     SupportAnswer answer(double duration_s) const {
         return supportAnswer(body(), foundations(),
-                             unitLoads(contactPatches(body(), strikesOf(body(), blow, settings), settings)),
+                             unitLoads(contactPatches(body(), strikeOf(body(), blow, settings), settings)),
                              duration_s, blow.stack);
     }
 

@@ -1,0 +1,149 @@
+// Several bodies that strike one in the same step, and bodies behind each other: what meets first, what is
+// held up before, and what is stopped once though several do it.
+
+#include "bullet/applied_blow.h"
+#include "bullet/support.h"
+#include "core/loads/contact_loads.h"
+#include "fracture/blow_stress.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr int phases = 8;  // of the step in which a body is met
+
+/// A breakable plate of 0.6 x 0.6 x 0.06 m, its lower face at z = 0, and what comes down on it.
+struct Plate {
+    explicit Plate(double its_rate, const Material& material = crumbly()) : rate(its_rate) {
+        body = fracture.add(plate(material), at(0, 0, 0.03f)).value();
+    }
+    /// The ball is `gap_m` from its place when it touches.
+    void throwBall(double mass_kg, double radius_m, double lowest_z, double speed_m_s, double gap_m) {
+        scene.addBall(mass_kg, radius_m, btVector3(0, 0, btScalar(lowest_z + radius_m + gap_m)),
+                      btVector3(0, 0, -btScalar(speed_m_s)));
+    }
+    std::vector<BlowEvent> run() {
+        scene.step(8, 1 / rate);
+        return fracture.takeEvents();
+    }
+    double rate;
+    TestWorld scene;
+    FractureWorld fracture{scene.world.get()};
+    btRigidBody* body = nullptr;
+};
+
+TEST(OrderOfMeeting, WhatLiesBeforeAWallIsStruckWhereverInAStepThatIs) {
+    for (const double rate : {60.0, 240.0})
+        for (const double speed : {1.0, 3.0, 7.0})
+            for (int phase = 0; phase < phases; ++phase) {
+                Plate before_wall(rate);
+                before_wall.scene.addFloor()->setRestitution(0.5);
+                before_wall.throwBall(2, 0.2, 0.06, speed, speed / rate * (phase + 0.5) / phases);
+                before_wall.scene.bodies.back()->setRestitution(0.5);
+                const auto events = before_wall.run();
+                EXPECT_FALSE(events.empty()) << rate << " Hz, " << speed << " m/s, phase " << phase;
+            }
+}
+
+TEST(OrderOfMeeting, WhatIsBehindAWallIsNotStruck) {
+    for (const double rate : {60.0, 240.0})
+        for (int phase = 0; phase < phases; ++phase) {
+            Plate behind_wall(rate);
+            behind_wall.scene.addBox(0, btVector3(1, 1, 0.005f), btVector3(0, 0, 0.075f));
+            behind_wall.throwBall(2, 0.2, 0.08, 6, 6 / rate * (phase + 0.5) / phases);
+            EXPECT_TRUE(behind_wall.run().empty()) << rate << " Hz, phase " << phase;
+        }
+}
+
+TEST(OrderOfMeeting, TheEventNamesWhatBroughtMost) {
+    Plate struck(240);
+    const double gap = 0.005;
+    struck.throwBall(20, 0.05, 0.06, 4, gap);
+    const btRigidBody* heavy = struck.scene.bodies.back().get();
+    btRigidBody* pea = struck.scene.addBall(0.001, 0.005, btVector3(-0.1f, 0, 0.06f + 0.005f + btScalar(gap)),
+                                            btVector3(0, 0, -5));
+    pea->setGravity(btVector3(0, 0, 0));
+    const auto events = struck.run();
+    ASSERT_FALSE(events.empty());
+    EXPECT_EQ(events[0].striker, heavy);
+}
+
+/// The strike of a step in which the plate comes down flat on a floor of so many bodies a side.
+Strike landing(int bodies_a_side) {
+    Plate falling(240, unbreakable());
+    const double size = 2.0 / bodies_a_side;
+    for (int i = 0; i < bodies_a_side; ++i)
+        for (int j = 0; j < bodies_a_side; ++j)
+            falling.scene.addBox(
+                0, btVector3(btScalar(size / 2), btScalar(size / 2), 0.5f),
+                btVector3(btScalar((i + 0.5) * size - 1), btScalar((j + 0.5) * size - 1), -0.501f));
+    BreakableRegistry registry;
+    const auto asset = plate(crumbly());
+    auto breakable =
+        std::make_unique<Breakable>(asset, fractureSettingsFor(asset, asset.settings().fracture));
+    btRigidBody* box =
+        falling.scene.addBox(btScalar(asset.mass()), btVector3(0.3f, 0.3f, 0.03f), btVector3(0, 0, 0.03f));
+    falling.fracture.remove(falling.body);
+    breakable->body = box;
+    registry.add(std::move(breakable));
+    box->setLinearVelocity(btVector3(0, 0, -1));
+    StepSnapshot before;
+    falling.scene.step(1, 1 / falling.rate);
+    before.take(*falling.scene.world);
+    falling.scene.step(1, 1 / falling.rate);
+    ContactCollector collector(registry, before, 0, falling.scene.world->getSolverInfo());
+    feedSolvedContacts(*falling.scene.world, collector);
+    const auto struck = collector.takeStruck();
+    EXPECT_EQ(struck.size(), 1u);
+    Blow blow = struck.at(0).blow;
+    Strike strike = strikeOf(struckBody(*asset.solid()), blow, asset.settings().fracture.contact);
+    for (StrikePoint& point : strike.points) point.contact = nullptr;  // they go with the blow
+    return strike;
+}
+
+TEST(OrderOfMeeting, AFloorOfFourBodiesStopsWhatFallsOnTheirSeamOnce) {
+    const Strike on_one = landing(1), on_four = landing(2);
+    EXPECT_GT(on_four.points.size(), on_one.points.size());
+    EXPECT_NEAR(impactOf(on_four, 0).energy(), impactOf(on_one, 0).energy(),
+                1e-3 * impactOf(on_one, 0).energy());
+    EXPECT_NEAR(impactOf(on_one, 0).energy(), 0.5 * plate(crumbly()).mass(),
+                0.01 * impactOf(on_one, 0).energy());
+}
+
+/// Energy of the strike that a push of 3 N s makes, in `parts` on a circle, J.
+double energyOfPush(int parts, double speed_m_s, bool is_held) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    BodyOptions options(at(0, 0, 0));
+    if (is_held) options.supports = {BoxRegion{{-0.3, -0.3, -0.3}, {-0.28, 0.3, 0.3}}};
+    btRigidBody* body = fracture.add(plate(crumbly()), options).value();
+    const auto asset = *fracture.asset(body);
+    Breakable breakable(asset, fractureSettingsFor(asset, asset.settings().fracture));
+    breakable.body = body;
+    std::vector<Push> pushes;
+    for (int i = 0; i < parts; ++i) {
+        const btScalar turn = btScalar(2 * M_PI * i / parts), radius = parts > 1 ? 0.05f : 0;
+        pushes.push_back({btVector3(radius * btCos(turn), radius * btSin(turn), 0.03f),
+                          btVector3(0, 0, -3 / btScalar(parts)), 0.02, speed_m_s});
+    }
+    const StruckBreakable struck = asContacts(breakable, pushes);
+    const BreakableSolid& solid = *asset.solid();
+    const Strike strike = strikeOf(struckBody(solid), struck.blow, asset.settings().fracture.contact);
+    EXPECT_LE(broughtEnergy(solid, struck.blow, strike),
+              blowEnergy(struck.blow, solid.mass(), is_held) * (1 + 1e-9));
+    return broughtEnergy(solid, struck.blow, strike);
+}
+
+TEST(OrderOfMeeting, APushInPartsBringsWhatItBringsAsOne) {
+    for (const bool is_held : {false, true})
+        for (const double speed : {0.0, 30.0}) {
+            const double as_one = energyOfPush(1, speed, is_held);
+            EXPECT_GT(as_one, 0);
+            for (const int parts : {2, 3, 8})
+                EXPECT_NEAR(energyOfPush(parts, speed, is_held), as_one, 0.02 * as_one)
+                    << parts << " parts at " << speed << " m/s" << (is_held ? ", held" : "");
+        }
+}
+
+}  // namespace
