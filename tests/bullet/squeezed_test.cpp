@@ -47,6 +47,7 @@ struct Scene {
         auto breakable =
             std::make_unique<Breakable>(brick(), fractureSettingsFor(brick(), brick().settings().fracture));
         breakable->body = body;
+        breakable->least_energy_j = least_energy_j;
         registry.add(std::move(breakable));
         bricks.push_back(body);
     }
@@ -84,7 +85,7 @@ struct Scene {
         return found;
     }
 
-    double rate;
+    double rate, least_energy_j = 0;
     TestWorld scene;
     BreakableRegistry registry;
     StepSnapshot before;
@@ -209,6 +210,7 @@ TEST(Squeezed, WhatRestsOnATrayStrikesItWhenThatLands) {
 TEST(Squeezed, ATrifleDoesNotHideTheLoadThatGoesThrough) {
     const auto pressed = [](bool with_pea) {
         Scene column(240);
+        column.least_energy_j = 1e-3;  // the ball brings 5e-5, the hammer 0.6
         for (int i = 0; i < 2; ++i) column.addBrick(at(0, 0, btScalar(height * (i + 0.5))));
         column.settle();
         if (with_pea)
