@@ -11,6 +11,7 @@
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/extra_contacts.h"
+#include "bullet/met_on_the_way.h"
 #include "bullet/missed_vertices.h"
 #include "bullet/piles.h"
 #include "bullet/same_blow.h"
@@ -234,6 +235,12 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
     return struck_[place->second];
 }
 
+std::unique_ptr<btPersistentManifold> ContactCollector::corrected(
+    const btPersistentManifold& manifold) const {
+    const bool is_any = breakables_.of(*manifold.getBody0()) || breakables_.of(*manifold.getBody1());
+    return is_any ? metOnTheWay(manifold, before_, time_step_s_) : nullptr;
+}
+
 void ContactCollector::expect(const btPersistentManifold& manifold) {
     possible_.add(manifold);
 }
@@ -311,8 +318,16 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         if (a->getWorldArrayIndex() < 0 || b->getWorldArrayIndex() < 0) continue;
         if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
     }
-    for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
+    std::vector<std::unique_ptr<btPersistentManifold>> corrected;
+    for (btPersistentManifold*& manifold : solved) {
+        if (std::find(foreseen.begin(), foreseen.end(), manifold) != foreseen.end()) continue;
+        if (auto met = collector.corrected(*manifold)) {
+            manifold = met.get();
+            corrected.push_back(std::move(met));
+        }
+    }
+    for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;

@@ -54,6 +54,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
                              int index_a, const btCollisionObjectWrapper* wrapper_b, int part_b,
                              int index_b) override;
 
+    /// The manifold as it is to be fed, if it is not to be as it is: how bodies that are deep in each other
+    /// met, one of them breakable.
+    std::unique_ptr<btPersistentManifold> corrected(const btPersistentManifold& manifold) const;
     /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
     /// left out.
     void expect(const btPersistentManifold& manifold);

@@ -56,6 +56,59 @@ TEST(OrderOfMeeting, WhatIsBehindAWallIsNotStruck) {
         }
 }
 
+// Bullet then pushes the ball out on the other side.
+TEST(OrderOfMeeting, WhatABallIsHalfThroughItHasStruck) {
+    for (const double speed : {4.0, 8.0})
+        for (int phase = 0; phase < phases; ++phase) {
+            Plate struck(60);
+            struck.throwBall(2, 0.05, 0.06, speed, speed / 60 * (phase + 0.5) / phases);
+            EXPECT_FALSE(struck.run().empty()) << speed << " m/s, phase " << phase;
+        }
+}
+
+/// A crumbly cube of 0.2 m on a floor of two bodies whose seam is at x = 0.
+struct OnASeam {
+    OnASeam(double its_rate, double gap_m, const btVector3& velocity) : rate(its_rate) {
+        for (const btScalar side : {-1.0f, 1.0f})
+            scene.addBox(0, btVector3(2, 2, 0.5f), btVector3(2 * side, 0, -0.5f));
+        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3::Constant(-0.1), Vec3::Constant(0.1)),
+                                                    crumbly(), coarse(0.05));
+        cube = fracture.add(asset.value(), at(0.01f, 0, btScalar(0.1 + gap_m))).value();
+        cube->setLinearVelocity(velocity);
+        cube->setFriction(0);
+    }
+    double rate;
+    TestWorld scene;
+    FractureWorld fracture{scene.world.get()};
+    btRigidBody* cube = nullptr;
+};
+
+// Bullet then pushes it aside, half of it to either body.
+TEST(OrderOfMeeting, WhatIsDeepInTheSeamItFallsOnHasLandedThere) {
+    for (const double speed : {4.0, 8.0})
+        for (int phase = 0; phase < phases; ++phase) {
+            OnASeam falling(60, speed / 60 * (phase + 0.5) / phases, btVector3(0, 0, -btScalar(speed)));
+            falling.scene.step(4, 1.0 / 60);
+            const auto events = falling.fracture.takeEvents();
+            ASSERT_FALSE(events.empty()) << speed << " m/s, phase " << phase;
+            EXPECT_GT(events[0].normal.z(), 0.9) << speed << " m/s, phase " << phase;
+        }
+}
+
+TEST(OrderOfMeeting, WhatSlidesOverASeamIsNotStruckByIt) {
+    for (const double rate : {60.0, 240.0, 960.0}) {
+        OnASeam sliding(rate, 0, btVector3(0, 0, 0));
+        sliding.scene.world->setGravity(btVector3(0, 0, -10));
+        sliding.cube->setGravity(btVector3(0, 0, -10));
+        sliding.cube->translate(btVector3(-1, 0, 0));
+        sliding.scene.step(int(rate / 4), 1 / rate);
+        sliding.cube->setLinearVelocity(btVector3(5, 0, 0));
+        sliding.scene.step(int(0.4 * rate), 1 / rate);
+        EXPECT_GT(sliding.cube->getCenterOfMassPosition().x(), 0.5);
+        EXPECT_TRUE(sliding.fracture.takeEvents().empty()) << rate << " Hz";
+    }
+}
+
 TEST(OrderOfMeeting, TheEventNamesWhatBroughtMost) {
     Plate struck(240);
     const double gap = 0.005;

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <LinearMath/btScalar.h>
+
+#include <memory>
+
+class btPersistentManifold;
+
+namespace sherd {
+
+class StepSnapshot;
+
+/// How two bodies met that have since gone deep into each other. Bullet's contacts say how they come apart on
+/// the shortest way, which is sideways where a pillar lands on the seam of two bodies or on an edge, and
+/// onwards where a ball is more than half through a plate: nothing closes along that. Set back to where the
+/// step began, and moved on until they touch, they meet as they did. nullptr where the contacts of the
+/// manifold say enough: something closes along one of them, or the overlap is not of this step. Of round and
+/// polyhedral shapes and compounds of them, by the parts that overlap most.
+std::unique_ptr<btPersistentManifold> metOnTheWay(const btPersistentManifold& manifold,
+                                                  const StepSnapshot& before, double time_step_s);
+
+}  // namespace sherd
