@@ -4,7 +4,7 @@
 
 namespace sherd {
 
-ConvexPart partOf(const btCollisionObject& object, btTransform transform, int child) {
+PlacedShape childOf(const btCollisionObject& object, btTransform transform, int child) {
     const btCollisionShape* shape = object.getCollisionShape();
     if (shape->isCompound()) {
         const auto& compound = static_cast<const btCompoundShape&>(*shape);
@@ -12,8 +12,13 @@ ConvexPart partOf(const btCollisionObject& object, btTransform transform, int ch
         shape = compound.getChildShape(child);
         transform = transform * compound.getChildTransform(child);
     }
-    if (!shape->isPolyhedral()) return {};
-    return {static_cast<const btPolyhedralConvexShape*>(shape), transform};
+    return {shape, transform};
+}
+
+ConvexPart partOf(const btCollisionObject& object, btTransform transform, int child) {
+    const PlacedShape placed = childOf(object, transform, child);
+    if (!placed.shape || !placed.shape->isPolyhedral()) return {};
+    return {static_cast<const btPolyhedralConvexShape*>(placed.shape), placed.transform};
 }
 
 btScalar marginAround(const btPolyhedralConvexShape& shape) {

@@ -11,7 +11,16 @@ struct ConvexPart {
     btTransform transform;
 };
 
+/// A shape of no parts, placed in the world; no shape if there is no such child.
+struct PlacedShape {
+    const btCollisionShape* shape = nullptr;
+    btTransform transform;
+};
+
 /// `child`: of a compound, as contact points name it.
+PlacedShape childOf(const btCollisionObject& object, btTransform transform, int child);
+
+/// The same of polyhedra.
 ConvexPart partOf(const btCollisionObject& object, btTransform transform, int child);
 
 /// How far the surface that collides lies outside the vertices, m. Those of a box include the margin.

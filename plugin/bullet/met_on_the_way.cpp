@@ -1,6 +1,5 @@
 #include "bullet/met_on_the_way.h"
 
-#include <BulletCollision/CollisionShapes/btCompoundShape.h>
 #include <BulletCollision/CollisionShapes/btConvexShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkConvexCast.h>
 #include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
@@ -8,8 +7,11 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "bullet/contact_motion.h"
+#include "bullet/convex_part.h"
+#include "bullet/shapes.h"
 
 namespace sherd {
 
@@ -20,29 +22,15 @@ constexpr btScalar of_way = btScalar(0.25);  // depth over the way of a step, an
 constexpr btScalar of_body = btScalar(0.1);  // over the smaller body: what is less slides along
 constexpr btScalar sunk_m = btScalar(5e-3);  // bodies that rest or slide are no deeper in each other
 
-/// A convex part of a body; no shape if it is not convex.
-struct Part {
-    const btConvexShape* shape = nullptr;
-    btTransform transform;
-};
-
-Part partOf(const btCollisionObject& object, btTransform transform, int child) {
-    const btCollisionShape* shape = object.getCollisionShape();
-    if (shape->isCompound()) {
-        const auto& compound = static_cast<const btCompoundShape&>(*shape);
-        if (child < 0 || child >= compound.getNumChildShapes()) return {};
-        shape = compound.getChildShape(child);
-        transform = transform * compound.getChildTransform(child);
-    }
-    if (!shape->isConvex()) return {};
-    return {static_cast<const btConvexShape*>(shape), transform};
+btScalar smallestExtent(const btCollisionObject& object) {
+    const btVector3 extent = extentOf(object);
+    return extent[extent.minAxis()];
 }
 
-btScalar smallestExtent(const btCollisionObject& object) {
-    btVector3 low, high;
-    object.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-    const btVector3 extent = high - low;
-    return extent[extent.minAxis()];
+/// nullptr if it is not convex.
+const btConvexShape* convex(const PlacedShape& placed) {
+    return placed.shape && placed.shape->isConvex() ? static_cast<const btConvexShape*>(placed.shape)
+                                                    : nullptr;
 }
 
 const btManifoldPoint& deepestOf(const btPersistentManifold& manifold) {
@@ -53,51 +41,69 @@ const btManifoldPoint& deepestOf(const btPersistentManifold& manifold) {
     return manifold.getContactPoint(deepest);
 }
 
+/// Whether bodies that move against each other with `meeting` are too deep in each other, and come apart too
+/// far from where they came from, for the manifold to say how they met.
+bool isInDoubt(const btPersistentManifold& manifold, btScalar depth_m, const btVector3& meeting,
+               double time_step_s) {
+    const btScalar speed = meeting.length();
+    const btScalar smallest =
+        std::min(smallestExtent(*manifold.getBody0()), smallestExtent(*manifold.getBody1()));
+    if (!(depth_m > of_way * btScalar(time_step_s) * speed && depth_m > of_body * smallest)) return false;
+    for (int i = 0; i < manifold.getNumContacts(); ++i)
+        if (meeting.dot(manifold.getContactPoint(i).m_normalWorldOnB) > closes * speed) return false;
+    return true;
+}
+
+/// Where and how a shape that comes the `way` touches another one first.
+struct Touch {
+    btVector3 point, normal;  // on the other; out of the shape that comes
+    btScalar left = 0;        // of the way, 0 to 1
+};
+
+std::optional<Touch> touchOf(const btConvexShape& shape, const btTransform& arrived, const btVector3& way,
+                             const btConvexShape& other, const btTransform& other_stood) {
+    btTransform from = arrived;
+    from.setOrigin(arrived.getOrigin() - way);
+    btVoronoiSimplexSolver simplex;
+    btGjkConvexCast cast(&shape, &other, &simplex);
+    btConvexCast::CastResult met;
+    if (!cast.calcTimeOfImpact(from, arrived, other_stood, other_stood, met)) return std::nullopt;
+    const bool touches_on_it = met.m_fraction > 0 && met.m_fraction < 1;
+    if (!touches_on_it || !(met.m_normal.length2() > SIMD_EPSILON)) return std::nullopt;
+    const btVector3 normal = met.m_normal.normalized();
+    return Touch{met.m_hitPoint, way.dot(normal) < 0 ? btVector3(-normal) : normal, 1 - met.m_fraction};
+}
+
 }  // namespace
 
 std::unique_ptr<btPersistentManifold> metOnTheWay(const btPersistentManifold& manifold,
                                                   const StepSnapshot& before, double time_step_s) {
     if (manifold.getNumContacts() == 0) return nullptr;
+    btManifoldPoint point = deepestOf(manifold);
+    if (!(-point.getDistance() > sunk_m)) return nullptr;
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const BodyState *state_a = before.find(&a), *state_b = before.find(&b);
-    const btManifoldPoint& deepest = deepestOf(manifold);
-    const btScalar depth = -deepest.getDistance();
-    if (!(depth > sunk_m)) return nullptr;
-    const auto velocityOf = [&](const btCollisionObject& object, const BodyState* state) {
-        return motionAt(object, state, deepest.getPositionWorldOnA(), deepest.m_normalWorldOnB, time_step_s)
-            .velocity;
+    const btVector3 place = point.getPositionWorldOnA(), along = point.m_normalWorldOnB;
+    const btVector3 meeting = motionAt(b, state_b, place, along, time_step_s).velocity -
+                              motionAt(a, state_a, place, along, time_step_s).velocity;
+    if (!isInDoubt(manifold, -point.getDistance(), meeting, time_step_s)) return nullptr;
+
+    const auto stood = [](const btCollisionObject& object, const BodyState* state) {
+        return state ? state->transform : object.getWorldTransform();
     };
-    const btVector3 meeting = velocityOf(b, state_b) - velocityOf(a, state_a);
-    const btScalar speed = meeting.length();
+    const PlacedShape part_a = childOf(a, stood(a, state_a), point.m_index0),
+                      part_b = childOf(b, stood(b, state_b), point.m_index1);
+    const btConvexShape *shape_a = convex(part_a), *shape_b = convex(part_b);
+    if (!shape_a || !shape_b) return nullptr;
     const btVector3 way = btScalar(time_step_s) * meeting;
-    if (!(depth > of_way * way.length())) return nullptr;
-    for (int i = 0; i < manifold.getNumContacts(); ++i)
-        if (meeting.dot(manifold.getContactPoint(i).m_normalWorldOnB) > closes * speed) return nullptr;
-    if (!(depth > of_body * std::min(smallestExtent(a), smallestExtent(b)))) return nullptr;
+    const auto touch = touchOf(*shape_b, part_b.transform, way, *shape_a, part_a.transform);
+    if (!touch || !(meeting.dot(touch->normal) > closes * meeting.length())) return nullptr;
 
-    const Part part_a = partOf(a, state_a ? state_a->transform : a.getWorldTransform(), deepest.m_index0),
-               part_b = partOf(b, state_b ? state_b->transform : b.getWorldTransform(), deepest.m_index1);
-    if (!part_a.shape || !part_b.shape) return nullptr;
-    btTransform from = part_b.transform;
-    from.setOrigin(from.getOrigin() - way);
-    btVoronoiSimplexSolver simplex;
-    btGjkConvexCast cast(part_b.shape, part_a.shape, &simplex);
-    btConvexCast::CastResult met;
-    if (!cast.calcTimeOfImpact(from, part_b.transform, part_a.transform, part_a.transform, met))
-        return nullptr;
-    if (!(met.m_fraction > 0 && met.m_fraction < 1) || !(met.m_normal.length2() > SIMD_EPSILON))
-        return nullptr;
-    btVector3 normal = met.m_normal.normalized();
-    if (meeting.dot(normal) < 0) normal = -normal;
-    const btScalar closing = meeting.dot(normal);
-    if (!(closing > closes * speed)) return nullptr;
-
-    btManifoldPoint point = deepest;
-    const btVector3 gone = (1 - met.m_fraction) * way;
-    point.m_normalWorldOnB = normal;
-    point.m_positionWorldOnA = met.m_hitPoint;
-    point.m_positionWorldOnB = met.m_hitPoint + gone;
-    point.m_distance1 = -gone.dot(normal);
+    const btVector3 gone = touch->left * way;
+    point.m_normalWorldOnB = touch->normal;
+    point.m_positionWorldOnA = touch->point;
+    point.m_positionWorldOnB = touch->point + gone;
+    point.m_distance1 = -gone.dot(touch->normal);
     point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
     auto found = std::make_unique<btPersistentManifold>(&a, &b, 0, manifold.getContactBreakingThreshold(),
                                                         manifold.getContactProcessingThreshold());

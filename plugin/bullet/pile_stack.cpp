@@ -20,12 +20,6 @@ namespace {
 
 constexpr double margin_of_contact = 0.05;  // of the smaller body's smallest extent: what a corner touches
 
-btVector3 extentOf(const btCollisionObject& object) {
-    btVector3 low, high;
-    object.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
-    return high - low;
-}
-
 /// Youngs' modulus and Poisson's ratio.
 std::pair<double, double> elasticityOf(const Breakable* breakable, const ContactSettings& settings) {
     if (!breakable) return {settings.partner_youngs_modulus_pa, settings.partner_poisson_ratio};

@@ -1,5 +1,6 @@
 #include "bullet/shapes.h"
 
+#include <BulletCollision/CollisionDispatch/btCollisionObject.h>
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 #include <BulletCollision/CollisionShapes/btCapsuleShape.h>
 #include <BulletCollision/CollisionShapes/btCompoundShape.h>
@@ -89,6 +90,12 @@ Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape
     if (parts.empty())
         return Error{"the body's compound shape has no children; add convex shapes to it first"};
     return parts;
+}
+
+btVector3 extentOf(const btCollisionObject& object) {
+    btVector3 low, high;
+    object.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+    return high - low;
 }
 
 double strikingRadius(const btCollisionShape& shape, int child) {

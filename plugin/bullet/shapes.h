@@ -1,5 +1,6 @@
 #pragma once
 
+#include <LinearMath/btVector3.h>
 #include <sherd/result.h>
 #include <sherd/types.h>
 
@@ -18,6 +19,9 @@ std::vector<Vec3> supportPoints(const btConvexShape& shape);
 /// The convex parts of a convex shape or of a compound of such, to any depth, each as the points of its hull
 /// in the frame of `shape`. The error names the child that is not convex.
 Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape);
+
+/// Of the box about an object along its own axes, m.
+btVector3 extentOf(const btCollisionObject& object);
 
 /// Radius of curvature, m, of spheres, capsules, cylinders and the like; 0 for other shapes, whose surface is
 /// flat or unknown. `child` is the index of the child shape in Bullet's contact point, -1 if it has none.
