@@ -179,7 +179,7 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     if (isExempt(own, other)) return;
     const bool is_out_of_reach =
         contact.strikes() && piles_ &&
-        piles_->isStoppedBefore(partner, -own.push, contact.touched_s, contact.approach_m_s);
+        piles_->isStoppedBefore(partner, other.point, -own.push, contact.touched_s, contact.approach_m_s);
     if (is_out_of_reach) return;
     StruckBreakable& entry = entryOf(breakable);
     contact.partner = entry.numberOf(&partner);

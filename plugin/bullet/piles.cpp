@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "bullet/contact_motion.h"
+#include "bullet/conversions.h"
 #include "bullet/same_blow.h"
 
 namespace sherd {
@@ -86,7 +87,7 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         const bool is_stopped = !givesWay(*strike.striker);
         if (is_stopped || strike.is_brought) noteLanding(strike);
         if (is_stopped && !by)  // what may break does not hold it up for sure
-            stops_[strike.struck].push_back({strike.push, strike.speed_m_s, strike.touched_s});
+            stops_[strike.struck].push_back({strike.point, strike.push, strike.speed_m_s, strike.touched_s});
         if (is_stopped) continue;
         if (struck && isOfTheSameBlow(*struck, *strike.striker, by, time_s_)) continue;
         const double mass = 1 / double(btRigidBody::upcast(strike.striker)->getInvMass());
@@ -127,15 +128,19 @@ bool Piles::noteRider(const btCollisionObject& rider, const btCollisionObject& c
     return std::exchange(known, std::max(known, speed)) < speed;
 }
 
-bool Piles::isStoppedBefore(const btCollisionObject& striker, const btVector3& push, double touched_s,
-                            double closing_m_s) const {
+bool Piles::isStoppedBefore(const btCollisionObject& striker, const btVector3& place, const btVector3& push,
+                            double touched_s, double closing_m_s) const {
     const auto stops = stops_.find(&striker);
-    return stops != stops_.end() &&
-           std::any_of(stops->second.begin(), stops->second.end(), [&](const Stop& stop) {
-               const double before_m = (stop.touched_s - touched_s) * closing_m_s;
-               return before_m > largestRestingGap() &&
-                      stop.speed_m_s * stop.push.dot(push) >= whole_part * closing_m_s;
-           });
+    if (stops == stops_.end()) return false;
+    const Mobility mobility = mobilityOf(striker, btTransform::getIdentity(), place);
+    const Wrench here = mobility.wrench(fromBullet(place), fromBullet(push));
+    return std::any_of(stops->second.begin(), stops->second.end(), [&](const Stop& stop) {
+        const double before_m = (stop.touched_s - touched_s) * closing_m_s;
+        if (!(before_m > largestRestingGap())) return false;
+        const Wrench there = mobility.wrench(fromBullet(stop.place), fromBullet(stop.push));
+        const double impulse = stop.speed_m_s / there.dot(mobility.response(there));
+        return impulse * here.dot(mobility.response(there)) >= whole_part * closing_m_s;
+    });
 }
 
 Piles::Pile Piles::pileOf(const Strike& strike, const Neighbours& neighbours) const {
@@ -183,8 +188,8 @@ void Piles::attachTo(StruckBreakable& struck) const {
     if (found == pile_of_.end()) return;
     struck.blow.stack = stackOf(piles_[found->second], struck);
     if (!struck.blow.stack.strike.strikes()) return;
-    const double energy = broughtAtMost(struck.blow, struck.breakable->asset.solid()->mass(), true).energy_j;
-    if (energy >= struck.breakable->least_energy_j) return;
+    const BroughtBound own = broughtAtMost(struck.blow, struck.breakable->asset.solid()->mass(), true);
+    if (!own.is_sure || own.energy_j >= struck.breakable->least_energy_j) return;
     for (ContactImpulse& contact : struck.blow.contacts)
         contact.approach_m_s = std::min(contact.approach_m_s, 0.0);
 }

@@ -31,10 +31,10 @@ class Piles {
     /// Whether a body, no fragment, came upon another one, or rests on what did. What rests on it goes on and
     /// strikes it.
     bool lands(const btCollisionObject& object) const { return landed_.count(&object) > 0; }
-    /// Whether a striker was stopped by what does not give way before it touched what would push it like
-    /// that: a wall between them is thinner than its way in a step.
-    bool isStoppedBefore(const btCollisionObject& striker, const btVector3& push, double touched_s,
-                         double closing_m_s) const;
+    /// Whether what does not give way had stopped a striker, at that place of it, before it touched what
+    /// would push it there like that: a wall between them is thinner than its way in a step.
+    bool isStoppedBefore(const btCollisionObject& striker, const btVector3& place, const btVector3& push,
+                         double touched_s, double closing_m_s) const;
     /// Gives a blow its stack. Strikes beside that are then left out if they cannot break the body.
     void attachTo(StruckBreakable& struck) const;
 
@@ -50,7 +50,7 @@ class Piles {
     };
     /// By what does not give way.
     struct Stop {
-        btVector3 push;
+        btVector3 place, push;
         double speed_m_s, touched_s;
     };
     struct Pile {

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "bullet/body_travel.h"
@@ -14,18 +15,12 @@ namespace sherd {
 namespace {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
-constexpr double untouched = -1;  // instead of an energy
+constexpr btScalar alike = btScalar(0.95);  // cosine of the angle between normals of one side
+constexpr double uneven = 1.25;  // times the energy that normals of one side let a blow have (broughtAtMost)
 
 /// Whether its velocities tell how all its points move: it is neither a link nor moved by the app.
 bool movesAsRigidBody(const btCollisionObject& object) {
     return btRigidBody::upcast(&object) && !object.isKinematicObject();
-}
-
-/// Of the energy that a strike with a certain speed brings, in `blowEnergy`: with all of the striker's mass,
-/// as though the body were held, or all of the body's where the striker does not give way.
-double massOf(const Breakable& struck, const btCollisionObject& striker) {
-    const btRigidBody* body = btRigidBody::upcast(&striker);
-    return body && canMove(*body) ? 1 / double(body->getInvMass()) : struck.asset.solid()->mass();
 }
 
 }  // namespace
@@ -35,32 +30,51 @@ void PossibleStrikes::add(const btPersistentManifold& manifold) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const Breakable *of_a = breakables_.of(a), *of_b = breakables_.of(b);
     if (!of_a && !of_b) return;
-    const double speed = fastestMeeting(manifold);
-    if (of_a) add(*of_a, b, speed);
-    if (of_b) add(*of_b, a, speed);
+    const Meeting meeting = fastestMeeting(manifold);
+    if (of_a) add(*of_a, b, meeting);
+    if (of_b) add(*of_b, a, meeting);
 }
 
-void PossibleStrikes::add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s) {
+void PossibleStrikes::add(const Breakable& struck, const btCollisionObject& striker, const Meeting& meeting) {
     const auto place = static_cast<std::size_t>(struck.body->getWorldArrayIndex());
-    if (place >= energy_j_.size()) energy_j_.resize(place + 1, untouched);
-    energy_j_[place] =
-        std::max(energy_j_[place], 0.0) + 0.5 * massOf(struck, striker) * speed_m_s * speed_m_s;
+    if (place >= strikers_.size()) strikers_.resize(place + 1);
+    Strikers& all = strikers_[place];
+    all.touches = true;
+    if (!givesWay(striker)) {
+        if (all.sliding_stop_m_s == 0) all.stop_normal = meeting.normal;
+        all.stops_on_sides = all.stops_on_sides || std::abs(all.stop_normal.dot(meeting.normal)) < alike;
+        all.stop_m_s = std::max(all.stop_m_s, meeting.along);
+        all.sliding_stop_m_s = std::max(all.sliding_stop_m_s, meeting.whole);
+        return;
+    }
+    const double mass = 1 / double(btRigidBody::upcast(&striker)->getInvMass());
+    all.mass_kg += mass;
+    all.momentum_n_s += mass * meeting.along;
+    all.energy_j += 0.5 * mass * meeting.along * meeting.along;
 }
 
+// As `broughtAtMost` has it: with all of the strikers' masses, as though the body were held, each faster by
+// what the body may run away with from it, and all of the body's where something does not give way.
 bool PossibleStrikes::mayBreak(const Breakable& breakable) const {
     const auto place = static_cast<std::size_t>(breakable.body->getWorldArrayIndex());
-    const double energy = place < energy_j_.size() ? energy_j_[place] : untouched;
-    return !(energy < 0) && !(energy < breakable.least_energy_j);
+    if (place >= strikers_.size() || !strikers_[place].touches) return false;
+    const Strikers& all = strikers_[place];
+    const double mass = all.mass_kg + breakable.asset.solid()->mass();
+    const double stop = all.stops_on_sides && all.stop_m_s > 0 ? all.sliding_stop_m_s : all.stop_m_s;
+    const double energy = all.energy_j + stop * (all.momentum_n_s + 0.5 * mass * stop);
+    return !(uneven * energy < breakable.least_energy_j);
 }
 
-double PossibleStrikes::fastestMeeting(const btPersistentManifold& manifold) const {
+PossibleStrikes::Meeting PossibleStrikes::fastestMeeting(const btPersistentManifold& manifold) const {
     using Speeds = std::array<double, MANIFOLD_CACHE_SIZE>;  // along the normals of its points
     Speeds speeds{};
     const auto count = static_cast<std::size_t>(manifold.getNumContacts());
-    double fall = 0;
+    double fall = 0, spin = 0;
+    btVector3 passing(0, 0, 0);
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
         if (!btRigidBody::upcast(object) && object->isStaticObject()) continue;
-        if (!movesAsRigidBody(*object)) return infinite;
+        if (!movesAsRigidBody(*object))
+            return {infinite, infinite, manifold.getContactPoint(0).m_normalWorldOnB};
         const btRigidBody& body = *btRigidBody::upcast(object);
         const BodyState* known = before_.find(object);
         const BodyState state = known ? *known : stateOf(body);
@@ -69,10 +83,14 @@ double PossibleStrikes::fastestMeeting(const btPersistentManifold& manifold) con
             const btVector3& normal = manifold.getContactPoint(static_cast<int>(i)).m_normalWorldOnB;
             speeds[i] += side * state.linear.dot(normal) + reach * state.angular.cross(normal).length();
         }
+        passing += btScalar(side) * state.linear;
+        spin += reach * state.angular.length();
         // They may have met within the step, slower or faster by what gravity gives meanwhile.
         if (falls(body, state.linear, time_step_s_)) fall += 1.5 * time_step_s_ * body.getGravity().length();
     }
-    return std::max(0.0, *std::max_element(speeds.begin(), speeds.begin() + static_cast<long>(count)) + fall);
+    const double along = *std::max_element(speeds.begin(), speeds.begin() + static_cast<long>(count));
+    return {std::max(0.0, along + fall), passing.length() + spin + fall,
+            manifold.getContactPoint(0).m_normalWorldOnB};
 }
 
 }  // namespace sherd

@@ -20,14 +20,27 @@ class PossibleStrikes {
     bool mayBreak(const Breakable& breakable) const;
 
   private:
-    void add(const Breakable& struck, const btCollisionObject& striker, double speed_m_s);
-    /// Of points of the two bodies along the normals of a manifold, which has one, m/s, at most.
-    double fastestMeeting(const btPersistentManifold& manifold) const;
+    /// Speeds of points of two bodies against each other, m/s, at most.
+    struct Meeting {
+        double along = 0, whole = 0;  // along the normals of a manifold, and in any direction
+        btVector3 normal = btVector3(0, 0, 0);
+    };
+    /// Of a body, all that may strike it.
+    struct Strikers {
+        bool touches = false;
+        double mass_kg = 0, momentum_n_s = 0, energy_j = 0;  // of those that give way
+        double stop_m_s = 0, sliding_stop_m_s = 0;           // the fastest meeting with what does not
+        btVector3 stop_normal = btVector3(0, 0, 0);          // of the first of these
+        bool stops_on_sides = false;                         // their normals differ
+    };
+    void add(const Breakable& struck, const btCollisionObject& striker, const Meeting& meeting);
+    /// Of a manifold, which has a point.
+    Meeting fastestMeeting(const btPersistentManifold& manifold) const;
 
     const BreakableRegistry& breakables_;
     const StepSnapshot& before_;
     double time_step_s_;
-    std::vector<double> energy_j_;  // by the place in the world's array of objects
+    std::vector<Strikers> strikers_;  // by the place in the world's array of objects
 };
 
 }  // namespace sherd

@@ -47,9 +47,10 @@ double leastEnergy(const BreakableSolid& solid, const FractureSettings& fracture
 // strike as the surface has them.
 bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture) {
     const double needed = leastEnergy(solid, fracture);
-    if (!(blowEnergy(blow, solid.mass(), isHeld(solid, blow)) > needed)) return false;
-
-    if (blow.isSqueezed()) return true;  // the table knows of no loads on all sides
+    if (blow.isSqueezed())  // the table knows of no loads on all sides
+        return blow.stack.largestEnergy() > needed;
+    const BroughtBound brought = broughtAtMost(blow, solid.mass(), isHeld(solid, blow));
+    if (brought.is_sure && !(brought.energy_j > needed)) return false;
     const ReducedStress* reduced = fracture.use_reduced_model ? solid.reducedStress() : nullptr;
     const PeakTable none;
     const PeakTable& table = reduced ? reduced->peaks : none;

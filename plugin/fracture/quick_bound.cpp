@@ -34,6 +34,7 @@ class Quick {
             if (contact.strikes() && is_struck_by[contact.partner]) contacts.push_back(&contact);
         if (contacts.empty()) return BlowBound{};
         const BroughtBound brought = broughtAtMost(blow_, mass_kg_, held_);
+        if (!brought.is_sure) return std::nullopt;
         impact_.mass_kg = brought.mass_kg;
         impact_.speed_m_s = std::sqrt(2 * brought.energy_j / brought.mass_kg);
         if (contacts.size() == 1)

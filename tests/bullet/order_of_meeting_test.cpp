@@ -56,6 +56,22 @@ TEST(OrderOfMeeting, WhatIsBehindAWallIsNotStruck) {
         }
 }
 
+// A slab that lands on a block at one end turns about it, and its other end goes on.
+TEST(OrderOfMeeting, WhatTurnsAboutItsStopStrikesWithItsOtherEnd) {
+    for (const double rate : {60.0, 240.0})
+        for (const double speed : {0.5, 1.0, 2.5})
+            for (int phase = 0; phase < phases; ++phase) {
+                Plate under_an_end(rate);
+                under_an_end.scene.addBox(0, btVector3(0.1f, 0.3f, 0.0315f), btVector3(1.3f, 0, 0.0315f));
+                btRigidBody* slab = under_an_end.scene.addBox(
+                    30, btVector3(1, 0.2f, 0.02f),
+                    btVector3(0.65f, 0, btScalar(0.063 + 0.02 + speed / rate * (phase + 0.5) / phases)));
+                slab->setLinearVelocity(btVector3(0, 0, -btScalar(speed)));
+                EXPECT_FALSE(under_an_end.run().empty())
+                    << rate << " Hz, " << speed << " m/s, phase " << phase;
+            }
+}
+
 // Bullet then pushes the ball out on the other side.
 TEST(OrderOfMeeting, WhatABallIsHalfThroughItHasStruck) {
     for (const double speed : {4.0, 8.0})

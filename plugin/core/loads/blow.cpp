@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace sherd {
 
@@ -16,19 +15,18 @@ class Meeting {
         least_cosine_ = std::min(least_cosine_, first_.dot(contact.normal));
         const double closing = contact.approach_m_s;
         fastest_ = std::max(fastest_, closing);
-        slowest_ = std::min(slowest_, closing);
         fastest_with_slip_ = std::max(fastest_with_slip_, std::hypot(closing, contact.slip_m_s.norm()));
     }
     bool strikes() const { return fastest_ > 0; }
     /// Whether all push about alike.
     bool isEven() const { return evenness() > 0.5; }
     /// With a mass that cannot be larger if the points share the blow in any way. Forces that push apart feel
-    /// little of a body, and stop more than its mass, the slower: then it is the whole speed that counts.
-    /// `more_m_s`: by which the partner may be faster than it closes.
+    /// little of a body, and stop more than its mass, the slower, and its spin: nothing is sure of these but
+    /// the speed of a body that does not turn. `more_m_s`: by which the partner may be faster than it closes.
     BroughtBound of(double mass_kg, double more_m_s = 0) const {
         const double speed = (isEven() ? fastest_ : fastest_with_slip_) + more_m_s;
-        const double mass = isEven() ? mass_kg / evenness() : mass_kg * speed * speed / (slowest_ * slowest_);
-        return {mass, 0.5 * mass_kg / (isEven() ? evenness() : 1) * speed * speed};
+        const double mass = isEven() ? mass_kg / evenness() : mass_kg;
+        return {mass, 0.5 * mass * speed * speed, isEven()};
     }
     double fastest() const { return fastest_; }
 
@@ -37,8 +35,7 @@ class Meeting {
     double evenness() const { return least_cosine_ > 0 ? 2 * least_cosine_ * least_cosine_ - 1 : 0; }
 
     Vec3 first_ = Vec3::Zero();
-    double fastest_ = 0, fastest_with_slip_ = 0, slowest_ = std::numeric_limits<double>::infinity();
-    double least_cosine_ = 1;
+    double fastest_ = 0, fastest_with_slip_ = 0, least_cosine_ = 1;
 };
 
 }  // namespace
@@ -102,6 +99,7 @@ BroughtBound broughtAtMost(const Blow& blow, double mass_kg, bool held) {
     const auto add = [&](const BroughtBound& more) {
         sum.mass_kg += more.mass_kg;
         sum.energy_j += more.energy_j;
+        sum.is_sure = sum.is_sure && more.is_sure;
     };
     if (of_fixed.strikes()) add(of_fixed.of(mass_kg));
     for (std::size_t number = 0; number < meetings.size(); ++number) {

@@ -64,6 +64,7 @@ double stoppedMass(const Mobility& partner, double mass_kg);
 struct BroughtBound {
     double mass_kg = 0;  ///< that is stopped at the closing speed that goes with the energy
     double energy_j = 0;
+    bool is_sure = true;   ///< else more may come of spins: one partner pushes on several sides
     bool pinched = false;  ///< several partners strike: each may keep the body from giving way to others
 };
 
@@ -73,8 +74,8 @@ struct BroughtBound {
 /// body's mass once, held or not.
 BroughtBound broughtAtMost(const Blow& blow, double mass_kg, bool held);
 
-/// Energy that a blow brings to a body at most, J: that of its strikes, or, of a body that is squeezed, that
-/// of the strike on the other body.
+/// Energy that a blow brings to a body at most, if that is sure, J: that of its strikes, or, of a body that
+/// is squeezed, that of the strike on the other body.
 double blowEnergy(const Blow& blow, double mass_kg, bool held);
 
 /// Where and along which direction a body is struck.

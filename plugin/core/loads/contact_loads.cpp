@@ -94,12 +94,10 @@ double contactModulus(const ContactBody& body, const ContactImpulse& contact,
 
 Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings& settings) {
     Strike strike;
-    const double mass = body.mobility.mass();
-    const ContactImpulse* leading = leadingTouch(blow, mass);
+    const ContactImpulse* leading = leadingTouch(blow, body.mobility.mass());
     if (!leading) return strike;
     const StrikePoint leading_point = strikePoint(body, *leading, settings);
     strike.points = {leading_point};
-    strike.most_energy_j = broughtAtMost(blow, mass, true).energy_j;
     shareOut(body.mobility, blow, strike);
     const double duration = strike.hertzDuration();
 

@@ -5,12 +5,15 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <limits>
 
 #include "core/numerics/pi.h"
 
 namespace sherd {
 
 namespace {
+
+constexpr double give = 0.01, least_give = 1e-3;  // of a point's own mobility
 
 using Points = std::vector<StrikePoint>;
 
@@ -58,11 +61,10 @@ Eigen::MatrixXd mobilityOfAll(const Mobility& body, const Blow& blow, const Poin
 }
 
 /// Normal impulses p >= 0 with A p = v. A is singular where points are many: contacts give way a little, each
-/// by itself, which makes the impulses as even as they can be.
-Eigen::VectorXd sharedImpulses(Eigen::MatrixXd a, const Eigen::VectorXd& v) {
-    constexpr double give = 0.01;  // of a point's own mobility
+/// by itself, which makes the impulses as even as they can be, and the more the less it is present.
+Eigen::VectorXd sharedImpulses(Eigen::MatrixXd a, const Eigen::VectorXd& v, const Eigen::ArrayXd& presences) {
     const long count = v.size();
-    a.diagonal() *= 1 + give;
+    a.diagonal().array() *= give + 1 / presences.square();
     std::vector<int> pressed(count);
     for (int i = 0; i < count; ++i) pressed[i] = i;
     Eigen::VectorXd impulses = Eigen::VectorXd::Zero(count);
@@ -122,21 +124,26 @@ Vec3 alongImpulse(const ContactImpulse& contact) {
 }  // namespace
 
 const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg) {
-    constexpr double hard = 0.64;  // of the hardest one's energy
+    constexpr double hard = 0.64;         // of the hardest one's energy
+    constexpr double same_time_s = 1e-5;  // shorter than contacts are
     const std::vector<char> is_struck_by = blow.struckBy();
     const auto energyOf = [&](const ContactImpulse& contact) {
         if (!contact.strikes() || !is_struck_by[contact.partner]) return 0.0;
         const double speed = contact.approach_m_s;
         return 0.5 * stoppedMass(blow.partner(contact.partner), mass_kg) * speed * speed;
     };
-    double hardest = 0;
+    double hardest = 0, first_s = -std::numeric_limits<double>::infinity();
     for (const ContactImpulse& contact : blow.contacts) hardest = std::max(hardest, energyOf(contact));
-    const ContactImpulse* first = nullptr;
+    if (!(hardest > 0)) return nullptr;
+    const auto isHard = [&](const ContactImpulse& contact) { return energyOf(contact) >= hard * hardest; };
     for (const ContactImpulse& contact : blow.contacts)
-        if (energyOf(contact) > 0 && energyOf(contact) >= hard * hardest &&
-            (!first || contact.touched_s > first->touched_s))
-            first = &contact;
-    return first;
+        if (isHard(contact)) first_s = std::max(first_s, contact.touched_s);
+    const ContactImpulse* leading = nullptr;
+    for (const ContactImpulse& contact : blow.contacts)
+        if (isHard(contact) && contact.touched_s >= first_s - same_time_s &&
+            (!leading || energyOf(contact) > energyOf(*leading)))
+            leading = &contact;
+    return leading;
 }
 
 double presence(double apart_s, double duration_s) {
@@ -144,16 +151,19 @@ double presence(double apart_s, double duration_s) {
 }
 
 void shareOut(const Mobility& body, const Blow& blow, Strike& strike) {
-    Eigen::VectorXd speeds(static_cast<long>(strike.points.size()));
-    for (long i = 0; i < speeds.size(); ++i) speeds[i] = strike.points[i].contact->approach_m_s;
-    const Eigen::VectorXd impulses = sharedImpulses(mobilityOfAll(body, blow, strike.points), speeds);
-    double sum = 0;
-    for (long i = 0; i < speeds.size(); ++i) sum += strike.points[i].share *= impulses[i];
-    strike.speed_m_s = 0;
-    for (StrikePoint& point : strike.points) {
-        point.share /= sum;
-        strike.speed_m_s += point.share * point.contact->approach_m_s;
+    const long count = static_cast<long>(strike.points.size());
+    Eigen::VectorXd speeds(count);
+    Eigen::ArrayXd presences(count);
+    for (long i = 0; i < count; ++i) {
+        speeds[i] = strike.points[i].contact->approach_m_s;
+        presences[i] = strike.points[i].share;
     }
+    const Eigen::MatrixXd mobility = mobilityOfAll(body, blow, strike.points);
+    Eigen::VectorXd shares = sharedImpulses(mobility, speeds, presences);
+    shares /= shares.sum();
+    for (long i = 0; i < count; ++i) strike.points[i].share = shares[i];
+    strike.speed_m_s = shares.dot(speeds);
+    strike.least_mobility = least_give * mobility.diagonal().dot(shares.cwiseAbs2());
     Points of_fixed;
     strike.partner_mobility = 0;
     for (const int number : partnersOf(strike.points)) {
@@ -171,7 +181,7 @@ void shareOut(const Mobility& body, const Blow& blow, Strike& strike) {
             strike.partner_mobility += feltMobility(partner, pushed);
     }
     strike.body_mobility = feltMobility(body, strike.points);
-    strike.lasting_mobility = feltMobility(body, of_fixed);
+    strike.lasting_mobility = std::min(feltMobility(body, of_fixed), strike.body_mobility);
 }
 
 Strike strikeOn(const Stack& stack) {
@@ -189,7 +199,7 @@ Strike strikeOn(const Stack& stack) {
 
 double Strike::mass(double held) const {
     const double felt = (1 - held) * (body_mobility - lasting_mobility) + lasting_mobility + partner_mobility;
-    return std::min(1 / felt, 2 * most_energy_j / (speed_m_s * speed_m_s));
+    return 1 / std::max(felt, least_mobility);
 }
 
 double Strike::hertzForce(double held) const {

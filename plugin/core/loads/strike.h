@@ -1,6 +1,5 @@
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "core/loads/blow.h"
@@ -23,10 +22,10 @@ struct StrikePoint {
 struct Strike {
     std::vector<StrikePoint> points;
     double body_mobility = 0;     ///< that the points feel of the free body, 1/kg
-    double lasting_mobility = 0;  ///< that those of them feel whose partners do not give way
+    double lasting_mobility = 0;  ///< of that, what those feel whose partners do not give way
     double partner_mobility = 0;  ///< that the points feel of the partners; 0 of those that do not give way
+    double least_mobility = 0;    ///< that there is in any case: contacts give way by themselves
     double speed_m_s = 0;
-    double most_energy_j = std::numeric_limits<double>::infinity();  ///< that it can bring (blowEnergy)
 
     bool strikes() const { return !points.empty(); }
     /// The mass that is stopped if supports take the share `held` of the body's mobility away. A partner that
@@ -40,8 +39,8 @@ struct Strike {
 };
 
 /// The contact that strikes hard and is met first; nullptr if none strikes. It brings at least two thirds of
-/// the energy of the hardest. One across the way that closes more slowly than others is not it: how deep it
-/// is over how fast it closes is longer ago than it was met.
+/// the energy of the hardest, and most of those that are met at the same time. One across the way that closes
+/// more slowly than others is not it: how deep it is over how fast it closes is longer ago than it was met.
 const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg);
 
 /// How far a contact that is met `apart_s` after the leading one, or before it, is on its way when that
@@ -49,12 +48,12 @@ const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg);
 double presence(double apart_s, double duration_s);
 
 /// Shares a strike out between its points, which are of `blow`, and sets what they feel of all bodies, and
-/// the speed. `share` comes in as the presence of each. Frictionless rigid bodies that meet at all points at
-/// once get the impulses p >= 0 with sum_j n_i . K_ij n_j p_j = v_i, where all points share the struck body
-/// and those of one partner share that; where it leaves a choice, as on four corners of a face, the points
-/// share evenly. Bullet's own impulses are no guide: how many points there are, and which of them stop the
-/// body, depends on how deep a step took it in. Friction is that of a rigid blow of each partner's resultant:
-/// it holds, or slides with its coefficient times the normal force.
+/// the speed. `share` comes in as the presence of each: what is hardly there yet gives way. Frictionless
+/// rigid bodies that meet at all points at once get the impulses p >= 0 with sum_j n_i . K_ij n_j p_j = v_i,
+/// where all points share the struck body and those of one partner share that; where it leaves a choice, as
+/// on four corners of a face, the points share evenly. Bullet's own impulses are no guide: how many points
+/// there are, and which of them stop the body, depends on how deep a step took it in. Friction is that of a
+/// rigid blow of each partner's resultant: it holds, or slides with its coefficient times the normal force.
 void shareOut(const Mobility& body, const Blow& blow, Strike& strike);
 
 /// The strike on another body of a stack; its point has no contact and no spot.

@@ -175,6 +175,45 @@ TEST(Strikes, WhatPinchesABodyIsStoppedWithAllItsMass) {
     EXPECT_NEAR(blowEnergy(blow, 1, false), 0.5 * 200 * 4, 1e-9);
 }
 
+TEST(Strikes, SupportsNeverLowerWhatIsStopped) {
+    // A body between a wall and a ram: what holds it takes nothing from either.
+    std::vector<ContactImpulse> sides{contact(Vec3(0, 0, -0.05), 1), contact(Vec3(0.02, 0, 0.05), 2)};
+    sides[1].normal = sides[1].impulse = -Vec3::UnitZ();
+    sides[1].partner = 1;
+    Strike strike;
+    for (const ContactImpulse& c : sides) strike.points.push_back({&c, {}, {0.01, 1e10}, 1, c.normal});
+    const Blow blow{sides, {Mobility{}, Mobility::ofPoint(100)}};
+    shareOut(block(1, Vec3(0.1, 0.1, 0.1)), blow, strike);
+    for (double held = 0; held < 1; held += 0.25)
+        EXPECT_GE(strike.mass(held + 0.25), strike.mass(held) * (1 - 1e-12)) << held;
+    EXPECT_LE(impactOf(strike, 1).energy(), blowEnergy(blow, 1, true));
+}
+
+TEST(Strikes, WhatIsHardlyThereTakesHardlyAnything) {
+    // Two equal balls side by side, the second ever later: from both to the first alone, without a dip.
+    std::vector<ContactImpulse> hits{contact(Vec3(-0.1, 0, 0)), contact(Vec3(0.1, 0, 0), 2.5)};
+    hits[1].partner = 1;
+    const Blow blow{hits, {Mobility::ofPoint(1), Mobility::ofPoint(1)}};
+    const Mobility body = block(3, Vec3(1, 1, 0.1));
+    const auto energyAt = [&](double presence) {
+        Strike strike;
+        for (const ContactImpulse& c : hits) strike.points.push_back({&c, {}, {0.01, 1e10}, 1, c.normal});
+        strike.points[1].share = presence;
+        shareOut(body, blow, strike);
+        return impactOf(strike, 0).energy();
+    };
+    const double alone = 0.5 * 4 * together({hits[0]}, body, Mobility::ofPoint(1)).mass(0);
+    double last = energyAt(1);
+    EXPECT_GT(last, 1.5 * alone);
+    for (double presence = 0.9; presence > 0.01; presence *= 0.8) {
+        const double energy = energyAt(presence);
+        EXPECT_LE(energy, last * 1.001) << presence;
+        EXPECT_GE(energy, alone * 0.98) << presence;
+        last = energy;
+    }
+    EXPECT_NEAR(last, alone, 0.02 * alone);
+}
+
 TEST(Strikes, AWedgeIsStoppedWhollyBetweenWhatItFallsInto) {
     // Slopes of 60 degrees close at half the speed along their normals, 4 m/s down.
     std::vector<ContactImpulse> slopes;
@@ -187,6 +226,11 @@ TEST(Strikes, AWedgeIsStoppedWhollyBetweenWhatItFallsInto) {
     const Strike strike = together(slopes, block(3, Vec3(0.1, 0.1, 0.1)));
     EXPECT_NEAR(impactOf(strike, 0).energy(), 0.5 * 3 * 16, 1e-6);
     EXPECT_NEAR(blowEnergy({slopes, {}}, 3, false), 0.5 * 3 * 16, 1e-9);
+}
+
+TEST(Strikes, OfThoseMetAtTheSameTimeTheHardestLeads) {
+    Blow blow{{contact(Vec3::Zero(), 3), contact(Vec3::UnitX(), 3.5)}, {}};
+    EXPECT_EQ(leadingTouch(blow, 1), &blow.contacts[1]);
 }
 
 TEST(Strikes, TheOneWithMostEnergyLeadsHoweverSlow) {
