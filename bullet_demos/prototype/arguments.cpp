@@ -6,7 +6,9 @@ namespace prototype {
 
 sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     Arguments arguments;
-    CLI::App app("A game of breaking things: a click throws a ball.");
+    CLI::App app(
+        "A game of breaking things. Click: throw a ball. Space: bomb. Right button: look around. Esc: "
+        "leave.");
     app.name("bullet_demos/run --play");
     app.add_option("--baked", arguments.baked, "Folder that keeps what takes long to make")->type_name("DIR");
     app.add_option("--width", arguments.size.width, "Of the picture, pixels")->check(CLI::Range(64, 8192));

@@ -21,6 +21,11 @@ int prototypeMain(int argc, const char* const* argv) {
     const auto context = arguments.off_screen ? render::Context::offScreen(arguments.size)
                                               : render::Context::inWindow(arguments.size, "Sherd");
     const bool is_scripted = arguments.script_seconds > 0;
+    if (!is_scripted)
+        std::cout
+            << "A window is open; the first time things are baked in it for a minute or more. Click: throw a "
+               "ball. Space: bomb. Right button: look around. Esc: leave."
+            << std::endl;
     const sherd::Status done =
         is_scripted ? prototype::playScript(arguments, *context) : prototype::play(arguments, *context);
     if (!done) std::cerr << done.error() << "\n";

@@ -39,7 +39,7 @@ struct BlowEvent : BlowFigures {
     /// has a fragment among its `fragments` is that of the body that it was part of.
     int generation = 0;
 
-    Vec3 position = Vec3::Zero();  ///< of the fast strikes the first, m
+    Vec3 position = Vec3::Zero();  ///< of the hard strikes the first, m
     Vec3 normal = Vec3::Zero();    ///< unit direction in which the body was pushed there
     /// What struck there; nullptr for blows of the app's own (applyBlow, explode), and for a striker that
     /// left the world while the blow waited. The app may have removed it since the step: then compare it
