@@ -320,19 +320,23 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
     }
     const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
     std::vector<std::unique_ptr<btPersistentManifold>> corrected;
+    std::vector<std::pair<btPersistentManifold**, btPersistentManifold*>> replaced;
     for (btPersistentManifold*& manifold : solved) {
-        if (std::find(foreseen.begin(), foreseen.end(), manifold) != foreseen.end()) continue;
+        if (isAmong(foreseen, manifold)) continue;
         if (auto met = collector.corrected(*manifold)) {
-            manifold = met.get();
             corrected.push_back(std::move(met));
+            replaced.emplace_back(&manifold, manifold);
+            manifold = corrected.back().get();
         }
     }
+    // What lies as deep in others, and did so before, has not met the side of the next one.
+    for (const auto& [place, own] : replaced)
+        if (isSunkBeside(*own, solved)) *place = own;
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
-        const bool is_foreseen = std::find(foreseen.begin(), foreseen.end(), manifold) != foreseen.end();
-        feedManifold(*manifold, is_foreseen, collector);
+        feedManifold(*manifold, isAmong(foreseen, manifold), collector);
     }
 }
 

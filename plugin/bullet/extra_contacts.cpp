@@ -1,5 +1,8 @@
 #include "bullet/extra_contacts.h"
 
+#include <algorithm>
+#include <functional>
+
 #include "bullet/world_internals.h"
 
 namespace sherd {
@@ -39,7 +42,13 @@ std::vector<const btPersistentManifold*> predictiveContacts(btDiscreteDynamicsWo
     std::vector<const btPersistentManifold*> foreseen;
     for (int i = 0; i < predictive.size(); ++i)
         if (!isExtra(*predictive[i])) foreseen.push_back(predictive[i]);
+    std::sort(foreseen.begin(), foreseen.end(), std::less<>());
     return foreseen;
+}
+
+bool isAmong(const std::vector<const btPersistentManifold*>& predictive,
+             const btPersistentManifold* manifold) {
+    return std::binary_search(predictive.begin(), predictive.end(), manifold, std::less<>());
 }
 
 }  // namespace sherd

@@ -20,7 +20,12 @@ bool isExtra(const btPersistentManifold& manifold);
 /// points; these never began for the app, and end without a word.
 void releaseExtraManifolds(btDiscreteDynamicsWorld& world);
 
-/// The predictive contacts of continuous collision, without the extra manifolds.
+/// The predictive contacts of continuous collision, without the extra manifolds: by their addresses, for
+/// look-up only.
 std::vector<const btPersistentManifold*> predictiveContacts(btDiscreteDynamicsWorld& world);
+
+/// Whether a manifold is among those.
+bool isAmong(const std::vector<const btPersistentManifold*>& predictive,
+             const btPersistentManifold* manifold);
 
 }  // namespace sherd

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "bullet/contact_motion.h"
+#include "bullet/conversions.h"
 #include "bullet/convex_part.h"
 #include "bullet/shapes.h"
 
@@ -18,7 +19,7 @@ namespace sherd {
 namespace {
 
 constexpr btScalar closes = btScalar(0.5);   // of the speed: a contact that says how bodies meet
-constexpr btScalar of_way = btScalar(0.25);  // depth over the way of a step, and
+constexpr btScalar of_way = btScalar(0.1);   // depth over the way of a step, and
 constexpr btScalar of_body = btScalar(0.1);  // over the smaller body: what is less slides along
 constexpr btScalar sunk_m = btScalar(5e-3);  // bodies that rest or slide are no deeper in each other
 
@@ -104,11 +105,37 @@ std::unique_ptr<btPersistentManifold> metOnTheWay(const btPersistentManifold& ma
     point.m_positionWorldOnA = touch->point;
     point.m_positionWorldOnB = touch->point + gone;
     point.m_distance1 = -gone.dot(touch->normal);
-    point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
+    const Vec3 along_it = fromBullet(touch->normal), here = fromBullet(touch->point);
+    const auto felt = [&](const btCollisionObject& object) {
+        const Mobility mobility = mobilityOf(object, btTransform::getIdentity(), touch->point);
+        return along_it.dot(mobility.at(here) * along_it);
+    };
+    const double both = felt(a) + felt(b);
+    point.m_appliedImpulse = both > 0 ? btScalar(meeting.dot(touch->normal) / both) : 0;
+    point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
     auto found = std::make_unique<btPersistentManifold>(&a, &b, 0, manifold.getContactBreakingThreshold(),
                                                         manifold.getContactProcessingThreshold());
     found->addManifoldPoint(point);
     return found;
+}
+
+bool isSunkBeside(const btPersistentManifold& manifold, const std::vector<btPersistentManifold*>& all) {
+    constexpr btScalar same_side = btScalar(0.9), as_deep = btScalar(0.5);
+    const btManifoldPoint& own = deepestOf(manifold);
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    return std::any_of(all.begin(), all.end(), [&](const btPersistentManifold* other) {
+        const btCollisionObject *c = other->getBody0(), *d = other->getBody1();
+        const bool is_pair = (c == a && d == b) || (c == b && d == a);
+        if (is_pair || (c != a && c != b && d != a && d != b)) return false;
+        const btScalar side = c == a || d == b ? 1 : -1;  // of the other's normal, seen from the shared body
+        for (int i = 0; i < other->getNumContacts(); ++i) {
+            const btManifoldPoint& point = other->getContactPoint(i);
+            if (side * point.m_normalWorldOnB.dot(own.m_normalWorldOnB) > same_side &&
+                point.getDistance() < as_deep * own.getDistance())
+                return true;
+        }
+        return false;
+    });
 }
 
 }  // namespace sherd

@@ -8,6 +8,7 @@
 
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
+#include "bullet/extra_contacts.h"
 #include "bullet/same_blow.h"
 
 namespace sherd {
@@ -27,8 +28,7 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
     std::vector<Strike> strikes;
     std::vector<const btPersistentManifold*> pressed;
     for (const btPersistentManifold* manifold : solved) {
-        const bool foreseen = std::find(predictive.begin(), predictive.end(), manifold) != predictive.end();
-        look(*manifold, foreseen, strikes, pressed);
+        look(*manifold, isAmong(predictive, manifold), strikes, pressed);
     }
     if (!landed_.empty()) noteRiders(pressed);
     if (strikes.empty()) return;
@@ -60,11 +60,14 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         const double closing = (of_b.velocity - of_a.velocity).dot(push);
         if (!(closing > slowestStrike(of_a, of_b, time_step_s_))) continue;
         const double speed = speedOfTouch(closing, of_b.fall - of_a.fall, -point.getDistance(), time_step_s_);
+        const double touched_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
+        noteStop(*a, *b, {place, push, speed, touched_s});
+        noteStop(*b, *a, {place, -push, speed, touched_s});
         if (speed <= on_a.speed_m_s) continue;
         on_a.point = place;
         on_a.push = push;
         on_a.speed_m_s = speed;
-        on_a.touched_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
+        on_a.touched_s = touched_s;
         on_a.striker_child = is_predictive ? -1 : point.m_index1;
         on_a.struck_child = is_predictive ? -1 : point.m_index0;
         speed_of_a = -of_a.velocity.dot(push);
@@ -86,8 +89,6 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         if (!givesWay(*strike.struck)) continue;
         const bool is_stopped = !givesWay(*strike.striker);
         if (is_stopped || strike.is_brought) noteLanding(strike);
-        if (is_stopped && !by)  // what may break does not hold it up for sure
-            stops_[strike.struck].push_back({strike.point, strike.push, strike.speed_m_s, strike.touched_s});
         if (is_stopped) continue;
         if (struck && isOfTheSameBlow(*struck, *strike.striker, by, time_s_)) continue;
         const double mass = 1 / double(btRigidBody::upcast(strike.striker)->getInvMass());
@@ -128,19 +129,37 @@ bool Piles::noteRider(const btCollisionObject& rider, const btCollisionObject& c
     return std::exchange(known, std::max(known, speed)) < speed;
 }
 
+void Piles::noteStop(const btCollisionObject& stopped, const btCollisionObject& by, const Stop& stop) {
+    // What may break does not hold it up for sure.
+    if (stop.touched_s > 0 && givesWay(stopped) && !givesWay(by) && !breakables_.of(by))
+        stops_[&stopped].push_back(stop);
+}
+
 bool Piles::isStoppedBefore(const btCollisionObject& striker, const btVector3& place, const btVector3& push,
                             double touched_s, double closing_m_s) const {
+    constexpr int rounds = 20;
     const auto stops = stops_.find(&striker);
     if (stops == stops_.end()) return false;
     const Mobility mobility = mobilityOf(striker, btTransform::getIdentity(), place);
+    std::vector<Wrench> wrenches;
+    std::vector<double> speeds;
+    for (const Stop& stop : stops->second) {
+        if (!((stop.touched_s - touched_s) * closing_m_s > largestRestingGap())) continue;
+        wrenches.push_back(mobility.wrench(fromBullet(stop.place), fromBullet(stop.push)));
+        speeds.push_back(stop.speed_m_s);
+    }
+    // All of them stop it together, and none pulls (projected Gauss-Seidel).
+    Wrench motion = Wrench::Zero();
+    std::vector<double> impulses(wrenches.size());
+    for (int round = 0; round < rounds; ++round)
+        for (std::size_t i = 0; i < wrenches.size(); ++i) {
+            const Wrench response = mobility.response(wrenches[i]);
+            const double more = (speeds[i] - wrenches[i].dot(motion)) / wrenches[i].dot(response);
+            const double before = std::exchange(impulses[i], std::max(0.0, impulses[i] + more));
+            motion += (impulses[i] - before) * response;
+        }
     const Wrench here = mobility.wrench(fromBullet(place), fromBullet(push));
-    return std::any_of(stops->second.begin(), stops->second.end(), [&](const Stop& stop) {
-        const double before_m = (stop.touched_s - touched_s) * closing_m_s;
-        if (!(before_m > largestRestingGap())) return false;
-        const Wrench there = mobility.wrench(fromBullet(stop.place), fromBullet(stop.push));
-        const double impulse = stop.speed_m_s / there.dot(mobility.response(there));
-        return impulse * here.dot(mobility.response(there)) >= whole_part * closing_m_s;
-    });
+    return here.dot(motion) >= whole_part * closing_m_s;
 }
 
 Piles::Pile Piles::pileOf(const Strike& strike, const Neighbours& neighbours) const {

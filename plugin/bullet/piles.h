@@ -64,6 +64,7 @@ class Piles {
     void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
               std::vector<const btPersistentManifold*>& pressed);
     void noteLanding(const Strike& strike);
+    void noteStop(const btCollisionObject& stopped, const btCollisionObject& by, const Stop& stop);
     void noteRiders(const std::vector<const btPersistentManifold*>& pressed);
     /// Whether the rider is one that others may ride on, faster than was known.
     bool noteRider(const btCollisionObject& rider, const btCollisionObject& carrier);

@@ -42,15 +42,17 @@ void PossibleStrikes::add(const Breakable& struck, const btCollisionObject& stri
     all.touches = true;
     if (!givesWay(striker)) {
         if (all.sliding_stop_m_s == 0) all.stop_normal = meeting.normal;
-        all.stops_on_sides = all.stops_on_sides || std::abs(all.stop_normal.dot(meeting.normal)) < alike;
+        all.stops_on_sides =
+            all.stops_on_sides || meeting.on_sides || std::abs(all.stop_normal.dot(meeting.normal)) < alike;
         all.stop_m_s = std::max(all.stop_m_s, meeting.along);
         all.sliding_stop_m_s = std::max(all.sliding_stop_m_s, meeting.whole);
         return;
     }
     const double mass = 1 / double(btRigidBody::upcast(&striker)->getInvMass());
+    const double speed = meeting.on_sides && meeting.along > 0 ? meeting.whole : meeting.along;
     all.mass_kg += mass;
-    all.momentum_n_s += mass * meeting.along;
-    all.energy_j += 0.5 * mass * meeting.along * meeting.along;
+    all.momentum_n_s += mass * speed;
+    all.energy_j += 0.5 * mass * speed * speed;
 }
 
 // As `broughtAtMost` has it: with all of the strikers' masses, as though the body were held, each faster by
@@ -89,8 +91,13 @@ PossibleStrikes::Meeting PossibleStrikes::fastestMeeting(const btPersistentManif
         if (falls(body, state.linear, time_step_s_)) fall += 1.5 * time_step_s_ * body.getGravity().length();
     }
     const double along = *std::max_element(speeds.begin(), speeds.begin() + static_cast<long>(count));
-    return {std::max(0.0, along + fall), passing.length() + spin + fall,
-            manifold.getContactPoint(0).m_normalWorldOnB};
+    Meeting meeting{std::max(0.0, along + fall), passing.length() + spin + fall,
+                    manifold.getContactPoint(0).m_normalWorldOnB};
+    for (std::size_t i = 1; i < count; ++i) {
+        const btVector3& normal = manifold.getContactPoint(static_cast<int>(i)).m_normalWorldOnB;
+        meeting.on_sides = meeting.on_sides || normal.dot(meeting.normal) < alike;
+    }
+    return meeting;
 }
 
 }  // namespace sherd

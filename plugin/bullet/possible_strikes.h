@@ -24,6 +24,7 @@ class PossibleStrikes {
     struct Meeting {
         double along = 0, whole = 0;  // along the normals of a manifold, and in any direction
         btVector3 normal = btVector3(0, 0, 0);
+        bool on_sides = false;  // the normals differ
     };
     /// Of a body, all that may strike it.
     struct Strikers {

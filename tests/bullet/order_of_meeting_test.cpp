@@ -56,6 +56,18 @@ TEST(OrderOfMeeting, WhatIsBehindAWallIsNotStruck) {
         }
 }
 
+TEST(OrderOfMeeting, NorIsItByWhatLandsFlatOnTheWall) {
+    for (int phase = 0; phase < phases; ++phase) {
+        Plate behind_wall(60);
+        behind_wall.scene.addBox(0, btVector3(1, 1, 0.005f), btVector3(0, 0, 0.075f));
+        btRigidBody* cube =
+            behind_wall.scene.addBox(8, btVector3(0.1f, 0.1f, 0.1f),
+                                     btVector3(0, 0, btScalar(0.18 + 6.0 / 60 * (phase + 0.5) / phases)));
+        cube->setLinearVelocity(btVector3(0, 0, -6));
+        EXPECT_TRUE(behind_wall.run().empty()) << "phase " << phase;
+    }
+}
+
 // A slab that lands on a block at one end turns about it, and its other end goes on.
 TEST(OrderOfMeeting, WhatTurnsAboutItsStopStrikesWithItsOtherEnd) {
     for (const double rate : {60.0, 240.0})
@@ -82,14 +94,17 @@ TEST(OrderOfMeeting, WhatABallIsHalfThroughItHasStruck) {
         }
 }
 
-/// A crumbly cube of 0.2 m on a floor of two bodies whose seam is at x = 0.
+/// A crumbly cube of 0.2 m, or a lower block, on a floor of two bodies whose seam is at x = 0.
 struct OnASeam {
-    OnASeam(double its_rate, double gap_m, const btVector3& velocity) : rate(its_rate) {
+    OnASeam(double its_rate, double gap_m, const btVector3& velocity, double height_m = 0.2)
+        : rate(its_rate) {
         for (const btScalar side : {-1.0f, 1.0f})
             scene.addBox(0, btVector3(2, 2, 0.5f), btVector3(2 * side, 0, -0.5f));
-        const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3::Constant(-0.1), Vec3::Constant(0.1)),
-                                                    crumbly(), coarse(0.05));
-        cube = fracture.add(asset.value(), at(0.01f, 0, btScalar(0.1 + gap_m))).value();
+        const Vec3 half(0.1, 0.1, height_m / 2);
+        Settings settings = coarse(height_m / 4);
+        settings.fracture.smallest_fragment_m3 = 1e-4;
+        const auto asset = BreakableAsset::fromMesh(shapes::box(-half, half), crumbly(), settings);
+        cube = fracture.add(asset.value(), at(0.01f, 0, btScalar(half.z() + gap_m))).value();
         cube->setLinearVelocity(velocity);
         cube->setFriction(0);
     }
@@ -122,6 +137,19 @@ TEST(OrderOfMeeting, WhatSlidesOverASeamIsNotStruckByIt) {
         sliding.scene.step(int(0.4 * rate), 1 / rate);
         EXPECT_GT(sliding.cube->getCenterOfMassPosition().x(), 0.5);
         EXPECT_TRUE(sliding.fracture.takeEvents().empty()) << rate << " Hz";
+    }
+}
+
+// It lands at 1 m/s and goes on at 3: its first step leaves it 20 mm deep in the first body, and its second
+// takes it further than that into the next.
+TEST(OrderOfMeeting, NorDoesWhatIsSunkMeetTheEdgeOfTheNext) {
+    for (int phase = 0; phase < phases; ++phase) {
+        OnASeam sunk(60, 0, btVector3(3, 0, 0), 0.06);
+        sunk.cube->translate(btVector3(btScalar(-0.11 - 0.028 * (phase + 0.5) / phases), 0, -0.02f));
+        sunk.scene.step(6, 1.0 / 60);
+        EXPECT_GT(sunk.cube->getCenterOfMassPosition().x(), 0.05) << "phase " << phase;
+        for (const BlowEvent& event : sunk.fracture.takeEvents())
+            EXPECT_GT(event.normal.z(), 0.9) << "phase " << phase;
     }
 }
 
