@@ -28,10 +28,7 @@ class Quick {
 
     std::optional<BlowBound> find() {
         if (blow_.contacts.size() > most_contacts) return std::nullopt;
-        const std::vector<char> is_struck_by = blow_.struckBy();
-        std::vector<const ContactImpulse*> contacts;
-        for (const ContactImpulse& contact : blow_.contacts)
-            if (contact.strikes() && is_struck_by[contact.partner]) contacts.push_back(&contact);
+        const std::vector<const ContactImpulse*> contacts = blow_.strikes();
         if (contacts.empty()) return BlowBound{};
         const BroughtBound brought = broughtAtMost(blow_, mass_kg_, held_);
         if (!brought.is_sure) return std::nullopt;

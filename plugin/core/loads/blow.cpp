@@ -53,21 +53,23 @@ int Blow::partnerCount() const {
 
 bool Blow::isStruckBy(int partner) const {
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
-        return contact.partner == partner && contact.strikes() &&
-               (contact.pushed() > 0 || contact.touched_s > 0);
+        return contact.partner == partner && contact.strikes() && contact.hasMet();
     });
 }
 
-std::vector<char> Blow::struckBy() const {
-    std::vector<char> all(static_cast<std::size_t>(partnerCount()));
-    for (std::size_t number = 0; number < all.size(); ++number)
-        all[number] = isStruckBy(static_cast<int>(number));
-    return all;
+std::vector<const ContactImpulse*> Blow::strikes() const {
+    std::vector<char> is_struck_by(static_cast<std::size_t>(partnerCount()));
+    for (const ContactImpulse& contact : contacts)
+        if (contact.strikes() && contact.hasMet()) is_struck_by[contact.partner] = 1;
+    std::vector<const ContactImpulse*> striking;
+    for (const ContactImpulse& contact : contacts)
+        if (contact.strikes() && is_struck_by[contact.partner]) striking.push_back(&contact);
+    return striking;
 }
 
 bool Blow::isStruck() const {
-    const std::vector<char> all = struckBy();
-    return std::find(all.begin(), all.end(), true) != all.end();
+    return std::any_of(contacts.begin(), contacts.end(),
+                       [](const ContactImpulse& contact) { return contact.strikes() && contact.hasMet(); });
 }
 
 bool Blow::isSupported() const {
@@ -86,12 +88,10 @@ double stoppedMass(const Mobility& partner, double mass_kg) {
 }
 
 BroughtBound broughtAtMost(const Blow& blow, double mass_kg, bool held) {
-    const std::vector<char> is_struck_by = blow.struckBy();
-    std::vector<Meeting> meetings(is_struck_by.size());
+    std::vector<Meeting> meetings(static_cast<std::size_t>(blow.partnerCount()));
     Meeting of_fixed;
-    for (const ContactImpulse& contact : blow.contacts)
-        if (contact.strikes() && is_struck_by[contact.partner])
-            (blow.partner(contact.partner).fixed() ? of_fixed : meetings[contact.partner]).add(contact);
+    for (const ContactImpulse* contact : blow.strikes())
+        (blow.partner(contact->partner).fixed() ? of_fixed : meetings[contact->partner]).add(*contact);
     const auto strikes = [](const Meeting& meeting) { return meeting.strikes(); };
     const auto count = std::count_if(meetings.begin(), meetings.end(), strikes) + of_fixed.strikes();
     BroughtBound sum;

@@ -30,6 +30,7 @@ struct ContactImpulse {
     double pushed() const { return impulse.dot(normal); }
     bool strikes() const { return approach_m_s > 0; }
     bool supports() const { return !strikes() && pushed() > 0; }
+    bool hasMet() const { return pushed() > 0 || touched_s > 0; }
 };
 
 /// All contacts of one body in one step.
@@ -44,8 +45,8 @@ struct Blow {
     /// Whether a partner strikes: some contact of it closes, and that has met or some impulse came of it.
     /// What has met may have none where something else stopped the partner as well, a little later.
     bool isStruckBy(int partner) const;
-    /// The same of all partners, by their numbers.
-    std::vector<char> struckBy() const;
+    /// The striking contacts of all partners that do.
+    std::vector<const ContactImpulse*> strikes() const;
     /// Whether any partner does.
     bool isStruck() const;
     /// Whether nothing strikes the body itself, but a strike on another body may press on it.

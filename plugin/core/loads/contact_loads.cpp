@@ -50,10 +50,7 @@ StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
 std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, const Blow& blow,
                                                     const ContactImpulse& leading,
                                                     const ContactSettings& settings) {
-    const std::vector<char> is_struck_by = blow.struckBy();
-    std::vector<const ContactImpulse*> met, separate;
-    for (const ContactImpulse& contact : blow.contacts)
-        if (contact.strikes() && is_struck_by[contact.partner]) met.push_back(&contact);
+    std::vector<const ContactImpulse*> met = blow.strikes(), separate;
     const auto apart_s = [&](const ContactImpulse* contact) {
         return contact == &leading ? -1 : std::abs(contact->touched_s - leading.touched_s);
     };

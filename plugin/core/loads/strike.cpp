@@ -126,23 +126,21 @@ Vec3 alongImpulse(const ContactImpulse& contact) {
 const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg) {
     constexpr double hard = 0.64;         // of the hardest one's energy
     constexpr double same_time_s = 1e-5;  // shorter than contacts are
-    const std::vector<char> is_struck_by = blow.struckBy();
+    const std::vector<const ContactImpulse*> striking = blow.strikes();
     const auto energyOf = [&](const ContactImpulse& contact) {
-        if (!contact.strikes() || !is_struck_by[contact.partner]) return 0.0;
         const double speed = contact.approach_m_s;
         return 0.5 * stoppedMass(blow.partner(contact.partner), mass_kg) * speed * speed;
     };
     double hardest = 0, first_s = -std::numeric_limits<double>::infinity();
-    for (const ContactImpulse& contact : blow.contacts) hardest = std::max(hardest, energyOf(contact));
-    if (!(hardest > 0)) return nullptr;
+    for (const ContactImpulse* contact : striking) hardest = std::max(hardest, energyOf(*contact));
     const auto isHard = [&](const ContactImpulse& contact) { return energyOf(contact) >= hard * hardest; };
-    for (const ContactImpulse& contact : blow.contacts)
-        if (isHard(contact)) first_s = std::max(first_s, contact.touched_s);
+    for (const ContactImpulse* contact : striking)
+        if (isHard(*contact)) first_s = std::max(first_s, contact->touched_s);
     const ContactImpulse* leading = nullptr;
-    for (const ContactImpulse& contact : blow.contacts)
-        if (isHard(contact) && contact.touched_s >= first_s - same_time_s &&
-            (!leading || energyOf(contact) > energyOf(*leading)))
-            leading = &contact;
+    for (const ContactImpulse* contact : striking)
+        if (isHard(*contact) && contact->touched_s >= first_s - same_time_s &&
+            (!leading || energyOf(*contact) > energyOf(*leading)))
+            leading = contact;
     return leading;
 }
 
