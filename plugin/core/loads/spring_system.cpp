@@ -1,5 +1,6 @@
 #include "core/loads/spring_system.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -137,6 +138,89 @@ Rest restOn(const SpringSystem& system, const std::vector<char>& pressed, const 
     return {std::move(found.product), (found.weights * found.values.unaryExpr(answered)).sum()};
 }
 
+double force(const SpringSystem& system, const Spring& spring, const Eigen::VectorXd& displacement) {
+    return -spring.stiffness_n_m * system.stretch(spring, displacement);
+}
+
+/// How much of a step to go until the potential of springs that only push is least. `at_start` is what each
+/// presses there, N, negative where it would pull, and `per_step` what the whole step adds; `slope` and
+/// `curvature` are those of the potential without springs. By Newton's method on a slope that is linear in
+/// parts and grows.
+double bestLength(const std::vector<Spring>& springs, const Eigen::VectorXd& at_start,
+                  const Eigen::VectorXd& per_step, double slope, double curvature) {
+    constexpr int most_turns = 20;
+    double length = 1;
+    for (int turn = 0; turn < most_turns; ++turn) {
+        double slope_here = slope + length * curvature, curvature_here = curvature;
+        for (std::size_t i = 0; i < springs.size(); ++i) {
+            const double pressing = at_start[i] + length * per_step[i];
+            if (!(pressing > 0)) continue;
+            slope_here += pressing * per_step[i] / springs[i].stiffness_n_m;
+            curvature_here += per_step[i] * per_step[i] / springs[i].stiffness_n_m;
+        }
+        if (!(curvature_here > 0)) break;
+        const double change = slope_here / curvature_here;
+        length = std::max(0.0, length - change);
+        if (std::abs(change) < 1e-6) break;
+    }
+    return length;
+}
+
+/// About which springs are pressed: those under the bodies' displacements u that make 1/2 u.u / travel +
+/// 1/2 sum k pressed^2 - strike.u least. That is convex, so that it is found however many springs come and
+/// go; it stands for the bodies' inertia by what free ones travel.
+void pressAbout(const SpringSystem& system, const Eigen::VectorXd& strike, double duration_s,
+                std::vector<char>& pressed) {
+    constexpr int most_rounds = 30;
+    const std::vector<Spring>& springs = system.springs;
+    const auto count = static_cast<long>(springs.size());
+    const double inertia = 1 / travel(duration_s);
+    Eigen::VectorXd displacement = Eigen::VectorXd::Zero(system.size), presses = Eigen::VectorXd::Zero(count);
+    Eigen::VectorXd per_step(count);
+    for (int round = 0; round < most_rounds; ++round) {
+        Eigen::MatrixXd stiffness = stiffnessOf(system, pressed);
+        stiffness.diagonal().array() += inertia;
+        const Eigen::VectorXd step =
+            Eigen::LLT<Eigen::MatrixXd>(std::move(stiffness)).solve(strike) - displacement;
+        for (long i = 0; i < count; ++i) per_step[i] = force(system, springs[i], step);
+        const double length =
+            bestLength(springs, presses, per_step, inertia * displacement.dot(step) - strike.dot(step),
+                       inertia * step.squaredNorm());
+        displacement += length * step;
+        presses += length * per_step;
+        bool same = true;
+        for (long i = 0; i < count; ++i) {
+            const char is_pressed = presses[i] > 0;
+            same = same && is_pressed == pressed[i];
+            pressed[i] = is_pressed;
+        }
+        if (same) break;
+    }
+}
+
+/// Lets springs that would pull go and come back until those that are on the wrong side count for nothing.
+/// Returns where the bodies are then.
+Rest settle(const SpringSystem& system, const Eigen::VectorXd& strike, double duration_s,
+            std::vector<char>& pressed) {
+    constexpr double nothing_n = 5e-3;  // of a strike of 1 N
+    constexpr int most_rounds = 30;
+    constexpr int free_rounds = 2;  // then springs only leave: those of a heap may come and go for ever
+    std::vector<char> next(system.springs.size());
+    Rest rest;
+    for (int round = 0; round < most_rounds; ++round) {
+        rest = restOn(system, pressed, strike, duration_s);
+        double wrong_n = 0;
+        for (std::size_t i = 0; i < next.size(); ++i) {
+            const double pressing = force(system, system.springs[i], rest.displacement);
+            next[i] = (pressed[i] || round < free_rounds) && pressing > 0;
+            if (next[i] != pressed[i]) wrong_n += std::abs(pressing);
+        }
+        if (!(wrong_n > nothing_n)) break;
+        pressed = next;
+    }
+    return rest;
+}
+
 }  // namespace
 
 double SpringSystem::stretch(const Spring& spring, const Eigen::VectorXd& displacement) const {
@@ -174,25 +258,14 @@ SpringSystem springSystemOf(const ContactBody& body, const std::vector<Foundatio
 Pressed pressedSprings(const SpringSystem& system, double duration_s,
                        const std::vector<char>& pressed_before) {
     const Eigen::VectorXd strike = strikeOn(system);
-    constexpr int most_rounds = 30;
-    constexpr int free_rounds = 6;  // then springs only leave: those of a heap may come and go for ever
     const std::vector<Spring>& springs = system.springs;
-    std::vector<char> pressed = pressed_before, next(springs.size());
+    std::vector<char> pressed = pressed_before;
     if (pressed.size() != springs.size()) pressed.assign(springs.size(), 1);
-    Rest rest;
-    for (int round = 0; round < most_rounds; ++round) {
-        rest = restOn(system, pressed, strike, duration_s);
-        for (std::size_t i = 0; i < springs.size(); ++i)
-            next[i] =
-                (pressed[i] || round < free_rounds) && -system.stretch(springs[i], rest.displacement) > 0;
-        if (next == pressed) break;
-        pressed = next;
-    }
+    pressAbout(system, strike, duration_s, pressed);
+    const Rest rest = settle(system, strike, duration_s, pressed);
     Pressed found{std::vector<double>(springs.size()), rest.held, {}};
     for (std::size_t i = 0; i < springs.size(); ++i)
-        if (pressed[i])
-            found.forces_n[i] =
-                std::max(0.0, -springs[i].stiffness_n_m * system.stretch(springs[i], rest.displacement));
+        if (pressed[i]) found.forces_n[i] = std::max(0.0, force(system, springs[i], rest.displacement));
     found.pressed = std::move(pressed);
     return found;
 }

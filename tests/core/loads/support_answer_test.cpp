@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
+#include "core/loads/spring_system.h"
 #include "support/shapes.h"
 
 namespace {
@@ -167,6 +169,60 @@ TEST(SupportAnswer, ABodyBetweenAStruckOneAndTheFloorIsSqueezed) {
     EXPECT_NEAR(slow.sum_n, 2, 0.02) << "from above and from below";
     EXPECT_NEAR(sum(slow).z(), 0, 0.01);
     EXPECT_LT(answerTo(1e-5).sum_n, 0.1) << "inertia of the body above takes it up";
+}
+
+/// Lies on twelve bodies of 50 g to 2 kg, each of which leans on the next one and some on a floor.
+Standing onAHeap(unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> share(0, 1);
+    Standing slab(Vec3(0.4, 0.3, 0.04), Vec3(0.05, 0.02, 0.02), -Vec3::UnitZ());
+    slab.blow.contacts.resize(1);
+    slab.blow.partners.resize(1);
+    constexpr int bodies = 12;
+    for (int i = 1; i <= bodies; ++i) {
+        const Mobility mobility = Mobility::ofPoint(0.05 + 1.95 * share(random));
+        slab.blow.partners.push_back(mobility);
+        slab.blow.stack.bodies.push_back({i, mobility, 0});
+        const Vec2 place(0.3 * (share(random) - 0.5), 0.2 * (share(random) - 0.5));
+        for (const Vec2& corner : {Vec2(-0.02, -0.02), Vec2(0.02, -0.02), Vec2(0, 0.03)}) {
+            ContactImpulse contact;
+            contact.point = Vec3(place.x() + corner.x(), place.y() + corner.y(), -0.02);
+            contact.normal = Vec3::UnitZ();
+            contact.impulse = 1e-3 * Vec3::UnitZ();
+            contact.partner = i;
+            slab.blow.contacts.push_back(contact);
+        }
+        const Vec3 beside(place.x(), place.y(), -0.04);
+        const Vec3 tilted = Vec3(share(random) - 0.5, share(random) - 0.5, 1).normalized();
+        slab.blow.stack.contacts.push_back({i, i % bodies + 1, beside, tilted, 1e8 * share(random)});
+        if (i % 3 == 0) slab.blow.stack.contacts.push_back({i, -1, beside, Vec3::UnitZ(), 1e8});
+    }
+    return slab;
+}
+
+TEST(SupportAnswer, InAHeapDoesNotDependOnTheSpringsThatAreTriedFirst) {
+    for (unsigned seed = 1; seed <= 20; ++seed) {
+        const Standing slab = onAHeap(seed);
+        const ContactBody body = slab.body();
+        const auto loads =
+            unitLoads(contactPatches(body, strikeOf(body, slab.blow, slab.settings), slab.settings));
+        for (const double duration_s : {3e-4, 1e-3, 1e-2}) {
+            const SpringSystem system =
+                springSystemOf(body, slab.foundations(), loads, duration_s, slab.blow.stack);
+            const Pressed all = pressedSprings(system, duration_s);
+            std::mt19937 random(seed);
+            for (int start = 0; start < 3; ++start) {
+                std::vector<char> guess(system.springs.size());
+                for (char& pressed : guess) pressed = static_cast<char>(random() % 2);
+                const Pressed found = pressedSprings(system, duration_s, guess);
+                EXPECT_NEAR(found.held, all.held, 1e-3);
+                double apart_n = 0;
+                for (std::size_t i = 0; i < guess.size(); ++i)
+                    if (system.springs[i].is_own) apart_n += std::abs(found.forces_n[i] - all.forces_n[i]);
+                EXPECT_LT(apart_n, 0.01) << seed << ", " << duration_s << " s";
+            }
+        }
+    }
 }
 
 TEST(SupportAnswer, AThinPlateIsPressedRightBelow) {
