@@ -57,16 +57,22 @@ struct HertzSpring {
         stiffness = force / (depth * std::sqrt(depth));
     }
 
-    /// F = k max(0, d - c F)^(3/2), of the contact and a compliance in series that are shortened by d.
+    /// F = k max(0, d - c F)^(3/2), of the contact and a compliance c in series that are shortened by d. By
+    /// Newton's method on what is left for the contact, r + c k r^(3/2) = d: convex, and from above.
     double forceInSeries(double compliance_m_n, double shortening_m) const {
-        const auto at = [&](double left) { return left > 0 ? stiffness * left * std::sqrt(left) : 0; };
-        double low = 0, high = at(shortening_m);
-        constexpr int halvings = 40;
-        for (int i = 0; i < halvings && compliance_m_n > 0 && high > 0; ++i) {
-            const double mid = 0.5 * (low + high);
-            (at(shortening_m - compliance_m_n * mid) > mid ? low : high) = mid;
+        if (!(shortening_m > 0)) return 0;
+        const double soft = compliance_m_n * stiffness;
+        double left = shortening_m;
+        if (soft > 0) left = std::min(left, std::pow(shortening_m / soft, 2.0 / 3));
+        constexpr int most_rounds = 20;
+        constexpr double rounding = 1e-15;
+        for (int round = 0; round < most_rounds && soft > 0; ++round) {
+            const double root = std::sqrt(left);
+            const double over = (left + soft * left * root - shortening_m) / (1 + 1.5 * soft * root);
+            left -= over;
+            if (!(over > rounding * shortening_m)) break;
         }
-        return high;
+        return stiffness * left * std::sqrt(left);
     }
 };
 
