@@ -81,19 +81,33 @@ std::unique_ptr<Breakable> BreakableRegistry::take(BodyToken token) {
     return taken;
 }
 
+Breakable* BreakableRegistry::listed(const btCollisionObject* object, int place) const {
+    const auto index = static_cast<std::size_t>(place);
+    if (index < places_.size() && places_[index].object == object) return places_[index].breakable;
+    const auto found = by_object_.find(object);
+    return found == by_object_.end() ? nullptr : found->second;
+}
+
 void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world) {
     for (const auto& breakable : all_) breakable->in_world = false;
-    places_.clear();
+    any_in_world_ = any_fragment_in_world_ = false;
     for (int i = 0; i < in_world.size(); ++i) {
-        places_.push_back({in_world[i], find(in_world[i])});
-        if (places_.back().breakable) places_.back().breakable->in_world = true;
+        const Place place{in_world[i], listed(in_world[i], i)};
+        if (static_cast<std::size_t>(i) < places_.size())
+            places_[i] = place;
+        else
+            places_.push_back(place);
+        if (!place.breakable || isAnother(*place.object, *place.breakable)) continue;
+        place.breakable->in_world = any_in_world_ = true;
+        any_fragment_in_world_ = any_fragment_in_world_ || place.breakable->isFragment();
     }
+    places_.resize(in_world.size());
 }
 
 void BreakableRegistry::dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world) {
     for (int i = 0; i < in_world.size(); ++i) {
-        const auto found = by_object_.find(in_world[i]);
-        if (found != by_object_.end() && isAnother(*in_world[i], *found->second)) take(found->second->token);
+        const Breakable* found = listed(in_world[i], i);
+        if (found && isAnother(*in_world[i], *found)) take(found->token);
     }
 }
 

@@ -75,7 +75,7 @@ struct Breakable {
     int generation = 0;              ///< how many breaks in this world made it
     double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known
     InnerBall inner_ball;            ///< tells its side of ground
-    btTransform moved_from = btTransform::getIdentity();  ///< where it was before the last step
+    btTransform moved_from = btTransform::getIdentity();  ///< before the last step with ground in the world
     btTransform moved_to = btTransform::getIdentity();    ///< and after it
     btTransform clear_at = btTransform::getIdentity();    ///< where no ground was near it the last time
     double since_clear_s = std::numeric_limits<double>::infinity();
@@ -138,17 +138,25 @@ class BreakableRegistry {
 
     const std::vector<std::unique_ptr<Breakable>>& all() const { return all_; }
 
+    /// At the last syncWithWorld.
+    bool anyInWorld() const { return any_in_world_; }
+    bool anyFragmentInWorld() const { return any_fragment_in_world_; }
+
   private:
-    /// What stood at a place in the world's array at the last syncWithWorld.
+    /// What stood at a place in the world's array at the last syncWithWorld, dead or alive.
     struct Place {
         const btCollisionObject* object = nullptr;
         Breakable* breakable = nullptr;
     };
 
+    /// The entry of what stands at a place in the world's array, which may be that of a dead body.
+    Breakable* listed(const btCollisionObject* object, int place) const;
+
     std::vector<std::unique_ptr<Breakable>> all_;
     std::unordered_map<const btCollisionObject*, Breakable*>
         by_object_;              // for look-up only; never iterated over
     std::vector<Place> places_;  // most look-ups end here; empty after a change
+    bool any_in_world_ = false, any_fragment_in_world_ = false;
 };
 
 }  // namespace sherd

@@ -6,6 +6,7 @@
 #include "bullet/extra_contacts.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/ground_contact.h"
+#include "bullet/ground_surface.h"
 #include "bullet/quiet_step.h"
 #include "bullet/settled_pieces.h"
 #include "bullet/steady_contacts.h"
@@ -63,7 +64,7 @@ void FractureWorld::Impl::afterIntegration() {
     if (awake_ || hasWork())
         timed(times_.whole, [&] {
             if (awake_) {
-                forgetSettled(breakables_);
+                if (breakables_.anyFragmentInWorld()) forgetSettled(breakables_);
                 timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
             }
             endIntegration();
@@ -104,17 +105,18 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.sync, [&] {
         breakables_.dropReplaced(world_.getCollisionObjectArray());
         breakables_.syncWithWorld(world_.getCollisionObjectArray());
-        const auto& all = breakables_.all();
-        any_breakable_ =
-            std::any_of(all.begin(), all.end(), [](const auto& breakable) { return breakable->in_world; });
+        any_breakable_ = breakables_.anyInWorld();
     });
     if (!any_breakable_) return;
     timed(ms.overlaps, [&] {
         birth_overlaps_.applyAllowances(world_);
+        if (!breakables_.anyFragmentInWorld()) return;
         steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
-    timed(ms.ground, [&] { addGroundContacts(world_, bodiesInWorld()); });
+    timed(ms.ground, [&] {
+        if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld());
+    });
     const AddedTime time(ms.snapshot);
     any_breakable_ = !nothingCanBreak(world_, breakables_, world_.getSolverInfo().m_timeStep);
     if (any_breakable_) {

@@ -212,10 +212,11 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
 }
 
 void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies) {
+    if (!hasGroundSurface(world)) return;
     ByBody moving;
     for (const Breakable* body : bodies)
         if (body->isDynamic() && body->body->isActive()) moving.emplace(body->body, body);
-    if (moving.empty() || !hasGroundSurface(world)) return;
+    if (moving.empty()) return;
     const auto held = leaveOutWrongContacts(world, moving);
     for (const Breakable* body : bodies)
         if (moving.count(body->body)) addContactsOfBall(world, *body, held.count(body) > 0);
@@ -223,12 +224,12 @@ void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const B
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   const StepSnapshot& before) {
-    const bool has_ground = hasGroundSurface(world);
+    if (!hasGroundSurface(world)) return;
     for (const auto& breakable : breakables.all()) {
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
         breakable->moved_from = start->transform;
-        if (has_ground && breakable->isDynamic()) {
+        if (breakable->isDynamic()) {
             stopAtGround(world, *breakable);
             noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep);
         }
