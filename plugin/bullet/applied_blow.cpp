@@ -142,6 +142,7 @@ StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes
     StruckBreakable struck;
     struck.breakable = &breakable;
     struck.before = stateOf(body);
+    struck.blow.free_turns = freeTurns(body, asset_from_world);
     const std::vector<double> speeds = speedsBy(breakable, pushes);
     const std::vector<double> moved =
         body.getInvMass() > 0 ? motionBy(breakable, pushes) : std::vector<double>(pushes.size());

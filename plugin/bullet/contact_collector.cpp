@@ -231,6 +231,8 @@ StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
         const BodyState* state = before_.find(breakable.body);
         struck_.emplace_back().breakable = &breakable;
         struck_.back().before = state ? *state : stateOf(*breakable.body);
+        struck_.back().blow.free_turns =
+            freeTurns(*breakable.body, breakable.placed(stoodAt(*breakable.body)).inverse());
     }
     return struck_[place->second];
 }

@@ -64,6 +64,16 @@ double largestRestingGap() {
     return 1e-3;
 }
 
+std::optional<Mat3> freeTurns(const btRigidBody& body, const btTransform& frame_from_world) {
+    const btVector3& factor = body.getAngularFactor();
+    if (factor == btVector3(1, 1, 1)) return std::nullopt;
+    const btMatrix3x3& turn = frame_from_world.getBasis();
+    const btMatrix3x3 left = turn.scaled(factor) * turn.transpose();
+    Mat3 free;
+    for (int row = 0; row < 3; ++row) free.row(row) = fromBullet(left[row]).transpose();
+    return free;
+}
+
 Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,
                     const btVector3& point) {
     Mobility mobility;
@@ -77,6 +87,8 @@ Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_fr
         mobility.centre = fromBullet(frame_from_world * body->getCenterOfMassPosition());
         for (int row = 0; row < 3; ++row)
             mobility.inverse_inertia.row(row) = fromBullet(inertia[row]).transpose();
+        if (const auto free_turns = freeTurns(*body, frame_from_world))
+            mobility = mobility.heldBack(*free_turns);
     } else if (linkMotion(object, point, unused, inverse_mass)) {
         if (inverse_mass > 0)
             mobility = Mobility::ofPoint(1 / inverse_mass, fromBullet(frame_from_world * point));

@@ -2,6 +2,8 @@
 
 #include <LinearMath/btTransform.h>
 
+#include <optional>
+
 #include "bullet/island_state.h"
 #include "core/loads/mobility.h"
 
@@ -39,6 +41,10 @@ double slowestStrike(const PointMotion& a, const PointMotion& b, double time_ste
 
 /// Between bodies that rest on each other, at most, m.
 double largestRestingGap();
+
+/// What of turns about its axes an app's angular factor leaves a body, in the frame that `frame_from_world`
+/// leads to; none where it turns freely.
+std::optional<Mat3> freeTurns(const btRigidBody& body, const btTransform& frame_from_world);
 
 /// How an object gives way, in the frame that `frame_from_world` leads to. Of a multi-body's link only its
 /// own mass counts, felt at `point` (world frame).

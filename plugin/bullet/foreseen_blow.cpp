@@ -26,6 +26,12 @@ bool areAsHeavy(const Mobility& a, const Mobility& b) {
            (a.inverse_inertia - b.inverse_inertia).norm() <= same_speed * a.inverse_inertia.norm();
 }
 
+/// And how it holds back the turns of the struck body.
+bool areTurnsAlike(const Blow& a, const Blow& b) {
+    if (!a.free_turns || !b.free_turns) return !a.free_turns && !b.free_turns;
+    return (*a.free_turns - *b.free_turns).norm() <= same_speed;
+}
+
 bool isSameStrike(const ContactImpulse& a, const ContactImpulse& b, double spacing) {
     const double speed = a.approach_m_s;
     return b.strikes() && a.partner_radius_m == b.partner_radius_m &&
@@ -94,7 +100,7 @@ bool isAsForeseen(const ForeseenBlow& foreseen, const StruckBreakable& struck, c
     for (const btCollisionObject* partner : struck.partners) partners.push_back(tokenOf(*partner));
     // The app may have prepared the body since, at any time of a thread's work.
     const bool is_answered_alike = foreseen.is_solved_in_full == !blow.solid->reducedStress();
-    return is_answered_alike && isSameQuestion(foreseen.blow, blow) &&
+    return is_answered_alike && isSameQuestion(foreseen.blow, blow) && areTurnsAlike(expected, fallen) &&
            hasContactsOf(expected, foreseen.partners, fallen, partners, *blow.solid) &&
            hasContactsOf(fallen, partners, expected, foreseen.partners, *blow.solid) &&
            areSame(expected.stack, fallen.stack);

@@ -54,7 +54,7 @@ double rodCompliance(const ContactBody& body, const Vec3& along) {
 Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSettings& contact,
                                    const Blow& blow, const StressOfLoads& solve, StageTimes& ms) {
     const AddedTime time(ms.loads);
-    const ContactBody body = struckBody(solid);
+    const ContactBody body = struckBody(solid, blow);
     const Stack& stack = blow.stack;
     const Strike strike = strikeOn(stack);
     const auto foundations = foundationsOf(body, blow, {}, contact);
@@ -109,10 +109,10 @@ void strikeBody(const Impact& impact, StruckBody body, double shortest_s, BlowFo
 
 }  // namespace
 
-ContactBody struckBody(const BreakableSolid& solid) {
-    return {solid.surfaceTree(), solid.material(),
-            Mobility::of(solid.moments(), solid.material().density_kg_m3), solid.wallThickness(),
-            solid.boundingRadius()};
+ContactBody struckBody(const BreakableSolid& solid, const Blow& blow) {
+    const Mobility free = Mobility::of(solid.moments(), solid.material().density_kg_m3);
+    return {solid.surfaceTree(), solid.material(), blow.free_turns ? free.heldBack(*blow.free_turns) : free,
+            solid.wallThickness(), solid.boundingRadius()};
 }
 
 bool isHeld(const BreakableSolid& solid, const Blow& blow) {
@@ -138,7 +138,7 @@ Result<StressField> unitStress(const StrikeContext& struck, const StressSolver& 
 
 Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings& contact, const Blow& blow,
                               const StressOfLoads& solve, const SolvingGrid& grid, StageTimes& ms) {
-    const ContactBody body = struckBody(solid);
+    const ContactBody body = struckBody(solid, blow);
     if (blow.isSqueezed()) return squeezingForces(solid, contact, blow, solve, ms);
     const Strike strike = timed(ms.loads, [&] { return strikeOf(body, blow, contact); });
     BlowForces forces;

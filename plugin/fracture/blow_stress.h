@@ -57,8 +57,8 @@ struct SolvingGrid {
     bool near_fields = true;  ///< whether the near field of what strikes is looked for
 };
 
-/// What the loads need to know of a solid. Refers to it.
-ContactBody struckBody(const BreakableSolid& solid);
+/// What the loads need to know of a solid that a blow falls on. Refers to the solid.
+ContactBody struckBody(const BreakableSolid& solid, const Blow& blow);
 
 /// Whether a solid is anchored or rests on something, so that it may not give way to a blow.
 bool isHeld(const BreakableSolid& solid, const Blow& blow);

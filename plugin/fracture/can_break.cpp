@@ -58,7 +58,7 @@ bool canBreak(const BreakableSolid& solid, const Blow& blow, const FractureSetti
     const auto quick = quickBound(solid, table, blow, fracture.contact);
     if (!to_break.mayBe(quick)) return false;
 
-    const Strike strike = strikeOf(struckBody(solid), blow, fracture.contact);
+    const Strike strike = strikeOf(struckBody(solid, blow), blow, fracture.contact);
     if (!(broughtEnergy(solid, blow, strike) > needed)) return false;
     const bool is_hopeless = to_break.mayBe(quick, hope);
     return is_hopeless || to_break.mayBe(closeBound(solid, table, blow, strike, fracture.contact));

@@ -58,7 +58,7 @@ std::optional<BlowBound> closeBound(const BreakableSolid& solid, const PeakTable
                                     const Strike& strike, const ContactSettings& contact) {
     if (table.levels.empty()) return std::nullopt;
     if (!strike.strikes()) return BlowBound{};
-    const ContactBody body = struckBody(solid);
+    const ContactBody body = struckBody(solid, blow);
     const PerNewton under_strike = underStrike(body, table, strike, contact);
     PerNewton answer;
     double held = solid.isAnchored() ? 1 : 0;

@@ -17,7 +17,7 @@ class Quick {
   public:
     Quick(const BreakableSolid& solid, const PeakTable& table, const Blow& blow,
           const ContactSettings& settings)
-        : body_(struckBody(solid)),
+        : body_(struckBody(solid, blow)),
           table_(table),
           blow_(blow),
           settings_(settings),

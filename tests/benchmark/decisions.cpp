@@ -235,7 +235,7 @@ std::optional<double> extrapolated(double finer, double coarser, double far) {
 double trueStress(const std::vector<std::shared_ptr<const BreakableSolid>>& zoomed, const Answering& unzoomed,
                   const Blow& blow, int& known, int& contacts) {
     const BlowForces forces = unzoomed.forcesOf(blow);
-    const ContactBody body = struckBody(*zoomed[0]);
+    const ContactBody body = struckBody(*zoomed[0], blow);
     const ContactSettings& settings = zoomed[0]->settings().fracture.contact;
     const auto patches = contactPatches(body, strikeOf(body, blow, settings), settings);
     bool flat = true;

@@ -66,7 +66,7 @@ Answers askGate(const BreakableSolid& solid, const std::vector<Blow>& blows) {
         const auto quick = quickBound(solid, table, blow, contact);
         answers.ms.push_back(watch.milliseconds());
         const auto close =
-            closeBound(solid, table, blow, strikeOf(struckBody(solid), blow, contact), contact);
+            closeBound(solid, table, blow, strikeOf(struckBody(solid, blow), blow, contact), contact);
         double bound = std::numeric_limits<double>::infinity();
         for (const auto& one : {quick, close})
             if (one) bound = std::min(bound, one->equivalent_stress_pa);

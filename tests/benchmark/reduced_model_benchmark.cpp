@@ -71,7 +71,7 @@ struct Gate {
             quick_pa = bound->equivalent_stress_pa;
         quick_ms = watch.milliseconds();
         watch = Stopwatch();
-        const Strike strike = strikeOf(struckBody(solid), blow, contact);
+        const Strike strike = strikeOf(struckBody(solid, blow), blow, contact);
         if (const auto bound = closeBound(solid, table, blow, strike, contact))
             close_pa = bound->equivalent_stress_pa;
         close_ms = watch.milliseconds();

@@ -189,7 +189,7 @@ Strike landing(int bodies_a_side) {
     const auto struck = collector.takeStruck();
     EXPECT_EQ(struck.size(), 1u);
     Blow blow = struck.at(0).blow;
-    Strike strike = strikeOf(struckBody(*asset.solid()), blow, asset.settings().fracture.contact);
+    Strike strike = strikeOf(struckBody(*asset.solid(), blow), blow, asset.settings().fracture.contact);
     for (StrikePoint& point : strike.points) point.contact = nullptr;  // they go with the blow
     return strike;
 }
@@ -221,7 +221,8 @@ double energyOfPush(int parts, double speed_m_s, bool is_held) {
     }
     const StruckBreakable struck = asContacts(breakable, pushes);
     const BreakableSolid& solid = *asset.solid();
-    const Strike strike = strikeOf(struckBody(solid), struck.blow, asset.settings().fracture.contact);
+    const Strike strike =
+        strikeOf(struckBody(solid, struck.blow), struck.blow, asset.settings().fracture.contact);
     EXPECT_LE(broughtEnergy(solid, struck.blow, strike),
               blowEnergy(struck.blow, solid.mass(), is_held) * (1 + 1e-9));
     return broughtEnergy(solid, struck.blow, strike);

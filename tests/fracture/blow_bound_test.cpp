@@ -53,7 +53,7 @@ TEST_F(BlowBounds, AreAboveWhatTheFullSolveFinds) {
         const BlowDamage truth = blowDamage({solid(), sampling, fracture, 1}, blow, strength, ms);
         const double stress =
             *std::max_element(truth.damage.overstress.begin(), truth.damage.overstress.end());
-        const Strike strike = strikeOf(struckBody(solid()), blow, fracture.contact);
+        const Strike strike = strikeOf(struckBody(solid(), blow), blow, fracture.contact);
         const auto first = quickBound(solid(), table, blow, fracture.contact);
         const auto second = closeBound(solid(), table, blow, strike, fracture.contact);
         for (const auto& bound : {first, second}) {

@@ -82,7 +82,7 @@ class CurvedContact : public ::testing::Test {
         return std::move(result).value();
     }
     static ContactPatch patchOf(const Contact& contact) {
-        const ContactBody body = struckBody(solid());
+        const ContactBody body = struckBody(solid(), {});
         const Vec3 push = -contact.outward;
         ContactPatch patch{nearestSurfacePoint(body.surface, contact.at, push),
                            push,
@@ -104,7 +104,7 @@ TEST_F(CurvedContact, HasANearFieldThatIsAsFiniteElementsHaveIt) {
     const StressSolver& solver = *valueOrThrow(solid().stressSolver());
     for (const Contact& contact : contacts) {
         const ContactPatch patch = patchOf(contact);
-        const ContactField field = contactField(struckBody(solid()), {patch});
+        const ContactField field = contactField(struckBody(solid(), {}), {patch});
         ASSERT_EQ(field.near.discs().size(), 1u) << contact.name;
         EXPECT_TRUE(field.others.empty()) << contact.name;
         const double with = largestOf(valueOrThrow(solver.solveContact(field)));
@@ -125,7 +125,7 @@ TEST_F(CurvedContact, ABallIsPulledAtTheRimAsAPlaneIs) {
     Material material = Material::ceramic();
     const auto ball = valueOrThrow(BreakableSolid::make(shapes::icosphere(ball_radius, 5), material,
                                                         Settings::forQuality(Quality::preview)));
-    const ContactBody body = struckBody(*ball);
+    const ContactBody body = struckBody(*ball, {});
     ContactPatch patch{nearestSurfacePoint(body.surface, Vec3(0, 0, ball_radius), -Vec3::UnitZ()),
                        -Vec3::UnitZ(),
                        -Vec3::UnitZ(),

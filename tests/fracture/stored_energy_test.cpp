@@ -32,7 +32,7 @@ void strikeAtRandom(int count) {
             const double stored = stress.value().strain_energy_j;
             ASSERT_GT(stored, 0) << shape.name << ", blow " << i;
             ASSERT_LE(stored, brought) << shape.name << ", blow " << i;
-            const Strike strike = strikeOf(struckBody(solid), blow, solid.settings().fracture.contact);
+            const Strike strike = strikeOf(struckBody(solid, blow), blow, solid.settings().fracture.contact);
             ASSERT_LE(stored, broughtEnergy(solid, blow, strike) * (1 + 1e-9))
                 << shape.name << ", blow " << i;
             supported += blow.isSupported();

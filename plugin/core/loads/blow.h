@@ -2,6 +2,7 @@
 
 #include <sherd/types.h>
 
+#include <optional>
 #include <vector>
 
 #include "core/loads/mobility.h"
@@ -36,8 +37,9 @@ struct ContactImpulse {
 /// All contacts of one body in one step.
 struct Blow {
     std::vector<ContactImpulse> contacts;
-    std::vector<Mobility> partners;  ///< by their numbers; those that are not there do not give way
-    Stack stack = {};                ///< empty: what the partners touch in turn is not known
+    std::vector<Mobility> partners;       ///< by their numbers; those that are not there do not give way
+    Stack stack = {};                     ///< empty: what the partners touch in turn is not known
+    std::optional<Mat3> free_turns = {};  ///< see Mobility::heldBack; none: the body turns freely
 
     Mobility partner(int number) const;
     /// All numbers of partners are below it.

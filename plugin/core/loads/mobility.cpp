@@ -16,6 +16,13 @@ Mobility Mobility::ofPoint(double mass_kg, const Vec3& position) {
     return {position, 1 / mass_kg, Mat3::Zero()};
 }
 
+Mobility Mobility::heldBack(const Mat3& free_turns) const {
+    const Eigen::SelfAdjointEigenSolver<Mat3> axes(free_turns);
+    const Mat3 root = axes.eigenvectors() * axes.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
+                      axes.eigenvectors().transpose();
+    return {centre, inverse_mass, root * inverse_inertia * root};
+}
+
 Wrench Mobility::wrench(const Vec3& point, const Vec3& force) const {
     Wrench w;
     w << force, (point - centre).cross(force);

@@ -20,6 +20,10 @@ struct Mobility {
     /// Of a mass that does not turn.
     static Mobility ofPoint(double mass_kg, const Vec3& position = Vec3::Zero());
 
+    /// The same where turns are held back: `free_turns` is the share of a turn about each axis that is left,
+    /// symmetric, asset frame.
+    Mobility heldBack(const Mat3& free_turns) const;
+
     bool fixed() const { return inverse_mass == 0; }
     double mass() const { return 1 / inverse_mass; }
     /// Force and moment of a force at a point.

@@ -1,0 +1,69 @@
+// Bodies that the app's angular factor keeps from turning: characters that stay upright, games in a plane.
+
+#include "bullet/contact_collector.h"
+#include "bullet/contact_motion.h"
+#include "bullet/conversions.h"
+#include "bullet/support.h"
+#include "core/loads/contact_loads.h"
+#include "fracture/blow_stress.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+TEST(LockedTurns, APartnerGivesWayAsBulletHasIt) {
+    TestWorld scene;
+    for (const btVector3& factor :
+         {btVector3(1, 1, 1), btVector3(0, 0, 1), btVector3(0, 0, 0), btVector3(0, 0, 0.25f)}) {
+        btRigidBody* box = scene.addBox(3, btVector3(0.1f, 0.3f, 0.2f), btVector3(1, 2, 3));
+        btTransform turned = box->getWorldTransform();
+        turned.setRotation(btQuaternion(btVector3(0, 0, 1), 0.7f));
+        box->setCenterOfMassTransform(turned);
+        box->updateInertiaTensor();
+        box->setAngularFactor(factor);
+        const btVector3 arm(0.05f, 0.2f, 0), point = box->getCenterOfMassPosition() + arm, push(0, 2, 0);
+        const btTransform frame(btQuaternion(btVector3(1, 1, 0).normalized(), 0.4f), btVector3(0.3f, 0, 1));
+        const Mobility mobility = mobilityOf(*box, frame, point);
+        box->applyImpulse(push, arm);
+        const Vec3 moved = mobility.at(fromBullet(frame * point)) * fromBullet(frame.getBasis() * push);
+        const btVector3 in_world = frame.getBasis().transpose() *
+                                   btVector3(btScalar(moved.x()), btScalar(moved.y()), btScalar(moved.z()));
+        EXPECT_LT((in_world - box->getVelocityInLocalPoint(arm)).length(), 1e-5) << factor.z();
+    }
+}
+
+/// Energy that a ball of 50 kg and 1 m/s brings to the edge of a plate that floats, J.
+double broughtToTheEdge(const btVector3& factor) {
+    constexpr double dt = 1.0 / 240;
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, 0));
+    BreakableRegistry registry;
+    const auto asset = plate(crumbly());
+    auto breakable =
+        std::make_unique<Breakable>(asset, fractureSettingsFor(asset, asset.settings().fracture));
+    btRigidBody* box = scene.addBox(btScalar(asset.mass()), btVector3(0.3f, 0.3f, 0.03f), btVector3(0, 0, 0));
+    box->setAngularFactor(factor);
+    breakable->body = box;
+    registry.add(std::move(breakable));
+    scene.addBall(50, 0.1, btVector3(0.28f, 0, 0.132f), btVector3(0, 0, -1));
+    StepSnapshot before;
+    before.take(*scene.world);
+    scene.step(1, dt);
+    ContactCollector collector(registry, before, 0, scene.world->getSolverInfo());
+    feedSolvedContacts(*scene.world, collector);
+    const auto struck = collector.takeStruck();
+    if (struck.size() != 1) return 0;
+    const Blow& blow = struck[0].blow;
+    const Strike strike = strikeOf(struckBody(*asset.solid(), blow), blow, asset.settings().fracture.contact);
+    return impactOf(strike, 0).energy();
+}
+
+TEST(LockedTurns, AStruckBodyGivesWayByItsMassAlone) {
+    const double mass = plate(crumbly()).mass(), both = mass * 50 / (mass + 50);
+    EXPECT_NEAR(broughtToTheEdge(btVector3(0, 0, 0)), 0.5 * both, 0.01 * both);
+    EXPECT_LT(broughtToTheEdge(btVector3(1, 1, 1)), 0.8 * 0.5 * both);
+    EXPECT_NEAR(broughtToTheEdge(btVector3(1, 0, 0)), 0.5 * both, 0.01 * both) << "it would turn about y";
+}
+
+}  // namespace
