@@ -80,7 +80,8 @@ class BreakableAsset {
     /// Linux). The future's destructor waits for the end.
     std::future<Status> prepareOnThread(std::function<void(double done)> progress = {}) const;
 
-    /// Whether `prepare` is done, or `load` gave the asset. Never waits; from any thread.
+    /// Whether `prepare` is done, which `save` does too, or `load` gave the asset. Never waits; from any
+    /// thread.
     bool prepared() const;
 
     // These, too, may be called from any thread.

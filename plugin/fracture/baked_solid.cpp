@@ -10,19 +10,16 @@ namespace {
 std::string whyNot(const Settings& settings) {
     if (settings.strength.field)
         return "settings.strength.field is a function of the program, which a file cannot hold; leave it "
-               "out, "
-               "or make the asset when the program starts, with prepare()";
+               "out, or make the asset when the program starts, with prepare()";
     if (settings.fracture.guide.custom)
         return "settings.fracture.guide.custom is a function of the program, which a file cannot hold; leave "
-               "it "
-               "out, and give it to the bodies that are made of the asset (BodyOptions::fracture)";
+               "it out, and give it to the bodies that are made of the asset (BodyOptions::fracture)";
     if (settings.stress.trial_function != TrialFunction::spline)
         return "only the trial functions \"spline\" have a reduced model, which is what a file keeps; set "
                "settings.stress.trial_function";
     if (settings.stress.resample_contacts)
         return "blows with finer grids around their contacts need the factor, which a file does not keep; "
-               "set "
-               "settings.stress.resample_contacts to false";
+               "set settings.stress.resample_contacts to false";
     return "";
 }
 
@@ -54,6 +51,9 @@ Result<BakedSolid> BreakableSolid::baked() const {
     if (const std::string reason = whyNot(settings_); !reason.empty())
         return Error{"The asset cannot be baked: " + reason + "."};
     if (const Status prepared = makeReduced({}); !prepared) return Error{prepared.error()};
+    const FractureSettings& fracture = settings_.fracture;
+    const bool needs_factor = !fracture.use_reduced_model || fracture.check_with_full_solve;
+    if (!needs_factor) (void)prepare({});  // what is left of that is quick
     const auto& reduced = *shared_->reduced.ifMade();
     if (!reduced) return Error{"The asset cannot be baked: " + reduced.error()};
     return BakedSolid{surface(),

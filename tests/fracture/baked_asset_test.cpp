@@ -347,6 +347,13 @@ TEST(BakedAssets, WhatAFileCannotHoldIsRefused) {
               std::string::npos);
 }
 
+TEST(BakedAssets, SavingPrepares) {
+    const BreakableAsset asset = smallCup();
+    EXPECT_FALSE(asset.prepared());
+    ASSERT_TRUE(asset.save(temporaryPath("prepared.sherd")).ok());
+    EXPECT_TRUE(asset.prepared());
+}
+
 TEST(BakedAssets, BrokenFilesGetASentence) {
     const std::string path = temporaryPath("asset.sherd");
     std::filesystem::remove(path);  // of an earlier run
