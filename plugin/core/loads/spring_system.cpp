@@ -161,7 +161,7 @@ double bestLength(const std::vector<Spring>& springs, const Eigen::VectorXd& at_
         if (!(curvature_here > 0)) break;
         const double change = slope_here / curvature_here;
         length = std::max(0.0, length - change);
-        if (std::abs(change) < 1e-6) break;
+        if (std::abs(change) < 1e-9 * length) break;
     }
     return length;
 }
@@ -171,7 +171,7 @@ double bestLength(const std::vector<Spring>& springs, const Eigen::VectorXd& at_
 /// go; it stands for the bodies' inertia by what free ones travel.
 void pressAbout(const SpringSystem& system, const Eigen::VectorXd& strike, double duration_s,
                 std::vector<char>& pressed) {
-    constexpr int most_rounds = 30;
+    constexpr int most_rounds = 100;
     const std::vector<Spring>& springs = system.springs;
     const auto count = static_cast<long>(springs.size());
     const double inertia = 1 / travel(duration_s);

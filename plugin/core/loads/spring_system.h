@@ -69,8 +69,8 @@ struct Pressed {
 };
 
 /// Springs that would pull let go, and those that are pressed after all come back, until what is on the wrong
-/// side counts for less than 0.5 % of the strike. `pressed_before` is a guess, those of much the same strike:
-/// it saves time, and changes the answer by as little.
+/// side counts for less than 0.5 % of the strike; after two rounds with the bodies' inertia none comes back.
+/// `pressed_before` is a guess, those of much the same strike: it saves time, and changes little.
 Pressed pressedSprings(const SpringSystem& system, double duration_s,
                        const std::vector<char>& pressed_before = {});
 

@@ -60,8 +60,8 @@ struct HertzSpring {
     /// F = k max(0, d - c F)^(3/2), of the contact and a compliance c in series that are shortened by d. By
     /// Newton's method on what is left for the contact, r + c k r^(3/2) = d: convex, and from above.
     double forceInSeries(double compliance_m_n, double shortening_m) const {
-        if (!(shortening_m > 0)) return 0;
         const double soft = compliance_m_n * stiffness;
+        if (!(shortening_m > 0) || !std::isfinite(soft)) return 0;
         double left = shortening_m;
         if (soft > 0) left = std::min(left, std::pow(shortening_m / soft, 2.0 / 3));
         constexpr int most_rounds = 20;
