@@ -32,6 +32,14 @@ struct CollisionFilter {
     bool operator==(const CollisionFilter& other) const { return group == other.group && mask == other.mask; }
 };
 
+/// How a body came to where it is, in a world with ground that is a surface without an inside.
+struct GroundWay {
+    bool is_known = false;                                     ///< there was such ground in the last step
+    btTransform from = btTransform::getIdentity(), to = from;  ///< before and after that
+    btTransform clear_at = from;                               ///< where no ground was near it the last time
+    double since_clear_s = std::numeric_limits<double>::infinity();
+};
+
 /// A body that can break, with its asset.
 struct Breakable {
     Breakable(const BreakableAsset& its_asset, std::shared_ptr<const FractureSettings> its_fracture)
@@ -75,10 +83,7 @@ struct Breakable {
     int generation = 0;              ///< how many breaks in this world made it
     double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known
     InnerBall inner_ball;            ///< tells its side of ground
-    btTransform moved_from = btTransform::getIdentity();  ///< before the last step with ground in the world
-    btTransform moved_to = btTransform::getIdentity();    ///< and after it
-    btTransform clear_at = btTransform::getIdentity();    ///< where no ground was near it the last time
-    double since_clear_s = std::numeric_limits<double>::infinity();
+    GroundWay way;
     /// How long a fragment has been near a place.
     struct Stay {
         btTransform at = btTransform::getIdentity();

@@ -113,12 +113,12 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     const InnerBall& ball = fragment.inner_ball;
-    const btVector3 from = fragment.moved_from * ball.centre, to = ballCentre(fragment);
+    const btVector3 from = fragment.way.from * ball.centre, to = ballCentre(fragment);
     const auto crossed = groundBetween(world, *fragment.body, from, to);
     if (!crossed) return;
     const btVector3 back = wayBack(*crossed, from, to, ball.radius);
     if (groundBetween(world, *fragment.body, from, to + back))  // it is between two walls
-        fragment.body->setCenterOfMassTransform(fragment.moved_from);
+        fragment.body->setCenterOfMassTransform(fragment.way.from);
     else
         shiftBy(*fragment.body, back);
 }
@@ -156,15 +156,15 @@ btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole,
     const btRigidBody& body = *whole.body;
     const btVector3 to = ballCentre(fragment) + shift;
     const btScalar radius = fragment.inner_ball.radius;
-    if (whole.since_clear_s < a_moment_s) {
-        const btVector3 from = ballCentreBefore(whole, fragment, whole.clear_at);
+    if (whole.way.since_clear_s < a_moment_s) {
+        const btVector3 from = ballCentreBefore(whole, fragment, whole.way.clear_at);
         const auto crossed = groundBefore(world, body, from, to);
         const btVector3 back = crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
         // Further away is ground that it went around.
         return back.length() < 2 * radiusAboutOrigin(body) ? back : btVector3(0, 0, 0);
     }
-    const btVector3 before = ballCentreBefore(whole, fragment, whole.moved_from);
-    if (!groundBetween(world, body, whole.moved_from * whole.inner_ball.centre, before))
+    const btVector3 before = ballCentreBefore(whole, fragment, whole.way.from);
+    if (!groundBetween(world, body, whole.way.from * whole.inner_ball.centre, before))
         if (const auto crossed = groundBetween(world, body, before, to))
             return wayBack(*crossed, before, to, radius);
     const btVector3 right = ballCentre(whole);
@@ -181,20 +181,21 @@ btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole,
 void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double time_step_s) {
     const btRigidBody& body = *breakable.body;
     if (groundNear(world, body, body.getCenterOfMassPosition(), radiusAboutOrigin(body))) {
-        breakable.since_clear_s += time_step_s;
+        breakable.way.since_clear_s += time_step_s;
         return;
     }
-    breakable.since_clear_s = 0;
-    breakable.clear_at = body.getWorldTransform();
+    breakable.way.since_clear_s = 0;
+    breakable.way.clear_at = body.getWorldTransform();
 }
 
 }  // namespace
 
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
                      const std::vector<std::unique_ptr<Breakable>>& fragments) {
+    if (!whole.way.is_known) return;
     // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
     const btScalar radius = radiusAboutOrigin(*whole.body);
-    if (travel(whole.moved_to, whole.body->getWorldTransform(), radius) > deepest_birth * radius) return;
+    if (travel(whole.way.to, whole.body->getWorldTransform(), radius) > deepest_birth * radius) return;
     for (const auto& fragment : fragments)
         if (!fragment->isDynamic()) return;  // what is held stays where it is, and what it carries with it
     btVector3 shift(0, 0, 0);
@@ -224,16 +225,21 @@ void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const B
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   const StepSnapshot& before) {
-    if (!hasGroundSurface(world)) return;
+    const bool has_ground = hasGroundSurface(world);
     for (const auto& breakable : breakables.all()) {
+        if (!has_ground) {
+            if (breakable->way.is_known) breakable->way = {};
+            continue;
+        }
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
-        breakable->moved_from = start->transform;
+        breakable->way.is_known = true;
+        breakable->way.from = start->transform;
         if (breakable->isDynamic()) {
             stopAtGround(world, *breakable);
             noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep);
         }
-        breakable->moved_to = breakable->body->getWorldTransform();
+        breakable->way.to = breakable->body->getWorldTransform();
     }
 }
 

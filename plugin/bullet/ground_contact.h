@@ -31,7 +31,7 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
 void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies);
 
 /// After positions are integrated, keeps bodies from crossing the ground, and notes the ways of all bodies
-/// since the state before the solve (which moves bodies, too). Where there is no ground it does nothing.
+/// since the state before the solve (which moves bodies, too). Where there is no ground these are forgotten.
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   const StepSnapshot& before);
 

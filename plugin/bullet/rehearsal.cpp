@@ -73,10 +73,7 @@ std::unique_ptr<Breakable> standInFor(const Breakable& breakable) {
     stand_in->generation = breakable.generation;
     stand_in->least_energy_j = breakable.least_energy_j;
     stand_in->inner_ball = breakable.inner_ball;
-    stand_in->moved_from = breakable.moved_from;
-    stand_in->moved_to = breakable.moved_to;
-    stand_in->clear_at = breakable.clear_at;
-    stand_in->since_clear_s = breakable.since_clear_s;
+    stand_in->way = breakable.way;
     return stand_in;
 }
 

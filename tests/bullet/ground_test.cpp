@@ -45,6 +45,7 @@ class Ground {
         body_ =
             scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0, btVector3(0, 0, 0));
     }
+    btRigidBody* body() { return body_; }
     /// Nothing beside it.
     std::optional<double> heightAt(TestWorld& scene, const btVector3& place) const {
         const btVector3 above(place.x(), place.y(), 9), below(place.x(), place.y(), -9);
@@ -268,5 +269,25 @@ std::vector<Case> cases() {
 }
 INSTANTIATE_TEST_SUITE_P(Ground, Drops, testing::ValuesIn(cases()),
                          [](const auto& info) { return Case::nameOf(info.param); });
+
+TEST(Ground, OfATrapdoorThatCloses) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Ground door(scene, Surface::two_triangles);
+    btRigidBody* body = fracture.add(plate(crumbly()), at(0, 0, 0.05f)).value();
+    scene.step(3);
+    scene.world->removeRigidBody(door.body());
+    body->setLinearVelocity(btVector3(0, 0, -0.5f));
+    scene.step(48);
+    body->setLinearVelocity(btVector3(0, 0, 0));
+    scene.step(1);
+    const btScalar below = body->getCenterOfMassPosition().z();
+    ASSERT_LT(below, -0.03f);
+    scene.addBall(20, 0.1, btVector3(0.05f, 0.02f, below - 0.131f), btVector3(0, 0, 2));
+    scene.world->addRigidBody(door.body());
+    ASSERT_EQ(stepUntilBreak(scene, fracture, 5).outcome, Outcome::broke);
+    for (const btRigidBody* fragment : fracture.bodies())
+        EXPECT_NEAR(fragment->getCenterOfMassPosition().z(), below, 0.02) << "where it was left";
+}
 
 }  // namespace

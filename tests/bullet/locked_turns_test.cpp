@@ -12,7 +12,7 @@ namespace {
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-TEST(LockedTurns, APartnerGivesWayAsBulletHasIt) {
+TEST(LockedTurns, APartnerInItsAxesGivesWayAsBulletHasIt) {
     TestWorld scene;
     for (const btVector3& factor :
          {btVector3(1, 1, 1), btVector3(0, 0, 1), btVector3(0, 0, 0), btVector3(0, 0, 0.25f)}) {
