@@ -16,7 +16,7 @@ enum class Priority {
 /// body that is not prepared takes most. A step is one of Bullet's own: a frame may have several.
 ///
 /// Decided in their step, always:
-/// - blows on a whole body by what it turns back or slows down and cannot break;
+/// - blows on a whole body by what it turns back or slows down and cannot break, but for crowds (below);
 /// - blows on a fragment by a lighter body that cannot break: what breaks lets that through;
 /// - blows on a fragment that supports hold, by what is half as heavy or more. Beyond `solves_per_step` such
 ///   fragments come out of their supports whole, and break later.
@@ -27,6 +27,8 @@ enum class Priority {
 ///   breaks another one in the step; then as far as `milliseconds_per_step` and `solves_per_step` go;
 /// - blows on a whole body by fragments alone: as far as these go, and one at least where there is no such
 ///   crowd;
+/// - blows on a crowd of free whole bodies, more than `solves_per_step`, by what is 10 times as heavy as each
+///   of them: so many, the most urgent, unless something behind a body would stop what strikes it;
 /// - what an explosion does to whole and held bodies: all of it if these are no more than `solves_per_step`,
 ///   else one at least.
 ///

@@ -37,17 +37,28 @@ bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
 }
 
 /// Whether the blow on a whole body may be decided later: nothing flies through the body, it is struck by
-/// other breakable bodies, by what does not move, or by what it cannot slow down.
-bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck) const {
-    constexpr btScalar much_heavier = 50;  // whole or broken, the body takes a few percent of its speed
+/// other breakable bodies, by what does not move, or by what is so many times as heavy.
+bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const {
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
         if (struck.partners[p]->isStaticObject() || breakables_.of(*struck.partners[p])) continue;
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
         const bool is_slowed =
-            !partner || much_heavier * partner->getInvMass() > struck.breakable->body->getInvMass();
+            !partner || times_as_heavy * partner->getInvMass() > struck.breakable->body->getInvMass();
         if (is_slowed && struck.blow.isStruckBy(static_cast<int>(p))) return false;
     }
     return true;
+}
+
+/// Whether something that the body rests against pushes back at what runs into it: whole it would stop that.
+bool FractureWorld::Impl::isBacked(const StruckBreakable& struck) const {
+    constexpr double back = -0.5;  // cosine
+    const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& strike) {
+        if (!strike.strikes() || breakables_.of(*struck.partners[strike.partner])) return false;
+        return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
+            return contact.supports() && contact.normal.dot(strike.normal) < back;
+        });
+    });
 }
 
 /// Whether fragments strike the body, and nothing else does.
@@ -64,32 +75,44 @@ bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck
 /// Lets blows on whole bodies wait, the least urgent first, until the others take no longer than the budget
 /// has milliseconds: those that nothing flies through, where there is more to be decided in the step than it
 /// has solves, or where a ball breaks others, and those that fragments strike. Of the last, and of an
-/// explosion's, one is decided in any case if the step has no more.
+/// explosion's, one is decided in any case if the step has no more. Of a crowd that something heavy runs
+/// into, as many are as the step has solves.
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
                                   Gated& gated) const {
     if (budget_.shortest_wait_s == 0) return;
+    // Free bodies of a crowd take their parts of a striker's speed all the same, whole or broken.
+    constexpr btScalar than_each_of_a_crowd = 10;
     const auto begin = gated.now.begin(), end = gated.now.end();
-    const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i]); };
+    const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i], much_heavier); };
     const bool are_many = decided_now_ + (end - begin) > budget_.solves_per_step;
     const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
+    const auto is_run_into = [&](std::size_t i) {
+        return are_many && !lasts(i) && lastsWhileItWaits(struck[i], than_each_of_a_crowd) &&
+               !isBacked(struck[i]);
+    };
     const auto must_not_wait = [&](std::size_t i) {
-        if (!lasts(i)) return true;
+        if (!lasts(i)) return !is_run_into(i);
         if (isStruckByFragmentsAlone(struck[i])) return false;
         // What stands under or behind the body that is struck breaks with it.
         return struck[i].blow.isSqueezed() ? !are_many : !is_crowd;
     };
     const auto may_wait = std::stable_partition(begin, end, must_not_wait);
-    std::stable_sort(may_wait, end,
-                     [&](std::size_t a, std::size_t b) { return urgency(struck[a]) > urgency(struck[b]); });
+    const auto others = std::stable_partition(may_wait, end, is_run_into);
+    const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
+        return urgency(struck[a]) > urgency(struck[b]);
+    };
+    std::stable_sort(may_wait, others, is_more_urgent);
+    std::stable_sort(others, end, is_more_urgent);
     const double most_ms = millisecondsPerStep(budget_, time_step_s);
     double ms = decided_now_ms_;
     int count = decided_now_;
     auto first = begin;
     for (; first != end; ++first, ++count) {
         ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
-        const bool has_no_room = ms > most_ms || count >= budget_.solves_per_step;
+        const bool has_no_solves = count >= budget_.solves_per_step;
         const bool may_be_none = is_crowd && !struck[*first].is_of_explosion;
-        if (first >= may_wait && has_no_room && (count > 0 || may_be_none)) break;
+        const bool has_no_room = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);
+        if (first >= may_wait && (first < others ? has_no_solves : has_no_room)) break;
     }
     gated.later.insert(gated.later.end(), first, end);
     gated.now.erase(first, end);

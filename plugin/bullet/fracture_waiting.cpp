@@ -77,7 +77,7 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
 /// until then.
 bool FractureWorld::Impl::isOutdone(const StruckBreakable& struck) const {
     const WaitingBlow* waiting = waiting_.keptFor(struck.breakable->serial);
-    return waiting && waiting->energy_j >= energyOf(struck) && lastsWhileItWaits(struck);
+    return waiting && waiting->energy_j >= energyOf(struck) && lastsWhileItWaits(struck, much_heavier);
 }
 
 double FractureWorld::Impl::energyOf(const StruckBreakable& struck) const {

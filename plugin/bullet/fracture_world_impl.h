@@ -136,7 +136,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     double urgency(const StruckBreakable& struck) const;
     bool mayWait(const StruckBreakable& struck) const;
-    bool lastsWhileItWaits(const StruckBreakable& struck) const;
+    /// Whole or broken, a body takes a few percent of the speed of what is so many times as heavy.
+    static constexpr btScalar much_heavier = 50;
+    bool lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const;
+    bool isBacked(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);

@@ -358,7 +358,7 @@ TEST(Budget, NoEventNamesAStrikerThatIsGone) {
 
 /// Six plates that are struck in one step: by the floor, or by a ball of `ball_kg` each. How many broke in
 /// each step, from the first in which one broke.
-std::vector<int> breaksOfACrowd(btScalar ball_kg) {
+std::vector<int> breaksOfACrowd(btScalar ball_kg, bool on_floor = false) {
     const bool by_balls = ball_kg > 0;
     TestWorld scene;
     scene.addFloor();
@@ -373,10 +373,12 @@ std::vector<int> breaksOfACrowd(btScalar ball_kg) {
                                                 crumbly(), settings);
     for (int i = 0; i < 6; ++i) {
         BodyOptions options;
-        options.start = at(i, 0, by_balls ? 1 : 0.035f);
+        options.start = at(i, 0, on_floor ? 0.0299f : by_balls ? 1 : 0.035f);
         if (!by_balls) options.velocity = btVector3(0, 0, -5);
         EXPECT_TRUE(fracture.add(asset.value(), options).ok());
-        if (by_balls) scene.addBall(ball_kg, 0.1, btVector3(btScalar(i), 0, 1.135f), btVector3(0, 0, -5));
+        if (by_balls)
+            scene.addBall(ball_kg, 0.1, options.start.getOrigin() + btVector3(0, 0, 0.135f),
+                          btVector3(0, 0, -5));
     }
     std::vector<int> broke;
     for (int step = 0; step < 8; ++step) {
@@ -401,6 +403,17 @@ TEST(Budget, NoCrowdIsFlownThroughLater) {
     const std::vector<int> broke = breaksOfACrowd(5);
     ASSERT_FALSE(broke.empty());
     EXPECT_EQ(broke.front(), 6);
+}
+
+TEST(Budget, AHeavyBodyRunsIntoACrowdWithoutAStall) {
+    constexpr btScalar twenty_times_as_heavy_kg = 600;
+    const std::vector<int> free = breaksOfACrowd(twenty_times_as_heavy_kg);
+    ASSERT_FALSE(free.empty());
+    EXPECT_EQ(free.front(), 2);
+    EXPECT_EQ(std::accumulate(free.begin(), free.end(), 0), 6);
+    const std::vector<int> backed = breaksOfACrowd(twenty_times_as_heavy_kg, true);
+    ASSERT_FALSE(backed.empty());
+    EXPECT_EQ(backed.front(), 6) << "whole they would stop it";
 }
 
 TEST(Budget, FunctionsOfTheAppAreCalledOnTheSteppingThread) {
