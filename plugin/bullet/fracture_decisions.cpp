@@ -195,7 +195,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
             blows.push_back(std::move(foreseen));
             continue;
         }
-        decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid());
+        decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid(), blow.blow);
         blow.before = gated.ms[i];
         blows.push_back(DecidedBlow::make(std::move(blow)));
     }

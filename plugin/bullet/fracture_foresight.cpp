@@ -68,8 +68,8 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
     std::vector<ForeseenBlow> found;
     const double until_s = time_s_ + 2 * budget_.foresight_s;
     while (found.empty() && rehearsal.time() < until_s && way.size() < most_steps) {
-        for (const StruckBreakable& struck : rehearsal.step())
-            if (auto blow = worthSolving(struck, rehearsal.time())) found.push_back(std::move(*blow));
+        std::vector<StruckBreakable> struck = rehearsal.step();
+        found = worthSolving(std::move(struck), rehearsal.time());
         way.push_back(rehearsal.stateOf(mover));
     }
     const auto cost = static_cast<int>(way.size() * roles.size());
@@ -82,23 +82,50 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
     }
 }
 
-/// A blow of a rehearsal that may break a body of which no other one is foreseen.
-std::optional<ForeseenBlow> FractureWorld::Impl::worthSolving(const StruckBreakable& struck,
-                                                              double time_s) const {
+/// Of the blows that fall together in a rehearsal those that may break a body of which no other one is
+/// foreseen. Most of a crowd wait when they have fallen: of these no more are solved before than there is
+/// time for, the most urgent ones.
+std::vector<ForeseenBlow> FractureWorld::Impl::worthSolving(std::vector<StruckBreakable> struck,
+                                                            double strikes_at_s) const {
+    const double time_step_s = world_.getSolverInfo().m_timeStep;
+    struck.erase(std::remove_if(struck.begin(), struck.end(),
+                                [&](const auto& blow) { return !mayBreakSoon(blow, strikes_at_s); }),
+                 struck.end());
+    const bool are_many = static_cast<int>(struck.size()) > budget_.solves_per_step;
+    if (are_many)
+        std::stable_sort(struck.begin(), struck.end(),
+                         [&](const auto& a, const auto& b) { return urgency(a) > urgency(b); });
+    double ms = (strikes_at_s - time_s_) / time_step_s * millisecondsPerStep(budget_, time_step_s);
+    std::vector<ForeseenBlow> found;
+    for (const StruckBreakable& blow : struck) {
+        const bool must_not_wait = !lastsWhileItWaits(blow, much_heavier);
+        if (are_many && !must_not_wait && !(ms > 0)) continue;
+        ms -= estimatedMilliseconds(*blow.breakable->asset.solid(), blow.blow);
+        // Each full solve leaves its factor behind.
+        const bool is_solved_in_full = !blow.breakable->asset.solid()->reducedStress();
+        const auto in_full = std::count_if(found.begin(), found.end(),
+                                           [](const ForeseenBlow& one) { return one.is_solved_in_full; });
+        if (is_solved_in_full && foresight_.fullSolves() + in_full >= budget_.solves_per_step) continue;
+        found.push_back(asForeseen(blow, strikes_at_s));
+        found.back().is_solved_in_full = is_solved_in_full;
+    }
+    return found;
+}
+
+bool FractureWorld::Impl::mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const {
     const Breakable& body = *struck.breakable;
     double gate_ms = 0;  // part of looking ahead
-    if (!isForeseeable(body, time_s) || mayWait(struck) || isLightRest(struck, time_s_) ||
-        foresight_.isForeseen(body.serial) ||
-        heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged))
-        return std::nullopt;
-    // Of a crowd that falls together the budget drops most, and each full solve leaves its factor behind.
-    const bool is_solved_in_full = !body.asset.solid()->reducedStress();
-    if (is_solved_in_full && foresight_.fullSolves() >= budget_.solves_per_step) return std::nullopt;
+    return isForeseeable(body, strikes_at_s) && !mayWait(struck) && !isLightRest(struck, time_s_) &&
+           !foresight_.isForeseen(body.serial) &&
+           !heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged);
+}
+
+ForeseenBlow FractureWorld::Impl::asForeseen(const StruckBreakable& struck, double strikes_at_s) const {
+    const Breakable& body = *struck.breakable;
     ForeseenBlow blow;
-    blow.is_solved_in_full = is_solved_in_full;
     blow.serial = body.serial;
     blow.found_at_s = time_s_;
-    blow.strikes_at_s = time_s;
+    blow.strikes_at_s = strikes_at_s;
     for (const btCollisionObject* partner : struck.partners)
         blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));
     blow.blow = toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));

@@ -108,7 +108,7 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     int count = decided_now_;
     auto first = begin;
     for (; first != end; ++first, ++count) {
-        ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid());
+        ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid(), struck[*first].blow);
         const bool has_no_solves = count >= budget_.solves_per_step;
         const bool may_be_none = is_crowd && !struck[*first].is_of_explosion;
         const bool has_no_room = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);

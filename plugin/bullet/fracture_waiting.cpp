@@ -92,8 +92,8 @@ double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& 
     double needed_s = 0;
     for (const StruckBreakable* struck : blows)
         if (struck->isKept())
-            needed_s += WaitingBlows::turn_s(estimatedMilliseconds(*struck->breakable->asset.solid()),
-                                             budget_, time_step_s);
+            needed_s += WaitingBlows::turn_s(
+                estimatedMilliseconds(*struck->breakable->asset.solid(), struck->blow), budget_, time_step_s);
     return needed_s > 0 ? std::max(1.0, needed_s / waiting_.left_s(budget_, time_s_)) : 1;
 }
 
@@ -121,7 +121,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
         blow.serial = breakable.serial;
         blow.is_on_fragment = breakable.isFragment();
         blow.impulse_n_s = normalImpulse(struck->blow);
-        blow.work_ms = estimatedMilliseconds(*breakable.asset.solid());
+        blow.work_ms = estimatedMilliseconds(*breakable.asset.solid(), struck->blow);
         blow.energy_j = energyOf(*struck);
         blow.position = fromBullet(from_world * toBullet(struck->position));
         blow.normal = fromBullet(from_world.getBasis() * toBullet(struck->normal));

@@ -125,7 +125,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     };
     std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);
-    std::optional<ForeseenBlow> worthSolving(const StruckBreakable& struck, double time_s) const;
+    std::vector<ForeseenBlow> worthSolving(std::vector<StruckBreakable> struck, double strikes_at_s) const;
+    bool mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const;
+    ForeseenBlow asForeseen(const StruckBreakable& struck, double strikes_at_s) const;
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;

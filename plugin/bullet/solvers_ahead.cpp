@@ -16,7 +16,7 @@ namespace {
 bool isWorthIt(const Breakable& fragment) {
     constexpr double much_ms = 40;  // of one core of about 2020
     const BreakableSolid& solid = *fragment.asset.solid();
-    return fragment.mayBreak() && estimatedMilliseconds(solid) > much_ms &&
+    return fragment.mayBreak() && estimatedMilliseconds(solid, {}) > much_ms &&
            mayRunElsewhere(solid, *fragment.fracture);
 }
 

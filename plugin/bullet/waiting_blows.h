@@ -31,8 +31,9 @@ struct WaitingBlow {
     std::vector<Push> for_pieces;  ///< as in StruckBreakable, in the asset's frame
 };
 
-/// What a blow on a solid that is not prepared takes about, ms of one core; of the solid's size alone.
-double estimatedMilliseconds(const BreakableSolid& solid);
+/// What a blow on a solid takes about, ms of one core; of the solid's size and of how many contacts hold it
+/// alone.
+double estimatedMilliseconds(const BreakableSolid& solid, const Blow& blow);
 
 /// Computing time that a budget has for a step.
 double millisecondsPerStep(const Budget& budget, double time_step_s);

@@ -349,6 +349,20 @@ TEST(Foresight, OfACrowdThatIsNotPreparedAsManyAsAStepSolves) {
 }
 
 /// Bullet looks for no contacts of what sleeps, but has those of before when it wakes.
+TEST(Foresight, OfACrowdThatWouldWaitNoMoreThanThereIsTimeFor) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    for (int i = 0; i < 8; ++i)
+        ASSERT_TRUE(fracture.add(preparedPlate(), at(0.7f * btScalar(i) - 2.45f, 0, 0)).ok());
+    btRigidBody* lid = scene.addBox(50000, btVector3(3, 0.3f, 0.1f), btVector3(0, 0, 0.26f));
+    lid->setLinearVelocity(btVector3(0, 0, -2));
+    scene.step(6);
+    scene.world->removeRigidBody(lid);
+    scene.step(1);
+    EXPECT_GT(fracture.counts().foreseen_in_vain, 0);
+    EXPECT_LE(fracture.counts().foreseen_in_vain, 3);
+}
+
 TEST(Foresight, WhatSleepsIsStruckAsItStands) {
     for (const btScalar speed : {15, 12, 10, 8, 6}) {
         TestWorld scene;

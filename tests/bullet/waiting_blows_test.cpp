@@ -161,7 +161,7 @@ TEST(WaitingBlows, TheEstimateKnowsThinWalls) {
             BreakableAsset::fromMesh(boxMesh(Vec3(0.8, thickness_m, 0.8)), Material::glass(), settings);
         EXPECT_TRUE(asset.ok()) << asset.error();
         EXPECT_NEAR(asset.value().particleCount(), 400, 100) << thickness_m << " m thick";
-        return estimatedMilliseconds(*asset.value().solid());
+        return estimatedMilliseconds(*asset.value().solid(), {});
     };
     EXPECT_NEAR(estimate(0.005), estimate(spacing_m), 1e-6 * estimate(spacing_m));
 }
