@@ -91,17 +91,13 @@ Breakable* BreakableRegistry::listed(const btCollisionObject* object, int place)
 void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObject*>& in_world) {
     for (const auto& breakable : all_) breakable->in_world = false;
     any_in_world_ = any_fragment_in_world_ = false;
+    places_.resize(in_world.size());
     for (int i = 0; i < in_world.size(); ++i) {
-        const Place place{in_world[i], listed(in_world[i], i)};
-        if (static_cast<std::size_t>(i) < places_.size())
-            places_[i] = place;
-        else
-            places_.push_back(place);
+        const Place& place = places_[i] = {in_world[i], listed(in_world[i], i)};
         if (!place.breakable || isAnother(*place.object, *place.breakable)) continue;
         place.breakable->in_world = any_in_world_ = true;
         any_fragment_in_world_ = any_fragment_in_world_ || place.breakable->isFragment();
     }
-    places_.resize(in_world.size());
 }
 
 void BreakableRegistry::dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world) {

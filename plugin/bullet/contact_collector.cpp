@@ -181,7 +181,7 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
         contact.strikes() && piles_ &&
         piles_->isStoppedBefore(partner, other.point, -own.push, contact.touched_s, contact.approach_m_s);
     if (is_out_of_reach) return;
-    StruckBreakable& entry = entryOf(breakable);
+    StruckBreakable& entry = entryOf(breakable, own.party->asset_from_world);
     contact.partner = entry.numberOf(&partner);
     if (contact.partner == static_cast<int>(entry.blow.partners.size()))
         entry.blow.partners.push_back(mobilityOf(partner, own.party->asset_from_world, own.point));
@@ -225,14 +225,13 @@ int StruckBreakable::numberOf(const btCollisionObject* partner) {
     return static_cast<int>(number);
 }
 
-StruckBreakable& ContactCollector::entryOf(Breakable& breakable) {
+StruckBreakable& ContactCollector::entryOf(Breakable& breakable, const btTransform& asset_from_world) {
     const auto [place, is_new] = place_in_struck_.try_emplace(&breakable, struck_.size());
     if (is_new) {
         const BodyState* state = before_.find(breakable.body);
         struck_.emplace_back().breakable = &breakable;
         struck_.back().before = state ? *state : stateOf(*breakable.body);
-        struck_.back().blow.free_turns =
-            freeTurns(*breakable.body, breakable.placed(stoodAt(*breakable.body)).inverse());
+        struck_.back().blow.free_turns = freeTurns(*breakable.body, asset_from_world);
     }
     return struck_[place->second];
 }

@@ -95,7 +95,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
         int child;
     };
     void lookUp(const btCollisionObject& object, Party& party) const;
-    StruckBreakable& entryOf(Breakable& breakable);
+    StruckBreakable& entryOf(Breakable& breakable, const btTransform& asset_from_world);
     void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
     bool isExempt(const Side& own, const Side& other) const;
     ContactImpulse contactOn(const Side& own, const Side& other, const btManifoldPoint& point) const;

@@ -68,10 +68,7 @@ std::optional<Mat3> freeTurns(const btRigidBody& body, const btTransform& frame_
     const btVector3& factor = body.getAngularFactor();
     if (factor == btVector3(1, 1, 1)) return std::nullopt;
     const btMatrix3x3& turn = frame_from_world.getBasis();
-    const btMatrix3x3 left = turn.scaled(factor) * turn.transpose();
-    Mat3 free;
-    for (int row = 0; row < 3; ++row) free.row(row) = fromBullet(left[row]).transpose();
-    return free;
+    return fromBullet(turn.scaled(factor) * turn.transpose());
 }
 
 Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_from_world,
@@ -82,11 +79,9 @@ Mobility mobilityOf(const btCollisionObject& object, const btTransform& frame_fr
     if (const btRigidBody* body = btRigidBody::upcast(&object)) {
         if (!canMove(*body)) return mobility;
         const btMatrix3x3& turn = frame_from_world.getBasis();
-        const btMatrix3x3 inertia = turn * body->getInvInertiaTensorWorld() * turn.transpose();
         mobility.inverse_mass = body->getInvMass();
         mobility.centre = fromBullet(frame_from_world * body->getCenterOfMassPosition());
-        for (int row = 0; row < 3; ++row)
-            mobility.inverse_inertia.row(row) = fromBullet(inertia[row]).transpose();
+        mobility.inverse_inertia = fromBullet(turn * body->getInvInertiaTensorWorld() * turn.transpose());
         if (const auto free_turns = freeTurns(*body, frame_from_world))
             mobility = mobility.heldBack(*free_turns);
     } else if (linkMotion(object, point, unused, inverse_mass)) {

@@ -26,7 +26,7 @@ bool areAsHeavy(const Mobility& a, const Mobility& b) {
            (a.inverse_inertia - b.inverse_inertia).norm() <= same_speed * a.inverse_inertia.norm();
 }
 
-/// And how it holds back the turns of the struck body.
+/// And how the app holds back the turns of the struck body.
 bool areTurnsAlike(const Blow& a, const Blow& b) {
     if (!a.free_turns || !b.free_turns) return !a.free_turns && !b.free_turns;
     return (*a.free_turns - *b.free_turns).norm() <= same_speed;

@@ -94,8 +94,9 @@ std::vector<ForeseenBlow> FractureWorld::Impl::worthSolving(std::vector<StruckBr
     const bool are_many = static_cast<int>(struck.size()) > budget_.solves_per_step;
     if (are_many)
         std::stable_sort(struck.begin(), struck.end(),
-                         [&](const auto& a, const auto& b) { return urgency(a) > urgency(b); });
+                         [&](const auto& a, const auto& b) { return isMoreUrgent(a, b); });
     double ms = (strikes_at_s - time_s_) / time_step_s * millisecondsPerStep(budget_, time_step_s);
+    int full_solves = foresight_.fullSolves();
     std::vector<ForeseenBlow> found;
     for (const StruckBreakable& blow : struck) {
         const bool must_not_wait = !lastsWhileItWaits(blow, much_heavier);
@@ -103,11 +104,8 @@ std::vector<ForeseenBlow> FractureWorld::Impl::worthSolving(std::vector<StruckBr
         ms -= estimatedMilliseconds(*blow.breakable->asset.solid(), blow.blow);
         // Each full solve leaves its factor behind.
         const bool is_solved_in_full = !blow.breakable->asset.solid()->reducedStress();
-        const auto in_full = std::count_if(found.begin(), found.end(),
-                                           [](const ForeseenBlow& one) { return one.is_solved_in_full; });
-        if (is_solved_in_full && foresight_.fullSolves() + in_full >= budget_.solves_per_step) continue;
+        if (is_solved_in_full && full_solves++ >= budget_.solves_per_step) continue;
         found.push_back(asForeseen(blow, strikes_at_s));
-        found.back().is_solved_in_full = is_solved_in_full;
     }
     return found;
 }
@@ -123,6 +121,7 @@ bool FractureWorld::Impl::mayBreakSoon(const StruckBreakable& struck, double str
 ForeseenBlow FractureWorld::Impl::asForeseen(const StruckBreakable& struck, double strikes_at_s) const {
     const Breakable& body = *struck.breakable;
     ForeseenBlow blow;
+    blow.is_solved_in_full = !body.asset.solid()->reducedStress();
     blow.serial = body.serial;
     blow.found_at_s = time_s_;
     blow.strikes_at_s = strikes_at_s;

@@ -99,7 +99,7 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     const auto may_wait = std::stable_partition(begin, end, must_not_wait);
     const auto others = std::stable_partition(may_wait, end, is_run_into);
     const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
-        return urgency(struck[a]) > urgency(struck[b]);
+        return isMoreUrgent(struck[a], struck[b]);
     };
     std::stable_sort(may_wait, others, is_more_urgent);
     std::stable_sort(others, end, is_more_urgent);
@@ -128,7 +128,7 @@ void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struc
     const auto begin = gated.now.begin(), end = gated.now.end();
     const auto rests = std::stable_partition(begin, end, is_solved);
     std::stable_sort(rests, end,
-                     [&](std::size_t a, std::size_t b) { return urgency(struck[a]) > urgency(struck[b]); });
+                     [&](std::size_t a, std::size_t b) { return isMoreUrgent(struck[a], struck[b]); });
     const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - (rests - begin));
     const auto first = rests + std::min(left, end - rests);
     for (auto i = first; i != end; ++i) gated.torn[*i] = Torn::first;

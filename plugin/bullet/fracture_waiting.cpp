@@ -101,7 +101,7 @@ double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& 
 void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int promised,
                                   btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
-        return urgency(*a) > urgency(*b);
+        return isMoreUrgent(*a, *b);
     });
     const auto kept =
         std::count_if(blows.begin(), blows.end(), [](const auto* blow) { return blow->isKept(); });

@@ -137,6 +137,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     double urgency(const StruckBreakable& struck) const;
+    bool isMoreUrgent(const StruckBreakable& a, const StruckBreakable& b) const {
+        return urgency(a) > urgency(b);
+    }
     bool mayWait(const StruckBreakable& struck) const;
     /// Whole or broken, a body takes a few percent of the speed of what is so many times as heavy.
     static constexpr btScalar much_heavier = 50;

@@ -225,12 +225,12 @@ void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const B
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   const StepSnapshot& before) {
-    const bool has_ground = hasGroundSurface(world);
-    for (const auto& breakable : breakables.all()) {
-        if (!has_ground) {
+    if (!hasGroundSurface(world)) {
+        for (const auto& breakable : breakables.all())
             if (breakable->way.is_known) breakable->way = {};
-            continue;
-        }
+        return;
+    }
+    for (const auto& breakable : breakables.all()) {
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
         breakable->way.is_known = true;

@@ -1,11 +1,8 @@
 // Bodies that the app's angular factor keeps from turning: characters that stay upright, games in a plane.
 
-#include "bullet/contact_collector.h"
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
-#include "bullet/support.h"
-#include "core/loads/contact_loads.h"
-#include "fracture/blow_stress.h"
+#include "bullet/plate_of_the_app.h"
 
 namespace {
 
@@ -38,25 +35,10 @@ double broughtToTheEdge(const btVector3& factor) {
     constexpr double dt = 1.0 / 240;
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, 0));
-    BreakableRegistry registry;
-    const auto asset = plate(crumbly());
-    auto breakable =
-        std::make_unique<Breakable>(asset, fractureSettingsFor(asset, asset.settings().fracture));
-    btRigidBody* box = scene.addBox(btScalar(asset.mass()), btVector3(0.3f, 0.3f, 0.03f), btVector3(0, 0, 0));
-    box->setAngularFactor(factor);
-    breakable->body = box;
-    registry.add(std::move(breakable));
+    PlateOfTheApp plate(scene, btVector3(0, 0, 0));
+    plate.box->setAngularFactor(factor);
     scene.addBall(50, 0.1, btVector3(0.28f, 0, 0.132f), btVector3(0, 0, -1));
-    StepSnapshot before;
-    before.take(*scene.world);
-    scene.step(1, dt);
-    ContactCollector collector(registry, before, 0, scene.world->getSolverInfo());
-    feedSolvedContacts(*scene.world, collector);
-    const auto struck = collector.takeStruck();
-    if (struck.size() != 1) return 0;
-    const Blow& blow = struck[0].blow;
-    const Strike strike = strikeOf(struckBody(*asset.solid(), blow), blow, asset.settings().fracture.contact);
-    return impactOf(strike, 0).energy();
+    return impactOf(plate.strikeOfStep(dt), 0).energy();
 }
 
 TEST(LockedTurns, AStruckBodyGivesWayByItsMassAlone) {

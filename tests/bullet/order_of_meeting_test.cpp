@@ -2,7 +2,7 @@
 // held up before, and what is stopped once though several do it.
 
 #include "bullet/applied_blow.h"
-#include "bullet/support.h"
+#include "bullet/plate_of_the_app.h"
 #include "core/loads/contact_loads.h"
 #include "fracture/blow_stress.h"
 
@@ -171,27 +171,10 @@ Strike landing(int bodies_a_side) {
         for (int j = 0; j < bodies_a_side; ++j)
             scene.addBox(0, btVector3(btScalar(size / 2), btScalar(size / 2), 0.5f),
                          btVector3(btScalar((i + 0.5) * size - 1), btScalar((j + 0.5) * size - 1), -0.501f));
-    BreakableRegistry registry;
-    const auto asset = plate(crumbly());
-    auto breakable =
-        std::make_unique<Breakable>(asset, fractureSettingsFor(asset, asset.settings().fracture));
-    btRigidBody* box =
-        scene.addBox(btScalar(asset.mass()), btVector3(0.3f, 0.3f, 0.03f), btVector3(0, 0, 0.03f));
-    breakable->body = box;
-    registry.add(std::move(breakable));
-    box->setLinearVelocity(btVector3(0, 0, -1));
-    StepSnapshot before;
+    PlateOfTheApp plate(scene, btVector3(0, 0, 0.03f));
+    plate.box->setLinearVelocity(btVector3(0, 0, -1));
     scene.step(1, dt);
-    before.take(*scene.world);
-    scene.step(1, dt);
-    ContactCollector collector(registry, before, 0, scene.world->getSolverInfo());
-    feedSolvedContacts(*scene.world, collector);
-    const auto struck = collector.takeStruck();
-    EXPECT_EQ(struck.size(), 1u);
-    Blow blow = struck.at(0).blow;
-    Strike strike = strikeOf(struckBody(*asset.solid(), blow), blow, asset.settings().fracture.contact);
-    for (StrikePoint& point : strike.points) point.contact = nullptr;  // they go with the blow
-    return strike;
+    return plate.strikeOfStep(dt);
 }
 
 TEST(OrderOfMeeting, AFloorOfFourBodiesStopsWhatFallsOnTheirSeamOnce) {
