@@ -179,7 +179,9 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     }
     if (forces.contact.near.empty()) forces.contact.others = forces.strike;
     forces.contact.others = together(std::move(forces.contact.others), answer.forces);
+    // The contact does not feel all that it gives the modes, since it stores part of that itself.
     forces.strain_energy_j = std::min(forces.strain_energy_j, brought_j);
+    for (VibrationState& state : forces.ringing) state.energy_j = std::min(state.energy_j, brought_j);
     return forces;
 }
 

@@ -3,6 +3,7 @@
 
 #include <cstdio>
 
+#include "fracture/blow_damage.h"
 #include "fracture/blow_stress.h"
 #include "fracture/random_blows.h"
 #include "support/shapes.h"
@@ -54,6 +55,33 @@ TEST(StoredEnergy, IsNoMoreThanABlowBrings) {
 // Label `long`, see tests/CMakeLists.txt.
 TEST(StoredEnergy, DISABLED_IsNoMoreThanTenThousandBlowsBring) {
     strikeAtRandom(10000);
+}
+
+// Where a body rings on, too.
+TEST(StoredEnergy, OfABodyThatRingsIsNoMoreThanABlowBrings) {
+    int rang = 0;
+    for (const Vec3& size : {Vec3(0.6, 0.03, 0.024), Vec3(0.3, 0.24, 0.008), Vec3(0.5, 0.02, 0.5)}) {
+        const TriangleMesh mesh = shapes::slab(size, 12, 8, 8);
+        const auto made = BreakableSolid::make(mesh, Material::glass(), coarselySampled());
+        ASSERT_TRUE(made.ok()) << made.error();
+        const BreakableSolid& solid = *made.value();
+        ASSERT_TRUE(solid.prepare({}).ok());
+        const StrikeContext struck{solid, *solid.discretisation().value(), solid.settings().fracture, 1};
+        const BodyStrength strength(solid.material(), solid.strength().scatterLength(), {});
+        RandomBlows blows(mesh, 3);
+        for (int i = 0; i < 100; ++i) {
+            const Blow blow = blows.next();
+            StageTimes ms;
+            BlowDamage found = blowDamage(struck, blow, strength, ms);
+            const bool may_ring = found.add_ringing != nullptr;
+            if (may_ring) found.add_ringing(found);
+            rang += may_ring || !found.forces.ringing.empty();
+            const Strike strike = strikeOf(struckBody(solid, blow), blow, solid.settings().fracture.contact);
+            ASSERT_LE(found.forces.strain_energy_j, broughtEnergy(solid, blow, strike) * (1 + 1e-9))
+                << size.transpose() << ", blow " << i;
+        }
+    }
+    EXPECT_GT(rang, 100);
 }
 
 // A plaster rod of 1 m and 1 cm across, struck in its middle at 0.3 m/s: a contact of more than a hundredth
