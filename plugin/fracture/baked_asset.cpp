@@ -2,7 +2,6 @@
 
 #include "core/archive/fields.h"
 #include "core/archive/mesh.h"
-#include "core/mlpg/reduced/archive.h"
 
 namespace sherd {
 
@@ -49,20 +48,10 @@ namespace {
 template <class Archive>
 void archiveSolid(Archive& archive, BakedSolid& solid) {
     auto& [surface, material, settings, supports, moments, bounding_radius, wall_thickness, spacing,
-           scatter_length, sampling, reduced] = solid;
+           scatter_length, model] = solid;
     archiveAll(archive, surface, material, settings, supports, moments, bounding_radius, wall_thickness,
                spacing, scatter_length);
-    if constexpr (Archive::reads) {
-        auto sampled = std::make_shared<Discretisation>();
-        archiveFields(archive, *sampled);
-        sampling = std::move(sampled);
-        reduced = archiveReduced(archive, sampling, material, nullptr);
-        archive.require(reduced != nullptr);
-    } else {
-        Discretisation sampled = *sampling;
-        archiveFields(archive, sampled);
-        archiveReduced(archive, sampling, material, reduced.get());
-    }
+    archiveModel(archive, material, model);
 }
 
 template <class Archive>

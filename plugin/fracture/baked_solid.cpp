@@ -34,12 +34,12 @@ BreakableSolid::BreakableSolid(BakedSolid baked)
       bounding_radius_(baked.bounding_radius),
       wall_thickness_(baked.wall_thickness),
       spacing_(baked.spacing),
-      spacing_of_whole_(baked.spacing),
-      is_baked_(true) {
+      spacing_of_whole_(baked.spacing) {
     scatterOver(baked.scatter_length);
-    shared_->sampled.get([&] { return Sampled{std::move(baked.sampling), 0}; });
+    auto& [sampling, reduced] = baked.model;
+    shared_->sampled.get([&] { return Sampled{std::move(sampling), 0, false}; });
     shared_->reduced.get(
-        [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(baked.reduced); });
+        [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(reduced); });
     shared_->prepared = true;
 }
 
@@ -65,8 +65,7 @@ Result<BakedSolid> BreakableSolid::baked() const {
                       wall_thickness_,
                       spacing_,
                       strength().scatterLength(),
-                      discretisation().value(),
-                      reduced.value()};
+                      {discretisation().value(), reduced.value()}};
 }
 
 }  // namespace sherd

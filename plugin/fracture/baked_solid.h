@@ -5,10 +5,9 @@
 #include <sherd/surface_region.h>
 #include <sherd/triangle_mesh.h>
 
-#include <memory>
 #include <vector>
 
-#include "core/mlpg/reduced/reduced_stress.h"
+#include "fracture/kept_model.h"
 
 namespace sherd {
 
@@ -20,8 +19,7 @@ struct BakedSolid {
     std::vector<SurfaceRegion> supports;
     Moments moments;
     double bounding_radius = 0, wall_thickness = 0, spacing = 0, scatter_length = 0;  ///< m
-    std::shared_ptr<const Discretisation> sampling;  ///< as archiveFields keeps it
-    std::shared_ptr<const ReducedStress> reduced;
+    KeptModel model;
 };
 
 }  // namespace sherd

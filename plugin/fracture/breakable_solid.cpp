@@ -133,7 +133,7 @@ Result<std::shared_ptr<const Discretisation>> BreakableSolid::discretisation() c
 
 Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisation() const {
     const auto kept = discretisation();
-    if (!kept || !is_baked_) return kept;
+    if (!kept || shared_->sampled.ifMade()->is_complete) return kept;
     const auto& complete = shared_->complete.get([&] { return sampled(); }).discretisation;
     if (!complete) return complete;
     if (complete.value()->particles.size() != kept.value()->particles.size() ||
@@ -179,10 +179,20 @@ Status BreakableSolid::makeReduced(const Progress& progress) const {
     const auto& reduced = shared_->reduced.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
         if (const Result<StressSolver>* made = shared_->solver.ifMade(); made && *made)
             return made->value().reduced(progress);
-        // Its factor is not kept.
-        const Result<StressSolver> solver = stressSolverWithout({}, Precision::full);
-        if (!solver) return Error{solver.error()};
-        return solver.value().reduced(progress);
+        // Neither its factor is kept, nor what else only makes it, unless something has asked for that
+        // before.
+        const Sampled* const before = shared_->sampled.ifMade();
+        Sampled complete = before ? *before : sampled();
+        const Result<StressSolver> solver = solverOn(complete.discretisation, {}, Precision::full);
+        const auto made = solver ? solver.value().reduced(progress) : Error{solver.error()};
+        KeptModel kept;
+        if (made && !before) {
+            kept = asKept({complete.discretisation.value(), made.value()}, material_);
+            complete.is_complete = kept.reduced == made.value();
+            complete.discretisation = kept.sampling;
+        }
+        shared_->sampled.get([&] { return complete; });
+        return kept.reduced ? Result<std::shared_ptr<const ReducedStress>>(kept.reduced) : made;
     });
     if (!reduced) return Error{reduced.error()};
     return success();
@@ -195,7 +205,11 @@ const ReducedStress* BreakableSolid::reducedStress() const {
 
 Result<StressSolver> BreakableSolid::stressSolverWithout(const std::vector<char>& damaged,
                                                          Precision precision) const {
-    const auto sampled = completeDiscretisation();
+    return solverOn(completeDiscretisation(), damaged, precision);
+}
+
+Result<StressSolver> BreakableSolid::solverOn(const Result<std::shared_ptr<const Discretisation>>& sampled,
+                                              const std::vector<char>& damaged, Precision precision) const {
     if (!sampled) return Error{sampled.error()};
     const auto supports = pointsOfSupports(surface(), supports_, quadratureSpacing());
     if (!supports) return Error{supports.error()};

@@ -60,10 +60,11 @@ class BreakableSolid {
     /// Between the points that stand for loads and supports on a part of the surface.
     double quadratureSpacing() const;
 
-    /// Particles and cells; sampled at the first call. That of a solid from a file has no surface points.
+    /// Particles and cells; sampled at the first call. That of a solid from a file, or that was prepared
+    /// before anything else asked for it, has no surface points.
     Result<std::shared_ptr<const Discretisation>> discretisation() const;
-    /// The sampling that stress problems are made of and their stress is read at: the same with all that a
-    /// file leaves out; a solid from a file is sampled anew at the first call.
+    /// The sampling that stress problems are made of and their stress is read at: the same with all that such
+    /// a solid leaves out; it is sampled anew at the first call.
     Result<std::shared_ptr<const Discretisation>> completeDiscretisation() const;
     /// The factored stress problem; assembled and factored at the first call.
     Result<const StressSolver*> stressSolver() const;
@@ -124,6 +125,7 @@ class BreakableSolid {
     struct Sampled {
         Result<std::shared_ptr<const Discretisation>> discretisation;
         double ms = 0;
+        bool is_complete = true;  ///< else it lacks what only the making of a stress problem needs
     };
     /// What the solids of all bodies of an asset share. A sampling or factorisation that failed is kept as
     /// its sentence, and not tried again.
@@ -139,8 +141,7 @@ class BreakableSolid {
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
         MadeOnce<double> smallest_failure_energy;
         std::atomic<bool> prepared{false}, expects_factor{false};
-        /// Of a solid from a file `sampled` lacks what only the making of a stress problem needs.
-        MadeOnce<Sampled> complete;
+        MadeOnce<Sampled> complete;  ///< where `sampled` is not
         std::mutex holding;
         std::vector<std::weak_ptr<const BreakableSolid>> held;  ///< by `anchoredTogether`
     };
@@ -153,9 +154,11 @@ class BreakableSolid {
     double bounding_radius_ = 0, wall_thickness_ = 0;
     double spacing_ = 0, spacing_of_whole_ = 0;  ///< the latter of what it is a fragment of
     std::shared_ptr<const BodyStrength> strength_;
-    bool is_fragment_ = false, is_baked_ = false;
+    bool is_fragment_ = false;
 
     Sampled sampled() const;
+    Result<StressSolver> solverOn(const Result<std::shared_ptr<const Discretisation>>& sampled,
+                                  const std::vector<char>& damaged, Precision precision) const;
     /// Makes the strength, which scatters over that distance.
     void scatterOver(double length_m);
     /// Of the material that fails together at least, m^3: of a particle, or of a wall that is thinner than

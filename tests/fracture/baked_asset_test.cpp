@@ -42,9 +42,16 @@ std::vector<std::byte> contentOf(const std::string& path) {
     return {read.value().bytes.get(), read.value().bytes.get() + read.value().size};
 }
 
+/// One that keeps its whole sampling, since that was there before it was prepared.
+BreakableAsset sampledCup() {
+    const BreakableAsset cup = smallCup();
+    EXPECT_TRUE(cup.solid()->discretisation().ok());
+    return cup;
+}
+
 /// A cup, and the same one from a file.
 struct BakedAssetTest : testing::Test {
-    const BreakableAsset asset = smallCup(), loaded = savedAndLoaded(asset);
+    const BreakableAsset asset = sampledCup(), loaded = savedAndLoaded(asset);
 };
 
 void expectSameMesh(const TriangleMesh& a, const TriangleMesh& b) {
@@ -235,7 +242,7 @@ BakedAsset altered(BakedSolid solid) {
     solid.bounding_radius = 18;
     solid.wall_thickness = 19;
     solid.spacing = 20;
-    solid.reduced = altered(solid.reduced);
+    solid.model.reduced = altered(solid.model.reduced);
     RepairReport repairs{1, 2, 3, 4, 5, 6, 0.7, 8, 9, 10, true, true, true, 0.13, 0.14, 0.15};
     return {std::move(solid), repairs, {"first warning", "second"}};
 }
@@ -264,8 +271,8 @@ TEST(BakedAssets, EveryFieldComesBack) {
     ASSERT_EQ(read.solid.supports.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i)
         EXPECT_EQ(describe(read.solid.supports[i]), describe(written.solid.supports[i]));
-    EXPECT_EQ(read.solid.reduced->warnings, std::vector<std::string>{"third warning"});
-    const ReducedModelLimits& limits = read.solid.reduced->model.limits();
+    EXPECT_EQ(read.solid.model.reduced->warnings, std::vector<std::string>{"third warning"});
+    const ReducedModelLimits& limits = read.solid.model.reduced->model.limits();
     EXPECT_EQ(limits.patches, 21);
     EXPECT_EQ(limits.modes, 22);
     EXPECT_EQ(limits.local_functions, 23);
@@ -319,6 +326,25 @@ TEST_F(BakedAssetTest, TheSamplingIsTheSameButForWhatOnlyStressProblemsRead) {
         EXPECT_EQ(a.parts.parts[p].cell, b.parts.parts[p].cell);
         EXPECT_EQ(a.parts.parts[p].fill, b.parts.parts[p].fill);
         EXPECT_EQ(a.parts.parts[p].voxels, b.parts.parts[p].voxels);
+    }
+}
+
+TEST_F(BakedAssetTest, WhatIsPreparedFirstKeepsNoMoreThanAFile) {
+    const BreakableAsset prepared = smallCup();
+    ASSERT_TRUE(prepared.prepare().ok());
+    EXPECT_FALSE(asset.solid()->discretisation().value()->surface_points.empty());
+    EXPECT_TRUE(prepared.solid()->discretisation().value()->surface_points.empty());
+    const auto &points = prepared.solid()->reducedStress()->reading.points().points,
+               &all = asset.solid()->reducedStress()->reading.points().points;
+    EXPECT_EQ(points.size(), all.size());
+    EXPECT_EQ(points.capacity(), points.size()) << "no room is left over";
+    FractureSettings fracture = asset.settings().fracture;
+    fracture_tests::RandomBlows blows(asset.surface(), 12);
+    for (const bool reduced : {true, true, false}) {
+        fracture.use_reduced_model = reduced;
+        const Blow blow = blows.next();
+        expectSameOutcome(strike(*asset.solid(), blow, fracture, 3),
+                          strike(*prepared.solid(), blow, fracture, 3));
     }
 }
 
