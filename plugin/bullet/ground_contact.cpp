@@ -117,10 +117,12 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     const auto crossed = groundBetween(world, *fragment.body, from, to);
     if (!crossed) return;
     const btVector3 back = wayBack(*crossed, from, to, ball.radius);
-    if (groundBetween(world, *fragment.body, from, to + back))  // it is between two walls
-        fragment.body->setCenterOfMassTransform(fragment.way.from);
-    else
-        shiftBy(*fragment.body, back);
+    if (!groundBetween(world, *fragment.body, from, to + back)) return shiftBy(*fragment.body, back);
+    // It is between two walls and stays where it was. With its speed it would get faster there from step to
+    // step.
+    fragment.body->setCenterOfMassTransform(fragment.way.from);
+    fragment.body->setLinearVelocity(btVector3(0, 0, 0));
+    fragment.body->setAngularVelocity(btVector3(0, 0, 0));
 }
 
 /// The last ground on the way from a point that is on its right side, if the end of the way is on the wrong

@@ -290,4 +290,37 @@ TEST(Ground, OfATrapdoorThatCloses) {
         EXPECT_NEAR(fragment->getCenterOfMassPosition().z(), below, 0.02) << "where it was left";
 }
 
+/// What a box has after it has fallen into a valley between two slopes of 45 degrees.
+struct InAValley {
+    InAValley(double size_m, double rate) {
+        scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+        const btVector3 left[] = {{-3, -3, 3}, {-3, 3, 3}}, middle[] = {{0, -3, 0}, {0, 3, 0}},
+                        right[] = {{3, -3, 3}, {3, 3, 3}};
+        triangles.addTriangle(left[0], middle[0], left[1]);
+        triangles.addTriangle(left[1], middle[0], middle[1]);
+        triangles.addTriangle(middle[0], right[0], middle[1]);
+        triangles.addTriangle(middle[1], right[0], right[1]);
+        scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles, true), 0, btVector3(0, 0, 0));
+        const auto asset =
+            BreakableAsset::fromMesh(shapes::slab(size_m * Vec3(1, 2, 3)), unbreakable(), coarse(size_m));
+        FractureWorld fracture(scene.world.get());
+        const btRigidBody* const box = fracture.add(asset.value(), at(0.01f, 0, 0.4f)).value();
+        scene.step(static_cast<int>(5 * rate), 1 / rate);
+        speed_m_s = box->getLinearVelocity().length();
+        height_m = box->getWorldTransform().getOrigin().z();
+    }
+    TestWorld scene;
+    btTriangleMesh triangles;
+    double speed_m_s = 0, height_m = 0;
+};
+
+TEST(Ground, WhatIsWedgedBetweenTwoSlopesDoesNotGetFasterThere) {
+    for (const double rate : {60.0, 120.0, 240.0})
+        for (const double size_m : {0.01, 0.03}) {
+            const InAValley box(size_m, rate);
+            EXPECT_LT(box.speed_m_s, 0.5) << rate << " Hz, " << size_m;
+            EXPECT_GT(box.height_m, 0) << rate << " Hz, " << size_m;
+        }
+}
+
 }  // namespace
