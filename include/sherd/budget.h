@@ -18,8 +18,8 @@ enum class Priority {
 /// Decided in their step, always:
 /// - blows on a whole body by what it turns back or slows down and cannot break, but for crowds (below);
 /// - blows on a fragment by a lighter body that cannot break: what breaks lets that through;
-/// - blows on a fragment that supports hold, by what is half as heavy or more. Beyond `solves_per_step` such
-///   fragments come out of their supports whole, and break later.
+/// - blows on a fragment that supports hold, by what is half as heavy or more as what of it is in the way.
+///   Beyond `solves_per_step` such fragments come out of their supports whole, and break later.
 ///
 /// In their step while it has room, else later:
 /// - blows on a whole body by the ground, a breakable body, or what is 50 times as heavy; those on a fragment

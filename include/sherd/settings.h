@@ -233,8 +233,8 @@ struct FractureSettings {
     /// bodies that touched the one that broke, what came of these, and other fragments as young as they are.
     /// What else strikes them does so as it would strike any body. Fragments that supports still hold stand
     /// in the way of what broke the whole: what is twice as heavy as one or more tears it out of its supports
-    /// in one piece (Outcome::broke with one fragment, Level::gate), what is half as heavy or more breaks it
-    /// at once, and what is lighter is stopped.
+    /// in one piece (Outcome::broke with one fragment, Level::gate); what is half as heavy as the part of it
+    /// that lies within the striker's own size, or more, breaks it at once; and what is lighter is stopped.
     double same_blow_s = 0.05;
     /// How often a body may break in turn: at 1 its fragments never break, at 2 theirs never do. At 0 there
     /// is no limit.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bullet/contact_motion.h"
+#include "core/numerics/pi.h"
 
 namespace sherd {
 
@@ -11,12 +12,6 @@ namespace {
 
 constexpr double heavy = 2;  // times as heavy: the one hardly slows down the other
 constexpr double trifle = 0.01;
-
-/// What strikes a rest tears it out if it is so many times as heavy: one that may not break gives way in no
-/// other way.
-double heavyFor(const Breakable& rest) {
-    return rest.mayBreak() ? heavy : 1 / heavy;
-}
 
 /// 0 of what does not give way: it goes on through nothing.
 double movingMass(const btCollisionObject& object) {
@@ -36,13 +31,35 @@ double takenShare(const Blow& blow, int partner, double mass_kg) {
     return impulse > 0 ? impulse / (mass_kg * speed) : 0;
 }
 
-/// The largest share that is taken from a partner of so many times the mass; below zero if none strikes.
-double takenOf(const StruckBreakable& rest, double times_as_heavy) {
+/// What of a rest is in the way of a striker, kg: a ball breaks as much of a pane as it needs to get through.
+double massInTheWay(const Breakable& rest, const btCollisionObject& striker) {
+    btVector3 centre;
+    btScalar radius;
+    striker.getCollisionShape()->getBoundingSphere(centre, radius);
+    const BreakableSolid& solid = *rest.asset.solid();
+    const double wall = solid.wallThickness(), reach = static_cast<double>(radius) + wall;
+    return std::min(solid.mass(), solid.material().density_kg_m3 * wall * pi * reach * reach);
+}
+
+/// A striker of that mass tears a rest out of its supports: one that may not break gives way in no other way.
+double tearingMass(const Breakable& rest, const btCollisionObject& striker) {
+    return rest.mayBreak() ? heavy * rest.asset.mass() : massInTheWay(rest, striker) / heavy;
+}
+
+/// One of that mass breaks it.
+double breakingMass(const Breakable& rest, const btCollisionObject& striker) {
+    return massInTheWay(rest, striker) / heavy;
+}
+
+/// The largest share that is taken from a partner of that mass or more; below zero if none strikes.
+template <class LeastMass>
+double takenOf(const StruckBreakable& rest, LeastMass least_mass) {
     double taken = -1;
     for (std::size_t p = 0; p < rest.partners.size(); ++p) {
         const int number = static_cast<int>(p);
-        const double mass_kg = movingMass(*rest.partners[p]);
-        if (mass_kg >= times_as_heavy * rest.breakable->asset.mass() && rest.blow.isStruckBy(number))
+        const btCollisionObject& partner = *rest.partners[p];
+        const double mass_kg = movingMass(partner);
+        if (mass_kg >= least_mass(*rest.breakable, partner) && rest.blow.isStruckBy(number))
             taken = std::max(taken, takenShare(rest.blow, number, mass_kg));
     }
     return taken;
@@ -53,21 +70,21 @@ double takenOf(const StruckBreakable& rest, double times_as_heavy) {
 bool goesOnThrough(const Breakable& rest, const btCollisionObject& striker, const Breakable* breakable,
                    double time_s) {
     return rest.isHeldRest() && !(breakable && time_s < breakable->young_until_s) &&
-           heavy * movingMass(striker) >= rest.asset.mass();
+           movingMass(striker) >= breakingMass(rest, striker);
 }
 
 bool isLightRest(const StruckBreakable& struck, double time_s) {
     const Breakable& piece = *struck.breakable;
     const bool may_break = time_s >= piece.young_until_s && piece.breaksAt(time_s);
-    return piece.isHeldRest() && !may_break && takenOf(struck, heavyFor(piece)) >= 0;
+    return piece.isHeldRest() && !may_break && takenOf(struck, tearingMass) >= 0;
 }
 
 bool isInTheWay(const StruckBreakable& light_rest) {
-    return takenOf(light_rest, heavyFor(*light_rest.breakable)) > trifle;
+    return takenOf(light_rest, tearingMass) > trifle;
 }
 
 bool mayBeTornOut(const StruckBreakable& struck) {
-    return struck.breakable->isHeldRest() && takenOf(struck, 1 / heavy) > trifle;
+    return struck.breakable->isHeldRest() && takenOf(struck, breakingMass) > trifle;
 }
 
 std::shared_ptr<DecidedBlow> tornOut(const StruckBreakable& struck) {

@@ -7,12 +7,13 @@
 
 namespace sherd {
 
-// What strikes a body that is held breaks it, and goes on into what its supports still hold: they would stop
-// a car for good that has just gone through a pane of glass. Where such a rest is light against the striker,
-// it comes out of its supports in one piece, since its stress is largest there; one that is about as heavy
-// breaks as any body does, and what is left of it is light, or comes out if it may not break any further; a
-// heavier one stops what strikes it, whole or broken. Where a step has broken as many bodies as the budget
-// lets it, what may go on through the next one tears that out, too, and it breaks when it is its turn.
+// What strikes a body that is held breaks it, and goes on into what its supports still hold of it: they would
+// stop a car for good that has just gone through a pane of glass. Where such a rest is light against the
+// striker, it comes out of its supports in one piece, since its stress is largest there. Where only what of
+// it is in the way is light, as under a ball, it breaks as any body does, and what is left of it is light, or
+// comes out if it may not break any further; else it stops what strikes it, whole or broken. Where a step has
+// broken as many bodies as the budget lets it, what may go on through the next one tears that out, too, and
+// it breaks when it is its turn.
 
 /// Whether a contact may break what supports still hold of a body, although it belongs to the blow that broke
 /// the whole: that of something which is not too light to go on, and flies in no cloud of young fragments.

@@ -190,6 +190,22 @@ TEST(TornOut, FragmentsThatNeverBreakComeOutAllTheSame) {
     EXPECT_GT(crate->getLinearVelocity().y(), 0.7 * 8 * 300 / (300 + window.mass_kg));
 }
 
+// What is held after the first break is up to ten times as heavy as the ball, but little of it is in the way.
+TEST(TornOut, AFastBallGoesThroughAWindow) {
+    for (const int largest_generation : {0, 1})
+        for (const double hz : {60., 240.})
+            for (const double speed : {20., 30.}) {
+                Window window(largest_generation);
+                btRigidBody* const ball = window.scene.addBall(0.5, 0.06, btVector3(0.11f, -0.5f, 0.07f),
+                                                               btVector3(0, btScalar(speed), 0));
+                ball->setCcdMotionThreshold(0.06f);
+                ball->setCcdSweptSphereRadius(0.05f);
+                ASSERT_FALSE(breaksIn(window.fly(hz)).empty());
+                EXPECT_GT(ball->getLinearVelocity().y(), 0.05 * speed)
+                    << hz << " Hz, " << speed << " m/s, " << largest_generation;
+            }
+}
+
 TEST(TornOut, WhatOnlyTouchesARestLeavesItInTheFrame) {
     Window window;
     window.throwCrate(30, 0.3, 8);
