@@ -33,9 +33,9 @@ double takenShare(const Blow& blow, int partner, double mass_kg) {
 
 /// What of a rest is in the way of a striker, kg: a ball breaks as much of a pane as it needs to get through.
 double massInTheWay(const Breakable& rest, const btCollisionObject& striker) {
-    btVector3 centre;
-    btScalar radius;
-    striker.getCollisionShape()->getBoundingSphere(centre, radius);
+    btVector3 low, high;
+    striker.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+    const btScalar radius = (high - low).dot(btVector3(1, 1, 1)) / 6;  // in the mean
     const BreakableSolid& solid = *rest.asset.solid();
     const double wall = solid.wallThickness(), reach = static_cast<double>(radius) + wall;
     return std::min(solid.mass(), solid.material().density_kg_m3 * wall * pi * reach * reach);
