@@ -207,7 +207,9 @@ struct FractureSettings {
     /// Clusters that the damaged part is split into; each undamaged part is one piece more. At 0 they are as
     /// many as the strain energy pays for.
     int fragment_count = 0;
-    /// Fraction of the strain energy that goes into crack faces, above 0 and at most 1.
+    /// Fraction of the strain energy that goes into crack faces, above 0 and at most 1: as many pieces are
+    /// planned. Cracks that come out larger are cut as long as they cost no more than four times that, or all
+    /// of the energy (CrackPattern::stress).
     double energy_into_cracks = 0.05;
     /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it.
     int largest_fragment_count = 20;

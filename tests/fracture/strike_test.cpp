@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "fracture/default_fracture.h"
+#include "fracture/random_blows.h"
 #include "fracture/struck_plate.h"
 #include "support/shapes.h"
 
@@ -54,6 +55,45 @@ TEST(Strike, WarningsOfTheStressReachTheOutcome) {
     ASSERT_FALSE(out.warnings.empty());
     EXPECT_NE(out.warnings.back().find("Poisson"), std::string::npos) << out.warnings.back();
     EXPECT_TRUE(out.message.empty()) << out.message;
+}
+
+double crackArea(const BlowOutcome& out) {
+    double twice_m2 = 0;  // both sides
+    for (const Fragment& fragment : out.fragments) {
+        const TriangleMesh& mesh = fragment.solid->surface();
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+            const auto& [a, b, c] = mesh.triangles[t];
+            if (mesh.kinds[t] == SurfaceKind::crack)
+                twice_m2 +=
+                    0.5 *
+                    (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm();
+        }
+    }
+    return twice_m2 / 2;
+}
+
+// Of bodies so weak that nothing but the energy holds them together.
+TEST(Strike, CracksCostNoMoreThanTheBlowPaysFor) {
+    const double share = 4 * FractureSettings().energy_into_cracks;
+    int broke = 0, held = 0;
+    for (const Shape& shape : tenShapes()) {
+        Material weak = shape.material;
+        weak.tensile_strength_pa /= 100;
+        const auto made = BreakableSolid::make(shape.mesh, weak, coarselySampled());
+        ASSERT_TRUE(made.ok()) << made.error();
+        const BreakableSolid& solid = *made.value();
+        RandomBlows blows(shape.mesh, 21);
+        for (int i = 0; i < 20; ++i) {
+            const Blow blow = blows.next();
+            const BlowOutcome out = strike(solid, blow, 1);
+            (out.outcome == Outcome::broke ? broke : held) += 1;
+            const double brought_j = blowEnergy(blow, solid.mass(), isHeld(solid, blow));
+            EXPECT_LE(weak.fracture_energy_j_m2 * crackArea(out), 1.1 * share * brought_j)
+                << shape.name << ", blow " << i;
+        }
+    }
+    EXPECT_GT(broke, 30);
+    EXPECT_GT(held, 20);
 }
 
 TEST(Strike, ABodyThatNothingCanBreakHolds) {

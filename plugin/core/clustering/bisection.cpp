@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <utility>
@@ -35,11 +36,13 @@ struct Cell {
 class Bisection {
   public:
     Bisection(const Discretisation& solid, const std::vector<Vec3>& axes,
-              const std::vector<TensionMetric>& metrics, const std::vector<char>& holds, std::uint64_t seed)
+              const std::vector<TensionMetric>& metrics, const std::vector<char>& holds, double affordable_m2,
+              std::uint64_t seed)
         : solid_(solid),
           axes_(axes),
           metrics_(metrics),
           seed_(seed),
+          affordable_m2_(affordable_m2),
           connected_(solid),
           cell_of_(solid.particles.size(), -1) {
         for (const bool held : {false, true}) {
@@ -65,6 +68,7 @@ class Bisection {
                 Sides sides = sidesOf(cells_[which], plane);
                 if (sides[0].members.empty() || sides[1].members.empty()) continue;
                 const std::vector<int> outside = sides[1].members;
+                affordable_m2_ -= crackArea(which, plane);
                 replace(which, plane, std::move(sides));
                 for (const int i : outside) {
                     cells_[cell_of_[i]].around_hole = true;
@@ -145,6 +149,20 @@ class Bisection {
         return !side.members.empty() && hasWayOut(normals);
     }
 
+    /// Of the section of a plane through a cell, m^2.
+    double crackArea(int which, const CrackPlane& plane) const {
+        if (std::isinf(affordable_m2_)) return 0;
+        double sum = 0;
+        for (const IntegrationFace& face : solid_.faces) {
+            const int a = solid_.cells[face.cells[0]].particle, b = solid_.cells[face.cells[1]].particle;
+            if (a == b || cell_of_[a] != which || cell_of_[b] != which) continue;
+            const bool above_a = plane.distance(solid_.particles[a].position) > 0,
+                       above_b = plane.distance(solid_.particles[b].position) > 0;
+            if (above_a != above_b) sum += (above_b ? 1 : -1) * face.area.dot(plane.normal);
+        }
+        return std::abs(sum);
+    }
+
     /// Cuts a cell, or notes that it is not to be cut.
     void split(int which) {
         for (int attempt = 0; attempt < attempts; ++attempt) {
@@ -152,7 +170,11 @@ class Bisection {
             const auto plane = bestCut(samplesOf(cells_[which]), solid_.spacing, seed_, counter);
             if (!plane) break;
             Sides sides = sidesOf(cells_[which], *plane);
-            if (isPossible(sides[0]) && isPossible(sides[1])) return replace(which, *plane, std::move(sides));
+            if (!isPossible(sides[0]) || !isPossible(sides[1])) continue;
+            const double area_m2 = crackArea(which, *plane);
+            if (area_m2 > affordable_m2_) continue;
+            affordable_m2_ -= area_m2;
+            return replace(which, *plane, std::move(sides));
         }
         cells_[which].pieces = 0;
     }
@@ -230,6 +252,7 @@ class Bisection {
     const std::vector<Vec3>& axes_;
     const std::vector<TensionMetric>& metrics_;  // #particles
     std::uint64_t seed_;
+    double affordable_m2_;  // of what is left to be cut
     ConnectedPieces connected_;
     std::vector<int> cell_of_;  // #particles
     std::vector<Cell> cells_;
@@ -243,7 +266,7 @@ FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Ve
                                const Damage& damage, int clusters, int most_pieces, double wall_thickness_m,
                                std::uint64_t seed, const std::vector<char>& holds,
                                const std::vector<CrackPlane>& hole, const GuideField& guide,
-                               const BlowAxis& blow) {
+                               const BlowAxis& blow, double affordable_m2) {
     const Damage region = damagedRegion(solid, axes, damage, wall_thickness_m);
     FragmentLabels labels;
     if (labelWholeParts(solid, region.damaged, labels).empty()) return labels;
@@ -253,7 +276,7 @@ FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Ve
     const int pieces = std::min(clusters + parted, most_pieces);
     labels.count = 0;
     const auto metrics = tensionMetrics(solid, axes, region, pieces, wall_thickness_m, guide, blow);
-    Bisection bisection(solid, axes, metrics, holds, seed);
+    Bisection bisection(solid, axes, metrics, holds, affordable_m2, seed);
     bisection.cutOut(hole);
     bisection.run(pieces);
     bisection.label(labels);

@@ -3,6 +3,7 @@
 #include <sherd/settings.h>
 
 #include <cstdint>
+#include <limits>
 
 #include "core/clustering/crack_tree.h"
 #include "core/clustering/fragment_labels.h"
@@ -20,12 +21,13 @@ namespace sherd {
 /// empty: nowhere): what is connected there stays whole. What a cut leaves unconnected is a part of its
 /// own, or if it is too little joins the neighbour that it touches most. Where there is a `hole`, a convex
 /// part of the body with planes whose normals point out of it, cracks run in it and around it: the rest stays
-/// whole. A count of 1 means that nothing came
-/// off: nothing but specks (see damaged_region.h) is damaged. `axes`: see wall_axes.h.
+/// whole. Cracks have no more area than is `affordable_m2`, but for those of a hole. A count of 1 means that
+/// nothing came off: nothing but specks (see damaged_region.h) is damaged. `axes`: see wall_axes.h.
 FragmentLabels bisectParticles(const Discretisation& solid, const std::vector<Vec3>& axes,
                                const Damage& damage, int clusters, int most_pieces, double wall_thickness_m,
                                std::uint64_t seed, const std::vector<char>& holds = {},
                                const std::vector<CrackPlane>& hole = {}, const GuideField& guide = {},
-                               const BlowAxis& blow = {});
+                               const BlowAxis& blow = {},
+                               double affordable_m2 = std::numeric_limits<double>::infinity());
 
 }  // namespace sherd

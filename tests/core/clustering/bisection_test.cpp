@@ -27,6 +27,9 @@ struct Sheet {
             for (int x = 0; x < n; ++x) {
                 const int i = y * n + x;
                 solid.particles.push_back({Vec3(x, y, 0), 1, 1});
+                solid.cells.push_back({{}, i});
+                if (y > 0) solid.faces.push_back({{i - n, i}, Vec3::UnitY(), Vec3(x, y - 0.5, 0)});
+                if (x > 0) solid.faces.push_back({{i - 1, i}, Vec3::UnitX(), Vec3(x - 0.5, y, 0)});
                 if (y > 0) solid.neighbours[i].push_back(i - n);
                 if (x > 0) solid.neighbours[i].push_back(i - 1);
                 if (x + 1 < n) solid.neighbours[i].push_back(i + 1);
@@ -38,8 +41,10 @@ struct Sheet {
         damage.count = n * n;
     }
     FragmentLabels labels(int clusters, std::uint64_t seed = 1, const GuideField& guide = {},
-                          const BlowAxis& blow = {}) const {
-        return bisectParticles(solid, wallAxes(solid), damage, clusters, 1000, 1, seed, {}, {}, guide, blow);
+                          const BlowAxis& blow = {},
+                          double affordable_m2 = std::numeric_limits<double>::infinity()) const {
+        return bisectParticles(solid, wallAxes(solid), damage, clusters, 1000, 1, seed, {}, {}, guide, blow,
+                               affordable_m2);
     }
     /// Calls visit(middle, normal) for neighbours that a crack parts; `normal` is the crack's.
     template <class Visit>
@@ -75,6 +80,22 @@ TEST(Bisection, CracksAreAtRightAnglesToTheTension) {
                 EXPECT_GT(std::abs(normal.dot(tension)), std::cos(0.2)) << angle;
             });
     }
+}
+
+// A crack through the sheet, which is 30 wide, takes 30 at least.
+TEST(Bisection, CracksEndWhereTheAreaIsSpent) {
+    const Vec3 tension(std::cos(0.3), std::sin(0.3), 0);
+    const Sheet sheet(30, [&](const Vec3&) { return tensionAlong(tension); });
+    EXPECT_EQ(sheet.labels(6).count, 6);
+    int before = 1;
+    for (const double affordable_m2 : {29.0, 34.0, 80.0, 1000.0}) {
+        const int count = sheet.labels(6, 1, {}, {}, affordable_m2).count;
+        EXPECT_GE(count, before);
+        EXPECT_LE(29 * (count - 1), affordable_m2);
+        before = count;
+        EXPECT_EQ(count == 1, affordable_m2 < 30);
+    }
+    EXPECT_EQ(before, 6);
 }
 
 // Tension all around a point, as in a pane that is struck there: cracks run away from it.
