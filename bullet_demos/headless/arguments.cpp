@@ -1,6 +1,7 @@
 #include "headless/arguments.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <vector>
 
 #include "scenes/scene_changes.h"
@@ -46,16 +47,22 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     CLI::App app(
         "Runs a scene without a window and writes a report, the fragments and scene files for pictures.");
     app.name("bullet_demos/run");
-    app.add_option("SCENE", scene, "Its name, or a scene file that ends in .json")->capture_default_str();
+    const CLI::Option* const named =
+        app.add_option("SCENE", scene, "Its name, or a scene file that ends in .json")->capture_default_str();
     app.add_option("--preset", preset, "Figures that the scene file has under this name: paper")
         ->type_name("NAME");
     app.add_option("--set", assignments, "Change figures of the scene; --help-all lists them")
         ->type_name("KEY=VALUE ...");
     app.add_option("--seed", seed, "The same as --set seed=N")->type_name("N");
     app.add_flag("--list", arguments.show_list, "Name the scenes");
-    app.add_option("--out", arguments.out, "Folder for what is written")->type_name("DIR");
-    app.add_option("--scenes", arguments.scenes, "Folder of the scenes")->type_name("DIR");
-    app.add_option("--meshes", arguments.meshes, "Folder that keeps generated meshes")->type_name("DIR");
+    const auto addFolder = [&](const char* name, std::string& folder, const char* description) {
+        app.add_option(name, folder, description)
+            ->type_name("DIR")
+            ->take_last();  // bullet_demos/run gives its own before
+    };
+    addFolder("--out", arguments.out, "Folder for what is written");
+    addFolder("--scenes", arguments.scenes, "Folder of the scenes");
+    addFolder("--meshes", arguments.meshes, "Folder that keeps generated meshes");
     addFilmOptions(app, arguments);
     app.add_flag("--progress-line", one_line, "Keep the progress on one line of a terminal");
     app.set_help_all_flag("--help-all", "Print this, and all keys and paths that --set takes");
@@ -69,6 +76,15 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
         return arguments;
     } catch (const CLI::ParseError& error) {
         return sherd::Error{std::string(error.what()) + " (see --help)"};
+    }
+
+    // What follows an assignment and is none.
+    const auto last = std::find_if(assignments.begin(), assignments.end(), [](const std::string& word) {
+        return word.find('=') == std::string::npos;
+    });
+    if (last != assignments.end() && named->count() == 0) {
+        scene = *last;
+        assignments.erase(last);
     }
 
     if (one_line) arguments.progress = Progress::Style::one_line;

@@ -126,7 +126,7 @@ void requireKnown(const std::string& path) {
     for (const Change& change : compound_changes) names.emplace_back(change.field.name);
     for (const ShortKey& key : short_keys) names.emplace_back(key.name);
     throw BadKey{"there is no key '" + path + "'; choose one of: " + sherd::listOf(names) +
-                 ", or give a path as bodies[0].position_m (--help lists them)."};
+                 ", or give a path as bodies[0].position_m (--help-all lists them)."};
 }
 
 void requirePossible(const Field& field, const json& value) {
