@@ -77,8 +77,8 @@ class BreakableAsset {
     Status prepare(const std::function<void(double done)>& progress = {}) const;
 
     /// The same on a thread of its own, which with its helpers takes only what time other threads leave (on
-    /// Linux). The future's destructor waits for the end.
-    std::future<Status> prepareOnThread(std::function<void(double done)> progress = {}) const;
+    /// Linux). Keep the future: its destructor waits for the end.
+    [[nodiscard]] std::future<Status> prepareOnThread(std::function<void(double done)> progress = {}) const;
 
     /// Whether `prepare` is done, which `save` does too, or `load` gave the asset. Never waits; from any
     /// thread.

@@ -28,9 +28,10 @@ struct BlowEvent : BlowFigures {
     /// Its surface and material. An event that is kept keeps them in memory.
     BreakableAsset asset;
     std::string name;  ///< BreakableOptions::name
-    /// Maps the coordinates of `asset` to the world, where the body was when the blow fell.
+    /// Maps the coordinates of `asset` to the world, where the body was when the blow was decided: in the
+    /// step in which it fell, or `waited_s` after that. So `position`, `normal` and the motion.
     btTransform asset_transform = btTransform::getIdentity();
-    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass just before the blow, m/s
+    Vec3 velocity = Vec3::Zero();          ///< of the centre of mass just before that, m/s
     Vec3 angular_velocity = Vec3::Zero();  ///< rad/s
     /// If it broke, it is removed from the world. A body of Sherd's is then valid until the first step after
     /// the event was taken; a body of the app's for as long as the app keeps it.

@@ -83,8 +83,8 @@ class FractureWorld {
     /// app goes on owning it; when it breaks it is removed from the world. Remove it from the world before
     /// you delete it. It is not prepared, so its first blow takes from tenths of a second, of which the step
     /// is spared what threads have done by then (Budget::foresight_s): call `asset(body)->prepareOnThread()`
-    /// while the level loads, once for all bodies that are alike: they share one asset. The error says what
-    /// is wrong with the body, the material or the settings.
+    /// while the level loads and keep its future, once for all bodies that are alike: they share one asset.
+    /// The error says what is wrong with the body, the material or the settings.
     Status makeBreakable(btRigidBody* body, const Material& material, const Settings& settings = {},
                          const BreakableOptions& options = {});
 

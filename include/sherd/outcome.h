@@ -34,7 +34,9 @@ enum class Level {
 struct BlowFigures {
     Outcome outcome = Outcome::held;
     Level level = Level::none;
-    double impulse_n_s = 0;     ///< sum of the normal impulses of all contacts
+    /// Sum of the normal impulses of all contacts; of the pulse below where there are none, since something
+    /// else stopped the striker in the step.
+    double impulse_n_s = 0;
     double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
     double contact_time_s = 0;  ///< duration of that pulse
     /// Largest principal stress at any particle or surface point of the body as if it held: where it breaks

@@ -1,5 +1,6 @@
 #include "fracture/decide_blow.h"
 
+#include "core/numerics/pi.h"
 #include "core/numerics/stopwatch.h"
 #include "fracture/can_break.h"
 #include "fracture/coarse_look.h"
@@ -14,6 +15,7 @@ BlowOutcome completed(BlowOutcome out, const BreakableSolid& solid, const Blow& 
                       const FractureSettings& fracture, std::uint64_t seed,
                       const std::shared_ptr<const DamagedMaterial>& earlier) {
     out.impulse_n_s = normalImpulse(blow);
+    if (!(out.impulse_n_s > 0)) out.impulse_n_s = 2 / pi * out.peak_force_n * out.contact_time_s;
     if (fracture.check_with_full_solve && out.level != Level::full)
         checkWithFullSolve(solid, blow, fracture, seed, out, earlier);
     return out;
