@@ -36,10 +36,10 @@ BreakableSolid::BreakableSolid(BakedSolid baked)
       spacing_(baked.spacing),
       spacing_of_whole_(baked.spacing) {
     scatterOver(baked.scatter_length);
-    auto& [sampling, reduced] = baked.model;
-    shared_->sampled.get([&] { return Sampled{std::move(sampling), 0, false}; });
+    KeptModel& kept = baked.model;
+    shared_->sampled.get([&] { return Sampled{std::move(kept.sampling), 0, false}; });
     shared_->reduced.get(
-        [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(reduced); });
+        [&]() -> Result<std::shared_ptr<const ReducedStress>> { return std::move(kept.reduced); });
     shared_->prepared = true;
 }
 

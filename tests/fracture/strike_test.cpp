@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "fracture/blow_stress.h"
 #include "fracture/default_fracture.h"
 #include "fracture/random_blows.h"
 #include "fracture/struck_plate.h"
