@@ -41,14 +41,14 @@ double massInTheWay(const Breakable& rest, const btCollisionObject& striker) {
     return std::min(solid.mass(), solid.material().density_kg_m3 * wall * pi * reach * reach);
 }
 
-/// A striker of that mass tears a rest out of its supports: one that may not break gives way in no other way.
-double tearingMass(const Breakable& rest, const btCollisionObject& striker) {
-    return rest.mayBreak() ? heavy * rest.asset.mass() : massInTheWay(rest, striker) / heavy;
-}
-
-/// One of that mass breaks it.
+/// A striker of that mass breaks a rest.
 double breakingMass(const Breakable& rest, const btCollisionObject& striker) {
     return massInTheWay(rest, striker) / heavy;
+}
+
+/// One of that mass tears it out of its supports: a rest that may not break gives way in no other way.
+double tearingMass(const Breakable& rest, const btCollisionObject& striker) {
+    return rest.mayBreak() ? heavy * rest.asset.mass() : breakingMass(rest, striker);
 }
 
 /// The largest share that is taken from a partner of that mass or more; below zero if none strikes.

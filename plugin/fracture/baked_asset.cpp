@@ -2,6 +2,7 @@
 
 #include "core/archive/fields.h"
 #include "core/archive/mesh.h"
+#include "fracture/kept_model_archive.h"
 
 namespace sherd {
 

@@ -2,6 +2,7 @@
 
 #include "core/archive/byte_reader.h"
 #include "core/archive/byte_writer.h"
+#include "fracture/kept_model_archive.h"
 
 namespace sherd {
 

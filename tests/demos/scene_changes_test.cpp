@@ -121,6 +121,16 @@ TEST(Arguments, TakeSceneKeysAndSeed) {
     EXPECT_EQ(parsed.value().scene.balls.front().position.z(), 0.7);
 }
 
+TEST(Arguments, TheLastFolderCountsAndASceneMayFollowItsKeys) {
+    const char* const line[] = {"run",          "--out", "first", "--set",    "spacing=0.1",
+                                "plaster_wall", "--out", "last",  "--scenes", SHERD_SCENES};
+    const auto parsed = demo::parseArguments(10, line);
+    ASSERT_TRUE(parsed) << parsed.error();
+    EXPECT_EQ(parsed.value().out, "last");
+    EXPECT_EQ(parsed.value().scene.name, "plaster_wall");
+    EXPECT_EQ(parsed.value().scene.bodies.front().settings.sampling.spacing_m, 0.1);
+}
+
 TEST(Arguments, PathThatLeadsNowhereSaysWhere) {
     const char* const item[] = {"run",      "plaster_wall", "--set", "balls[3].position_m[2]=1",
                                 "--scenes", SHERD_SCENES};
