@@ -45,6 +45,11 @@ class Bisection {
           affordable_m2_(affordable_m2),
           connected_(solid),
           cell_of_(solid.particles.size(), -1) {
+        if (std::isfinite(affordable_m2))
+            for (const IntegrationFace& face : solid.faces) {
+                const int a = solid.cells[face.cells[0]].particle, b = solid.cells[face.cells[1]].particle;
+                if (a != b) borders_.push_back({a, b, face.area});
+            }
         for (const bool held : {false, true}) {
             std::vector<int> all;
             for (std::size_t i = 0; i < solid.particles.size(); ++i)
@@ -151,14 +156,12 @@ class Bisection {
 
     /// Of the section of a plane through a cell, m^2.
     double crackArea(int which, const CrackPlane& plane) const {
-        if (std::isinf(affordable_m2_)) return 0;
         double sum = 0;
-        for (const IntegrationFace& face : solid_.faces) {
-            const int a = solid_.cells[face.cells[0]].particle, b = solid_.cells[face.cells[1]].particle;
-            if (a == b || cell_of_[a] != which || cell_of_[b] != which) continue;
+        for (const auto& [a, b, area] : borders_) {
+            if (cell_of_[a] != which || cell_of_[b] != which) continue;
             const bool above_a = plane.distance(solid_.particles[a].position) > 0,
                        above_b = plane.distance(solid_.particles[b].position) > 0;
-            if (above_a != above_b) sum += (above_b ? 1 : -1) * face.area.dot(plane.normal);
+            if (above_a != above_b) sum += (above_b ? 1 : -1) * area.dot(plane.normal);
         }
         return std::abs(sum);
     }
@@ -253,6 +256,12 @@ class Bisection {
     const std::vector<TensionMetric>& metrics_;  // #particles
     std::uint64_t seed_;
     double affordable_m2_;  // of what is left to be cut
+    /// A face between two particles, its area from the one to the other.
+    struct Border {
+        int a, b;
+        Vec3 area;
+    };
+    std::vector<Border> borders_;  // none where any crack can be paid for
     ConnectedPieces connected_;
     std::vector<int> cell_of_;  // #particles
     std::vector<Cell> cells_;
