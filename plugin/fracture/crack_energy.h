@@ -8,4 +8,9 @@ namespace sherd {
 /// for each unit of area, paid from the part of the strain energy that goes into cracks).
 double smallestCrackEnergy(const BreakableSolid& solid, const FractureSettings& fracture);
 
+/// Of cracks that the energy of the blow pays for, m^2. How many pieces there are to be is an estimate by
+/// what is damaged; cracks run on through what is not, and may cost a few times as much.
+double affordableCrackArea(const BreakableSolid& solid, const FractureSettings& fracture,
+                           double strain_energy_j);
+
 }  // namespace sherd

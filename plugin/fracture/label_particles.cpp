@@ -9,6 +9,7 @@
 #include "core/clustering/merge_labels.h"
 #include "core/loads/contact_loads.h"
 #include "fracture/cluster_count.h"
+#include "fracture/crack_energy.h"
 #include "fracture/crack_reach.h"
 #include "fracture/debris.h"
 
@@ -33,16 +34,6 @@ std::vector<char> whereCracksStop(const StrikeContext& struck, const Damage& dam
     return holds;
 }
 
-/// Of cracks that the energy of the blow pays for, m^2. How many pieces there are to be is an estimate by
-/// what is damaged; cracks run on through what is not.
-double affordableArea(const StrikeContext& struck, double strain_energy_j) {
-    constexpr double over_estimate = 4;
-    const FractureSettings& fracture = struck.fracture;
-    if (fracture.fragment_count > 0) return std::numeric_limits<double>::infinity();
-    const double share = std::min(1.0, over_estimate * fracture.energy_into_cracks);
-    return share * strain_energy_j / struck.solid.material().fracture_energy_j_m2;
-}
-
 }  // namespace
 
 FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage, const BlowForces& forces) {
@@ -58,7 +49,7 @@ FragmentLabels labelParticles(const StrikeContext& struck, const Damage& damage,
             ? bisectParticles(struck.sampling, struck.solid.wallAxes(struck.sampling), damage, clusters,
                               fracture.largest_fragment_count, wall, struck.seed,
                               whereCracksStop(struck, damage), holeOf(struck, damage, forces), fracture.guide,
-                              axis, affordableArea(struck, forces.strain_energy_j))
+                              axis, affordableCrackArea(struck.solid, fracture, forces.strain_energy_j))
             : clusterParticles(struck.sampling, damage, clusters, wall, struck.seed, fracture.guide, axis);
     const double smallest_m3 =
         fracture.debris == Debris::merged ? smallestFragment(struck.solid, fracture) : 0;

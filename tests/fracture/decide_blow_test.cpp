@@ -48,6 +48,20 @@ TEST(DecideBlow, AFullSolveDecidesTheOthers) {
     }
 }
 
+/// Bullet's solver leaves no impulse where something else stopped the partner a little later.
+TEST(DecideBlow, ABlowOfNoImpulseHasThatOfItsPulse) {
+    const auto solid = plate();
+    constexpr double ball_kg = 1, speed_m_s = 10;
+    Blow blow = blowInTheMiddle(ball_kg, speed_m_s);
+    blow.contacts[0].impulse = Vec3::Zero();
+    blow.contacts[0].touched_s = 0.001;
+    const BlowOutcome out = decided(*solid, blow, solid->settings().fracture);
+    EXPECT_EQ(out.outcome, Outcome::broke) << out.message;
+    // A pulse stops what meets and throws it back. Struck near its centre, the plate hardly turns.
+    const double stopped_kg = 1 / (1 / ball_kg + 1 / solid->mass());
+    EXPECT_NEAR(out.impulse_n_s, 2 * stopped_kg * speed_m_s, 0.02 * ball_kg * speed_m_s);
+}
+
 TEST(DecideBlow, ACheckSaysWhatAFullSolveFindsAndDecidesNothing) {
     const auto solid = plate();
     const BlowOutcome out = decided(*solid, weak, checking(*solid));
