@@ -2,13 +2,11 @@
 
 #include <exception>
 
+#include "fracture/add_sentence.h"
+
 namespace sherd {
 
 namespace {
-
-void addSentence(std::string& message, const std::string& sentence) {
-    if (message.find(sentence) == std::string::npos) message += (message.empty() ? "" : " ") + sentence;
-}
 
 /// The callback, and then the place that the motion state is to start from. The extension pointer, by which
 /// the body is known, stays.

@@ -2,6 +2,7 @@
 
 #include "core/numerics/pi.h"
 #include "core/numerics/stopwatch.h"
+#include "fracture/add_sentence.h"
 #include "fracture/can_break.h"
 #include "fracture/coarse_look.h"
 #include "fracture/pipeline.h"
@@ -55,8 +56,7 @@ void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const Fra
     const auto copy = is_looked_at ? solid.anchored(solid.supports()) : nullptr;
     const BlowOutcome full = strike(copy ? *copy : solid, blow, in_full, seed, earlier);
     decided.full_solve_outcome = full.outcome;
-    if (!full.message.empty())
-        decided.message += (decided.message.empty() ? "" : " ") + ("The full solve says: " + full.message);
+    if (!full.message.empty()) addSentence(decided.message, "The full solve says: " + full.message);
     decided.full_solve_largest_stress_pa = full.largest_stress_pa;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/damage/damage.h"
 #include "core/loads/contact_loads.h"
+#include "fracture/add_sentence.h"
 #include "fracture/blow_damage.h"
 #include "fracture/conservation.h"
 #include "fracture/crack_energy.h"
@@ -21,10 +22,6 @@ namespace {
 const Discretisation& samplingOf(const BreakableSolid& solid, StageTimes& ms) {
     if (solid.sampleMilliseconds() > 0) return *valueOrFail(solid.discretisation());
     return *valueOrFail(timed(ms.sample, [&] { return solid.discretisation(); }));  // the solid keeps it
-}
-
-void addSentence(std::string& message, const std::string& sentence) {
-    message += (message.empty() ? "" : " ") + sentence;
 }
 
 void noteDamage(const Damage& damage, BlowOutcome& out) {
