@@ -30,11 +30,21 @@ double areaOf(const std::vector<AreaPoint>& points) {
 
 TEST(RegionQuadrature, TheWidthIsTheShorterSideOfAStrip) {
     const TriangleMesh pane = shapes::box(Vec3(0, 0, 0), Vec3(0.8, 0.004, 0.8));
-    EXPECT_NEAR(extentOf(pane, BoxRegion{{-1, -1, 0}, {1, 1, 0}}).width_m, 0.004, 1e-9);
+    EXPECT_NEAR(spreadOf(pane, BoxRegion{{-1, -1, 0}, {1, 1, 0}}).width_m(), 0.004, 1e-9);
     const double tolerance = 3e-6;  // of boxes: a millionth of the body's size on either side
-    EXPECT_NEAR(extentOf(pane, BoxRegion{{0.1, -1, 0.8}, {0.102, 1, 0.8}}).width_m, 0.002, tolerance);
-    EXPECT_NEAR(extentOf(pane, BoxRegion{{-1, -1, 0}, {1, 1, 0}}).area_m2, 0.8 * 0.004, 1e-9);
-    EXPECT_EQ(extentOf(pane, BoxRegion{{2, 2, 2}, {3, 3, 3}}).width_m, 0);
+    EXPECT_NEAR(spreadOf(pane, BoxRegion{{0.1, -1, 0.8}, {0.102, 1, 0.8}}).width_m(), 0.002, tolerance);
+    EXPECT_NEAR(spreadOf(pane, BoxRegion{{-1, -1, 0}, {1, 1, 0}}).area_m2(), 0.8 * 0.004, 1e-9);
+    EXPECT_EQ(spreadOf(pane, BoxRegion{{2, 2, 2}, {3, 3, 3}}).width_m(), 0);
+}
+
+TEST(RegionQuadrature, TwoStripsSpreadAsFarAsTheyAreApart) {
+    const TriangleMesh pane = shapes::box(Vec3(0, 0, 0), Vec3(0.8, 0.004, 0.8));
+    AreaSpread spread(Vec3(0.4, 0, 0.4));
+    spread.add(pane, BoxRegion{{-1, -1, 0}, {1, 1, 0}});
+    spread.add(pane, BoxRegion{{-1, -1, 0.8}, {1, 1, 0.8}});
+    EXPECT_NEAR(spread.area_m2(), 2 * 0.8 * 0.004, 1e-9);
+    // Along x as far as a strip of 0.8 m, along z by 0.4 m to either side.
+    EXPECT_NEAR(spread.width_m(), 0.8, 1e-6);
 }
 
 // A = pi r^2 on a face, whether it is two triangles or thousands.

@@ -85,27 +85,32 @@ Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, con
     return grid.points();
 }
 
-RegionExtent extentOf(const TriangleMesh& surface, const SurfaceRegion& region) {
-    if (!checkRegion(region)) return {};
-    const Vec3 origin = boundingBox(surface.vertices).center();
-    double area = 0;
-    Vec3 first = Vec3::Zero();
-    Mat3 second = Mat3::Zero();
+void AreaSpread::add(const TriangleMesh& surface, const SurfaceRegion& region) {
+    if (!checkRegion(region)) return;
     for (const ConvexPolygon& part : partsInside(surface, region))
         for (std::size_t i = 2; i < part.size(); ++i) {
-            const TriangleCorners t{part[0] - origin, part[i - 1] - origin, part[i] - origin};
+            const TriangleCorners t{part[0] - origin_, part[i - 1] - origin_, part[i] - origin_};
             const double a = areaVector(t).norm();
             const Vec3 sum = t[0] + t[1] + t[2];
-            area += a;
-            first += a / 3 * sum;
-            second += a / 12 * sum * sum.transpose();
-            for (const Vec3& corner : t) second += a / 12 * corner * corner.transpose();
+            area_ += a;
+            first_ += a / 3 * sum;
+            second_ += a / 12 * sum * sum.transpose();
+            for (const Vec3& corner : t) second_ += a / 12 * corner * corner.transpose();
         }
-    if (!(area > 0)) return {};
-    const Mat3 spread = second / area - first * first.transpose() / (area * area);
+}
+
+double AreaSpread::width_m() const {
+    if (!(area_ > 0)) return 0;
+    const Mat3 spread = second_ / area_ - first_ * first_.transpose() / (area_ * area_);
     const double variance =
         Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues()[1];
-    return {area, std::sqrt(12 * std::max(0.0, variance))};
+    return std::sqrt(12 * std::max(0.0, variance));
+}
+
+AreaSpread spreadOf(const TriangleMesh& surface, const SurfaceRegion& region) {
+    AreaSpread spread(boundingBox(surface).center());
+    spread.add(surface, region);
+    return spread;
 }
 
 std::vector<PointForce> pointForces(const SurfaceLoad& load, const std::vector<AreaPoint>& points) {

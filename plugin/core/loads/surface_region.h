@@ -22,14 +22,28 @@ struct AreaPoint {
 Result<std::vector<AreaPoint>> regionQuadrature(const TriangleMesh& surface, const SurfaceRegion& region,
                                                 double size);
 
-/// How large the part of a surface in a region is.
-struct RegionExtent {
-    double area_m2 = 0;
-    double width_m = 0;  ///< the shorter side of a rectangle that spreads as far
+/// How large parts of a surface are, and how far they spread.
+class AreaSpread {
+  public:
+    /// `origin`: near the surfaces.
+    explicit AreaSpread(const Vec3& origin) : origin_(origin) {}
+
+    /// Adds the part of `surface` that lies in `region`, if any does.
+    void add(const TriangleMesh& surface, const SurfaceRegion& region);
+
+    double area_m2() const { return area_; }
+    /// The shorter side of a rectangle that spreads as far, m; 0 of no area, and of what lies along a line.
+    double width_m() const;
+
+  private:
+    Vec3 origin_;
+    double area_ = 0;
+    Vec3 first_ = Vec3::Zero();   ///< about the origin, m^3
+    Mat3 second_ = Mat3::Zero();  ///< m^4
 };
 
-/// Both 0 if no part of `surface` lies in `region`.
-RegionExtent extentOf(const TriangleMesh& surface, const SurfaceRegion& region);
+/// Of one region.
+AreaSpread spreadOf(const TriangleMesh& surface, const SurfaceRegion& region);
 
 /// The forces of a load at the quadrature points of its region: F a / A - p a n at a point of area a and
 /// normal n, with A the sum of all areas.
