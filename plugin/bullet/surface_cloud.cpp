@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
@@ -12,14 +13,15 @@ namespace sherd {
 
 namespace {
 
-constexpr double spacings_across = 16;    // between points of large triangles, across the box
-constexpr int most_divisions = 16;        // of a triangle's sides
-constexpr std::size_t most_points = 600;  // about; vertices beyond are taken together
-constexpr int cells_across = 16;          // in which vertices are taken together, across the box
-constexpr double just_inside = 1e-6;      // of the spacing
-constexpr double facing = 0.99;           // cosine, from which on a face lies across an axis
-constexpr int places = 1024;              // along the box at which the areas of steps are added up
-constexpr double smallest_step = 0.02;    // of the section of the box
+constexpr double spacings_across = 16;          // between points of large triangles, across the box
+constexpr int most_divisions = 16;              // of a triangle's sides
+constexpr std::size_t most_points = 600;        // about; vertices beyond are taken together
+constexpr std::size_t most_even_points = 8000;  // on large triangles; beyond, they are taken together
+constexpr int cells_across = 16;                // in which points are taken together, across the box
+constexpr double just_inside = 1e-6;            // of the spacing
+constexpr double facing = 0.99;                 // cosine, from which on a face lies across an axis
+constexpr int places = 1024;                    // along the box at which the areas of steps are added up
+constexpr double smallest_step = 0.02;          // of the section of the box
 
 /// Whether the surface at a point lies across an axis, so that it need not meet a plane that is near.
 bool liesAcross(const Vec3& area, int axis) {
@@ -106,17 +108,89 @@ int divisionsOf(double longest, double spacing) {
     return std::clamp(static_cast<int>(std::sqrt(longest) / spacing) + 1, 1, most_divisions);
 }
 
-void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, SurfaceCloud& cloud) {
-    const int count = (divisions + 1) * (divisions + 2) / 2;
+int evenCount(int divisions) {
+    return (divisions + 1) * (divisions + 2) / 2;
+}
+
+/// Calls visit(x) for points all over a triangle. Not on the sides, which may lie in a plane that cuts.
+template <class Visit>
+void forEvenPoints(const TriangleCorners& x, int divisions, const Visit& visit) {
     const Vec3 centre = (x[0] + x[1] + x[2]) / 3;
     for (int i = 0; i <= divisions; ++i)
         for (int j = 0; i + j <= divisions; ++j) {
             const Vec3 even = x[0] + (i * (x[1] - x[0]) + j * (x[2] - x[0])) / divisions;
-            // Not on the sides, which may lie in a plane that cuts.
-            cloud.points.emplace_back(even + just_inside * (centre - even));
-            cloud.areas.emplace_back(area / count);
+            visit(even + just_inside * (centre - even));
         }
 }
+
+void addEvenly(const TriangleCorners& x, const Vec3& area, int divisions, SurfaceCloud& cloud) {
+    forEvenPoints(x, divisions, [&](const Vec3& even) {
+        cloud.points.push_back(even);
+        cloud.areas.emplace_back(area / evenCount(divisions));
+    });
+}
+
+/// Takes the points on large triangles together where there are many of them, as along a tube of many sides:
+/// those of a cell whose surface faces alike.
+class TakenTogether {
+  public:
+    explicit TakenTogether(const Eigen::AlignedBox3d& box)
+        : low_(box.min()),
+          cell_(box.sizes().maxCoeff() / cells_across),
+          of_cell_(6 * cells * cells * cells, -1) {}
+
+    void add(const TriangleCorners& x, const Vec3& area, int divisions, double spacing) {
+        int axis;
+        area.cwiseAbs().maxCoeff(&axis);
+        const int side = 2 * axis + (area[axis] > 0);
+        int shortest = 0;
+        const auto square = [&](int edge) { return (x[(edge + 1) % 3] - x[edge]).squaredNorm(); };
+        for (int edge = 1; edge < 3; ++edge)
+            if (square(edge) < square(shortest)) shortest = edge;
+        if (square(shortest) > spacing * spacing)
+            return forEvenPoints(x, divisions,
+                                 [&](const Vec3& even) { addTo(side, even, area / evenCount(divisions)); });
+        // One strip of points along a sliver is enough.
+        const Vec3 middle = (x[shortest] + x[(shortest + 1) % 3]) / 2, tip = x[(shortest + 2) % 3];
+        for (int i = 0; i < divisions; ++i) {  // as much narrower as nearer to the tip
+            const double from = double(i) / divisions, to = double(i + 1) / divisions;
+            addTo(side, middle + (from + to) / 2 * (tip - middle), (to - from) * (2 - from - to) * area);
+        }
+    }
+    void giveTo(SurfaceCloud& cloud) const {
+        for (const Sum& sum : sums_) {
+            cloud.points.emplace_back(sum.moment / sum.weight);
+            cloud.areas.push_back(sum.area);
+        }
+    }
+
+  private:
+    static constexpr int cells = cells_across + 1;
+    struct Sum {
+        double weight = 0;
+        Vec3 moment = Vec3::Zero(), area = Vec3::Zero();
+    };
+
+    void addTo(int side, const Vec3& point, const Vec3& area) {
+        const double weight = area.norm();
+        if (!(weight > 0)) return;
+        const Eigen::Vector3i i = ((point - low_) / cell_).cast<int>();
+        int& place = of_cell_[((side * cells + i.z()) * cells + i.y()) * cells + i.x()];
+        if (place < 0) {
+            place = static_cast<int>(sums_.size());
+            sums_.emplace_back();
+        }
+        Sum& sum = sums_[place];
+        sum.weight += weight;
+        sum.moment += weight * point;
+        sum.area += area;
+    }
+
+    Vec3 low_;
+    double cell_;
+    std::vector<int> of_cell_;  // by the side that the surface faces, too
+    std::vector<Sum> sums_;
+};
 
 /// Points with a list for each coordinate.
 using Columns = std::array<std::vector<double>, 3>;
@@ -174,6 +248,16 @@ SurfaceCloud cloudOf(const TriangleMesh& surface) {
     SurfaceCloud cloud;
     const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     cloud.spacing = box.diagonal().norm() / spacings_across;
+    std::vector<int> divisions_of;
+    std::size_t even_points = 0;
+    for (const auto& [a, b, c] : surface.triangles) {
+        const Vec3& corner = surface.vertices[a];
+        divisions_of.push_back(divisionsOf(
+            longestSquare(surface.vertices[b] - corner, surface.vertices[c] - corner), cloud.spacing));
+        if (divisions_of.back() > 1) even_points += evenCount(divisions_of.back());
+    }
+    std::optional<TakenTogether> together;
+    if (even_points > most_even_points) together.emplace(box);
     Representatives points(surface, box, cloud);
     Steps steps(box);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
@@ -181,12 +265,15 @@ SurfaceCloud cloudOf(const TriangleMesh& surface) {
         const Vec3 side = surface.vertices[b] - surface.vertices[a],
                    other = surface.vertices[c] - surface.vertices[a], area = side.cross(other) / 2;
         if (liesAcrossAny(area)) steps.add(cornersOf(surface, t), area);
-        const int divisions = divisionsOf(longestSquare(side, other), cloud.spacing);
+        const int divisions = divisions_of[t];
         if (divisions == 1)
             for (const int corner : surface.triangles[t]) cloud.areas[points.of(corner)] += area / 3;
+        else if (together)
+            together->add(cornersOf(surface, t), area, divisions, cloud.spacing);
         else
             addEvenly(cornersOf(surface, t), area, divisions, cloud);
     }
+    if (together) together->giveTo(cloud);
     // So a plane in a face has the face on the side where the solid is.
     for (std::size_t p = 0; p < cloud.points.size(); ++p)
         cloud.points[p] -= just_inside * cloud.spacing * cloud.areas[p].normalized();

@@ -183,6 +183,22 @@ TEST(SurfaceCloud, MeasuresThePartsOfASolid) {
     EXPECT_FALSE(isWellInside(Vec3(0.1, 0.1, 2), cloud));
 }
 
+/// A tube whose walls are two rings of long slivers.
+TEST(SurfaceCloud, HasNoMorePointsForSlivers) {
+    const double pi_r2 = pi * (0.05 * 0.05 - 0.045 * 0.045);
+    for (const int sides : {64, 512}) {
+        const TriangleMesh tube = shapes::tube(0.05, 0.045, 0.3, sides);
+        const SurfaceCloud cloud = cloudOf(tube);
+        EXPECT_LT(cloud.points.size(), 8000u) << sides;
+        EXPECT_NEAR(solidVolume(cloud), 0.3 * pi_r2, 0.05 * 0.3 * pi_r2) << sides;
+        const auto parts = partsOf(tube);
+        double volume = 0;
+        for (const ConvexHull& part : parts) volume += part.volume;
+        EXPECT_GE(parts.size(), 4u) << sides;
+        EXPECT_LT(volume, 0.5 * pi * 0.05 * 0.05 * 0.3) << "the tube stays open; sides " << sides;
+    }
+}
+
 TEST(SurfaceCloud, EndsAtAPlaneInAFace) {
     const SurfaceCloud cloud = cloudOf(shapes::uShape(0.05, 0.2, 0.3, 0.2));
     ASSERT_EQ((*cloud.steps)[0].size(), 4u);
