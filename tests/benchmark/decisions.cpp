@@ -161,14 +161,24 @@ double weightOf(const ContactPatch& patch) {
     return weight_m2;
 }
 
+/// How much of a patch's traction presses on a face of it; 0 on what is none.
+double pressedAt(const SurfacePlace& place, const ContactPatch& patch) {
+    constexpr double same = 0.99;
+    double pressed = 0;
+    for (const PatchPart& part : patch.parts)
+        if (part.normal.dot(place.normal) > same) pressed = std::max(pressed, part.pressed);
+    return pressed;
+}
+
 /// What presses on a place of the surface, Pa.
 Vec3 tractionAt(const SurfacePlace& place, const std::vector<ContactPatch>& patches) {
     Vec3 sum = Vec3::Zero();
     for (const ContactPatch& patch : patches) {
         const double weight_m2 = weightOf(patch);
-        if (!(weight_m2 > 0) || place.normal.dot(patch.push) >= 0) continue;
+        if (!(weight_m2 > 0)) continue;
         const double squared = (place.position - patch.spot.point).squaredNorm();
-        sum += contactProfile(squared / (patch.radius_m * patch.radius_m)) / weight_m2 * patch.force;
+        sum += pressedAt(place, patch) * contactProfile(squared / (patch.radius_m * patch.radius_m)) /
+               weight_m2 * patch.force;
     }
     return sum;
 }

@@ -16,7 +16,8 @@ namespace {
 /// Parts of a patch that lie on one smooth face.
 struct Facet {
     Vec3 outward = Vec3::Zero();
-    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  ///< along it
+    double lowest = std::numeric_limits<double>::infinity(), highest = -lowest;  // along it
+    double pressed = 1;                                                          ///< see PatchPart
 };
 
 /// The normals of a patch's parts, one for each of those that are nearly alike: of however many triangles
@@ -74,8 +75,14 @@ std::vector<Facet> facetsOf(const std::vector<PatchPart>& parts, std::size_t mos
             if (is_on) on_it.push_back(&parts[i]);
         }
         Facet facet;
-        for (const PatchPart* part : on_it) facet.outward += part->weight_m2 * part->normal;
+        double weight = 0, of_most = 0;
+        for (const PatchPart* part : on_it) {
+            facet.outward += part->weight_m2 * part->normal;
+            weight += part->weight_m2;
+            of_most += part->weight_m2 / part->pressed;
+        }
         facet.outward.normalize();
+        facet.pressed = weight / of_most;
         for (const PatchPart* part : on_it) {
             const double height = part->centre.dot(facet.outward);
             facet.lowest = std::min(facet.lowest, height);
@@ -224,7 +231,7 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
         // disc.
         const double in_middle = contactProfile(above * above / (patch.radius_m * patch.radius_m));
         ContactDisc disc{patch.spot.point + above * facet.outward, -facet.outward, std::sqrt(squared),
-                         in_middle / weight * patch.force};
+                         facet.pressed * in_middle / weight * patch.force};
         const Lie lie = lieOf(surface, disc);
         if (lie == Lie::overhung) return {};
         disc.hollow = lie == Lie::hollow;

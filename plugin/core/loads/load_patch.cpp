@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <set>
+#include <map>
 
 #include "core/loads/cap_area.h"
 #include "core/numerics/mesh_measures.h"
@@ -72,19 +72,37 @@ bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& directi
     return first <= last;
 }
 
-/// Normals of those of `triangles` within `radius` of a point that face the push, rounded, each once: so
+/// A direction in which some of the surface faces, and how much against the push, as a cosine.
+struct Facing {
+    Vec3 normal;
+    double cosine;
+};
+
+/// Of those of `triangles` within `radius` of a point that face the push, directions rounded, each once: so
 /// that the order of triangles does not matter.
-std::vector<Vec3> facingNormals(const TriangleMesh& surface, const std::vector<int>& triangles,
-                                const Vec3& point, const Vec3& push, double radius) {
-    std::set<RoundedNormal> found;
+std::vector<Facing> facingNormals(const TriangleMesh& surface, const std::vector<int>& triangles,
+                                  const Vec3& point, const Vec3& push, double radius) {
+    std::map<RoundedNormal, double> found;
     for (const int t : triangles) {
         const TriangleCorners triangle = cornersOf(surface, t);
-        if (facesPush(triangle, push) && (nearestPoint(triangle, point) - point).norm() <= radius)
-            found.insert(rounded(areaVector(triangle).normalized()));
+        if (!facesPush(triangle, push) || (nearestPoint(triangle, point) - point).norm() > radius) continue;
+        const Vec3 normal = areaVector(triangle).normalized();
+        double& cosine = found[rounded(normal)];
+        cosine = std::max(cosine, -normal.dot(push));
     }
-    std::vector<Vec3> normals;
-    for (const auto& [x, y, z] : found) normals.push_back(Vec3(double(x), double(y), double(z)).normalized());
+    std::vector<Facing> normals;
+    for (const auto& [direction, cosine] : found) {
+        const auto& [x, y, z] = direction;
+        normals.push_back({Vec3(double(x), double(y), double(z)).normalized(), cosine});
+    }
     return normals;
+}
+
+/// What presses on a face beside one that faces the push more: less the more it turns away, and nothing on
+/// the side of a box, so that it does not hang on a rounding error whether that faces the push.
+double pressedShare(double cosine, double largest_cosine) {
+    constexpr double least = 0.05;
+    return std::clamp((cosine / largest_cosine - least) / (1 - least), 0.0, 1.0);
 }
 
 double lowestAlong(const Vec3& direction, const Eigen::AlignedBox3d& box) {
@@ -145,7 +163,8 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
     double area = 0;
     for (const int t : near) {
         const TriangleCorners triangle = cornersOf(surface, t);
-        if (facesPush(triangle, push)) area += capArea(triangle, spot, reach, {push, furthest + depth});
+        const double facing = -areaVector(triangle).normalized().dot(push);
+        if (facing > 0) area += facing * capArea(triangle, spot, reach, {push, furthest + depth});
     }
     return area / (2 * pi * depth);
 }
@@ -153,17 +172,23 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length) {
     const std::vector<int> near = tree.trianglesNear(spot.point, radius);
-    const std::vector<Vec3> facing = facingNormals(tree.surface(), near, spot.point, push, radius);
+    const std::vector<Facing> facing = facingNormals(tree.surface(), near, spot.point, push, radius);
+    if (facing.empty()) return {};
+    double largest = 0;
+    for (const Facing& face : facing) largest = std::max(largest, face.cosine);
     std::vector<PatchPart> parts;
     for (const int t : near) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         const Vec3 normal = areaVector(triangle).normalized();
-        const auto isOnThatFace = [&](const Vec3& other) { return normal.dot(other) >= on_one_face; };
-        if (!facesPush(triangle, push) && std::none_of(facing.begin(), facing.end(), isOnThatFace)) continue;
+        double cosine = -normal.dot(push);
+        for (const Facing& face : facing)
+            if (normal.dot(face.normal) >= on_one_face) cosine = std::max(cosine, face.cosine);
+        const double pressed = pressedShare(cosine, largest);
+        if (!(pressed > 0)) continue;
         const auto longest = [&](double) { return length * radius; };
         subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {
-            const double share = contactProfile((x - spot.point).squaredNorm() / (radius * radius));
-            if (share > 0) parts.push_back({x, normal, share * area.norm()});
+            const double share = pressed * contactProfile((x - spot.point).squaredNorm() / (radius * radius));
+            if (share > 0) parts.push_back({x, normal, share * area.norm(), pressed});
         });
     }
     return parts;

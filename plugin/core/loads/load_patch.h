@@ -23,10 +23,10 @@ SurfaceSpot nearestSurfacePoint(const SurfaceTree& tree, const Vec3& point, cons
 /// through `point` at right angles to the push, or at most `gap` (m) behind it. Without any, no triangle.
 SurfaceSpot touchedByAPlane(const SurfaceTree& tree, const Vec3& point, const Vec3& push, double gap);
 
-/// Radius of curvature with which the surface meets a flat partner at `spot`, m: that of the sphere whose cap
-/// of height `depth` has the same area, A = 2 pi R depth, as the part of the surface within `reach` of the
-/// spot and within `depth` of the outermost point there against the push. Faces give a large radius, edges
-/// and corners a small one.
+/// Radius of curvature with which the surface meets a flat partner at `spot`, m: that of the paraboloid whose
+/// cap of height `depth` covers as much of a plane across the push, A = 2 pi R depth, as the part of the
+/// surface within `reach` of the spot and within `depth` of the outermost point there against the push. Faces
+/// give a large radius, edges and corners a small one.
 double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push, double reach, double depth);
 
 /// A direction, rounded: of however many triangles a patch is made, their normals are few of these.
@@ -41,6 +41,7 @@ struct PatchPart {
     Vec3 centre = Vec3::Zero();  ///< m
     Vec3 normal = Vec3::Zero();  ///< outward, unit
     double weight_m2 = 0;        ///< area times the traction relative to that in the middle of the contact
+    double pressed = 1;  ///< traction over what there were if its face were the one that faces the push most
 };
 
 /// The surface within `radius` of `spot` under a traction with the profile of a contact: what faces the push,

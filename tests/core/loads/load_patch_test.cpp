@@ -36,6 +36,36 @@ TEST(LoadPatch, ForcesAddUpAndStayOnTheFaceThatIsPushed) {
     EXPECT_LT((centre - spot.point).norm(), 0.01);
 }
 
+/// Of all that presses on a patch at the edge of a box: on the side, and the radius of curvature there.
+struct AtTheEdge {
+    double on_side = 0, radius_m = 0;
+};
+
+AtTheEdge pressedNearTheEdge(double tilt) {
+    const SurfaceTree tree(box(Vec3(0.5, 0.5, 0.5), 3));
+    const Vec3 push = Vec3(-tilt, 0, -1).normalized(), close(0.495, 0.1, 0.5);
+    const SurfaceSpot spot = nearestSurfacePoint(tree, close, -Vec3::UnitZ());
+    AtTheEdge found{0, contactRadius(tree, spot.point, push, 0.05, 0.002)};
+    for (const PointForce& p : spreadForce(partsOfPatch(tree, spot, push, 0.02, 0.18), spot, push))
+        if (p.position.z() < 0.5 - 1e-9) found.on_side += p.force.norm();
+    return found;
+}
+
+/// Else the least turn of a push would move a part of it to another face.
+TEST(LoadPatch, TheSideOfABoxIsPressedAsMuchAsItFacesThePush) {
+    const AtTheEdge straight = pressedNearTheEdge(0);
+    EXPECT_EQ(straight.on_side, 0);
+    double before = 0;
+    for (const double tilt : {-1e-6, 1e-6, 0.01, 0.1, 0.3, 0.6, 1.0}) {
+        const AtTheEdge tilted = pressedNearTheEdge(tilt);
+        EXPECT_GE(tilted.on_side, before) << tilt;
+        EXPECT_LT(tilted.on_side - before, 0.2) << tilt;
+        before = tilted.on_side;
+        EXPECT_NEAR(tilted.radius_m, straight.radius_m, std::abs(tilt) * straight.radius_m + 1e-6) << tilt;
+    }
+    EXPECT_GT(before, 0.3) << "at 45 degrees about half of what the edge leaves of the patch";
+}
+
 TEST(LoadPatch, APlaneTouchesTheRimOfAHollow) {
     TriangleMesh mesh = box(Vec3(0.5, 0.5, 0.5), 4);
     for (Vec3& v : mesh.vertices)  // hollow the bottom out, but for its rim
