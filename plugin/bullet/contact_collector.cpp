@@ -33,6 +33,22 @@ void moveToSurface(btManifoldPoint& point, const btCollisionObject& swept) {
     point.m_positionWorldOnB += to_surface;
 }
 
+/// A ball touches where its normal leaves it. Bullet may give a point far from there where its centre comes
+/// to lie on the other one's surface.
+void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btCollisionObject& b) {
+    const btVector3 out_of_b = point.m_normalWorldOnB;
+    const auto radiusOf = [](const btCollisionObject& object) {
+        return static_cast<const btSphereShape*>(object.getCollisionShape())->getRadius();
+    };
+    if (a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+        point.m_positionWorldOnA = a.getWorldTransform().getOrigin() - radiusOf(a) * out_of_b;
+        point.m_positionWorldOnB = point.m_positionWorldOnA - point.getDistance() * out_of_b;
+    } else if (b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+        point.m_positionWorldOnB = b.getWorldTransform().getOrigin() + radiusOf(b) * out_of_b;
+        point.m_positionWorldOnA = point.m_positionWorldOnB + point.getDistance() * out_of_b;
+    }
+}
+
 /// The vertices that a manifold lacks. A shape that Sherd made follows the surface to within a tolerance:
 /// what is no further apart than that is met at the same time.
 std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
@@ -96,7 +112,15 @@ void tellWhere(StruckBreakable& struck) {
     struck.striker = struck.partners[foremost->partner];
 }
 
-void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollector& collector) {
+/// What is known of how the bodies of a manifold met.
+enum class Meeting {
+    found,       ///< where they are
+    predictive,  ///< where they will be
+    on_the_way,  ///< where they were
+};
+
+void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollector& collector) {
+    const bool predictive = meeting == Meeting::predictive;
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const btCollisionObjectWrapper wrapper_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1,
                                              -1);
@@ -121,6 +145,7 @@ void feedManifold(btPersistentManifold& manifold, bool predictive, ContactCollec
             moveToSurface(point, *a);
             point.m_index0 = point.m_index1 = -1;
         }
+        if (meeting == Meeting::found) moveToBall(point, *a, *b);
         points.push_back(point);
     }
     points.insert(points.end(), vertices.begin(), vertices.end());
@@ -183,8 +208,13 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
     if (is_out_of_reach) return;
     StruckBreakable& entry = entryOf(breakable, own.party->asset_from_world);
     contact.partner = entry.numberOf(&partner);
-    if (contact.partner == static_cast<int>(entry.blow.partners.size()))
-        entry.blow.partners.push_back(mobilityOf(partner, own.party->asset_from_world, own.point));
+    if (contact.partner == static_cast<int>(entry.blow.partners.size())) {
+        const btTransform& asset_from_world = own.party->asset_from_world;
+        Mobility mobility = mobilityOf(partner, asset_from_world, own.point);
+        // Where the two points were one. Deep in the body, its centre would have other levers.
+        mobility.centre += contact.point - fromBullet(asset_from_world * other.point);
+        entry.blow.partners.push_back(mobility);
+    }
     entry.blow.contacts.push_back(contact);
 }
 
@@ -265,10 +295,23 @@ bool ContactCollector::listens(const Breakable& breakable) const {
            (breakable.isHeldRest() || breakable.breaksAt(time_s_));
 }
 
+/// Where on a body something round touched it, which has slid along it since, as far as the points do not
+/// tell: those of predictive contacts do.
+btVector3 ContactCollector::placeOfTouch(const Side& own, const Side& other, btScalar radius,
+                                         const btVector3& velocity, double touched_s) const {
+    const btVector3 centre = other.point - radius * own.push;
+    const PointMotion round =
+        motionAt(*other.party->object, other.party->before, centre, own.push, time_step_s_);
+    const btVector3 way = btScalar(touched_s) * (round.velocity - velocity);
+    const btVector3 slid = way - (other.point - own.point);
+    return own.point - (slid - own.push * slid.dot(own.push));
+}
+
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
                                            const btManifoldPoint& point) const {
     const btTransform& asset_from_world = own.party->asset_from_world;
     const btCollisionObject& striker = *other.party->object;
+    const auto radius = btScalar(strikingRadius(*striker.getCollisionShape(), other.child));
     const PointMotion self =
         motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_);
     const PointMotion partner = motionAt(striker, other.party->before, own.point, own.push, time_step_s_);
@@ -276,7 +319,6 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
 
     ContactImpulse contact;
-    contact.point = fromBullet(asset_from_world * own.point);
     contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
     // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
@@ -286,9 +328,13 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
     contact.touched_s = timeSinceTouch(closing, depth_m, time_step_s_);
+    const btVector3 touched = contact.strikes() && radius > 0
+                                  ? placeOfTouch(own, other, radius, self.velocity, contact.touched_s)
+                                  : own.point;
+    contact.point = fromBullet(asset_from_world * touched);
     contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
-    contact.partner_radius_m = strikingRadius(*striker.getCollisionShape(), other.child);
+    contact.partner_radius_m = static_cast<double>(radius);
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;
@@ -337,7 +383,13 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
-        feedManifold(*manifold, isAmong(foreseen, manifold), collector);
+        const bool is_corrected = std::any_of(corrected.begin(), corrected.end(),
+                                              [&](const auto& own) { return own.get() == manifold; });
+        feedManifold(*manifold,
+                     is_corrected                  ? Meeting::on_the_way
+                     : isAmong(foreseen, manifold) ? Meeting::predictive
+                                                   : Meeting::found,
+                     collector);
     }
 }
 

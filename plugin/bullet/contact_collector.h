@@ -98,6 +98,8 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     StruckBreakable& entryOf(Breakable& breakable, const btTransform& asset_from_world);
     void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
     bool isExempt(const Side& own, const Side& other) const;
+    btVector3 placeOfTouch(const Side& own, const Side& other, btScalar radius, const btVector3& velocity,
+                           double touched_s) const;
     ContactImpulse contactOn(const Side& own, const Side& other, const btManifoldPoint& point) const;
     bool listens(const Breakable& breakable) const;
 

@@ -105,12 +105,12 @@ std::unique_ptr<btPersistentManifold> metOnTheWay(const btPersistentManifold& ma
     point.m_positionWorldOnA = touch->point;
     point.m_positionWorldOnB = touch->point + gone;
     point.m_distance1 = -gone.dot(touch->normal);
-    const Vec3 along_it = fromBullet(touch->normal), here = fromBullet(touch->point);
-    const auto felt = [&](const btCollisionObject& object) {
-        const Mobility mobility = mobilityOf(object, btTransform::getIdentity(), touch->point);
-        return along_it.dot(mobility.at(here) * along_it);
+    const Vec3 along_it = fromBullet(touch->normal);
+    const auto felt = [&](const btCollisionObject& object, const btVector3& point) {
+        const Mobility mobility = mobilityOf(object, btTransform::getIdentity(), point);
+        return along_it.dot(mobility.at(fromBullet(point)) * along_it);
     };
-    const double both = felt(a) + felt(b);
+    const double both = felt(a, point.m_positionWorldOnA) + felt(b, point.m_positionWorldOnB);
     point.m_appliedImpulse = both > 0 ? btScalar(meeting.dot(touch->normal) / both) : 0;
     point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
     auto found = std::make_unique<btPersistentManifold>(&a, &b, 0, manifold.getContactBreakingThreshold(),

@@ -7,6 +7,7 @@
 #include "bullet/conversions.h"
 #include "bullet/fragment_motion.h"
 #include "bullet/support.h"
+#include "core/numerics/pi.h"
 
 namespace {
 
@@ -95,6 +96,47 @@ TEST(Collector, SpeedIsThatOfTheMomentOfTouchWhateverTheTimeStep) {
             const double speed = std::sqrt(2 * 9.81 * height);
             for (const ContactImpulse& contact : struck[0].blow.contacts)
                 EXPECT_NEAR(contact.approach_m_s, speed, 0.003 * speed) << rate << " Hz, " << height << " m";
+        }
+}
+
+/// A ball that strikes a plate aslant and is found up to a step later, deep in it or beyond, further along
+/// it: the blow is that of the moment at which they met. Depths are up to the ball's diameter.
+TEST(FractureWorld, ASlantingStrikeDoesNotDependOnWhereInAStepItFalls) {
+    struct Struck {
+        double force_n = 0, x = 0;
+    };
+    const BreakableAsset asset = plate(Material::plaster());
+    for (const double friction : {0.0, 0.5})
+        for (const double angle : {30.0, 45.0}) {
+            const double speed = 4, slope = angle * pi / 180;
+            const Vec3 way(std::sin(slope), 0, -std::cos(slope));
+            const auto struck = [&](double rate_hz, double phase) {
+                TestWorld scene;
+                FractureWorld fracture(scene.world.get());
+                EXPECT_TRUE(fracture.setBudget(Budget::none()));
+                btRigidBody* body = fracture.add(asset, {}).value();
+                body->setFriction(btScalar(friction));
+                const Vec3 start = Vec3(0.05, 0.04, 0.06) - way * (2 + phase) * speed / rate_hz;
+                btRigidBody* ball = scene.addBall(1, 0.03, toBullet(start), toBullet(Vec3(speed * way)));
+                ball->setFriction(1);
+                for (int step = 0; step < 8; ++step) {
+                    scene.step(1, 1 / rate_hz);
+                    for (const BlowEvent& event : fracture.takeEvents())
+                        return Struck{event.peak_force_n, event.position.x()};
+                }
+                ADD_FAILURE() << "no event at " << rate_hz << " Hz, phase " << phase;
+                return Struck{};
+            };
+            const Struck exact = struck(960, 0.5);
+            EXPECT_NEAR(exact.x, 0.05, 0.002);
+            for (const double rate_hz : {60.0, 120.0, 240.0})
+                for (const double phase : {0.2, 0.4, 0.6, 0.8}) {
+                    const Struck found = struck(rate_hz, phase);
+                    const auto where = ::testing::Message() << friction << " friction, " << angle
+                                                            << " degrees, " << rate_hz << " Hz, " << phase;
+                    EXPECT_NEAR(found.force_n, exact.force_n, 0.02 * exact.force_n) << where;
+                    EXPECT_NEAR(found.x, 0.05, 0.002) << where;
+                }
         }
 }
 
