@@ -31,7 +31,7 @@ void ring(const StruckBody& body, double contact_s, const HardestStates& pressed
     const double period = body.modes.slowestPeriod();
     const int steps =
         static_cast<int>(std::clamp(steps_per_contact * period / contact_s, 1.0 * fewest, 1.0 * most));
-    HardestStates ringing(body.modes, restEnergy(body));
+    HardestStates ringing(body.modes, restEnergy(body), true);
     oscillators.setStep(period / steps);
     for (int step = 1; step <= steps; ++step) {
         oscillators.swing();
@@ -125,7 +125,7 @@ ModalImpact modalImpact(const Impact& impact, const StruckBody& body, double sho
     const Give give = giveOf(body);
     Oscillators oscillators(body.modes);
     oscillators.setStep(step_s);
-    HardestStates pressed(body.modes, restEnergy(body));
+    HardestStates pressed(body.modes, restEnergy(body), false);
     // The force of a step is that at its end: how the modes give way to it in the step is a compliance as
     // well. A force from the step's beginning would excite modes that are faster than the steps without
     // bound.

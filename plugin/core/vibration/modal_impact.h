@@ -21,9 +21,8 @@ struct VibrationState {
 struct ModalImpact {
     /// The largest force, and how long half a sine wave takes that has it and the same momentum.
     ContactPulse pulse;
-    /// The states that strain the body most, by what bends it at the contact, by the force and by the
-    /// strain energy:
-    /// while something presses on it, and in the first swing of its slowest mode after that.
+    /// The states that strain the body most (HardestStates): while something presses on it, and in the first
+    /// swing of its slowest mode after that.
     std::vector<VibrationState> pressed, ringing;
 };
 

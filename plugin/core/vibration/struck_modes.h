@@ -10,6 +10,9 @@ namespace sherd {
 struct StruckModes {
     Eigen::ArrayXd rates_rad_s;  ///< w, ascending
     Eigen::ArrayXd work;         ///< of the loads on each mode of amplitude 1, J^(1/2) / N
+    /// The stress of the slowest modes over their amplitude at places where it may be largest, Pa / J^(1/2),
+    /// #places x #slowest; none if no such places are known.
+    Eigen::MatrixXd hot_pa = {};
 
     bool empty() const { return rates_rad_s.size() == 0; }
     double slowestPeriod() const;  ///< s; 0 if there are none

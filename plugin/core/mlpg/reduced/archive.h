@@ -83,6 +83,15 @@ void archiveVibrations(Archive& archive, const ProperModes& modes, VibrationMode
     archive.raw(rates.data(), static_cast<std::size_t>(rates.size()) * sizeof(double));
     archive.raw(shapes.data(), static_cast<std::size_t>(shapes.size()) * sizeof(float));
     archive.require(rates.allFinite() && rates.minCoeff() > 0 && shapes.allFinite());
+    Eigen::MatrixXf& hot_pa = vibrations.hot_pa;
+    auto places = static_cast<std::int32_t>(hot_pa.rows()),
+         slowest = static_cast<std::int32_t>(hot_pa.cols());
+    archiveAll(archive, places, slowest);
+    archive.require(0 <= places && places <= slowest && slowest <= modes.count);
+    if (!archive.good()) return;
+    if (Archive::reads) hot_pa.resize(places, slowest);
+    archive.raw(hot_pa.data(), static_cast<std::size_t>(hot_pa.size()) * sizeof(float));
+    archive.require(hot_pa.allFinite());
 }
 
 /// The lower half.

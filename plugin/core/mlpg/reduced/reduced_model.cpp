@@ -272,6 +272,7 @@ StruckModes ReducedModel::struckModes(const Eigen::VectorXf& work) const {
     if (vibrations_.rates_rad_s.size() == 0) return struck;
     struck.rates_rad_s = vibrations_.rates_rad_s;
     struck.work = (vibrations_.shapes.transpose() * work).array().cast<double>();
+    struck.hot_pa = vibrations_.hot_pa.cast<double>();
     return struck;
 }
 

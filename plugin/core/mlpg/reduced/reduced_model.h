@@ -3,6 +3,7 @@
 #include <sherd/result.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 #include "core/mlpg/reduced/compliance_matrix.h"
@@ -92,6 +93,9 @@ class ReducedModel {
     Eigen::VectorXf vibration(const Eigen::ArrayXd& amplitudes) const;
 
     const SplineProblem& problem() const { return *problem_; }
+    /// See VibrationModes.
+    void keepHotPlaces(Eigen::MatrixXf hot_pa) { vibrations_.hot_pa = std::move(hot_pa); }
+
     const PackedStiffness& stiffness() const { return stiffness_; }
     const ProperModes& modes() const { return modes_; }
     const VibrationModes& vibrations() const { return vibrations_; }

@@ -13,6 +13,9 @@ namespace sherd {
 struct VibrationModes {
     Eigen::ArrayXd rates_rad_s;  ///< w, ascending
     Eigen::MatrixXf shapes;      ///< Q, #proper modes x #vibrations
+    /// The stress of the slowest ones over their amplitude at some places of the body, Pa / J^(1/2), #places
+    /// x #slowest (hotPlaces).
+    Eigen::MatrixXf hot_pa = {};
 
     static VibrationModes make(const SplineProblem& problem, const ProperModes& proper);
 };

@@ -4,6 +4,7 @@
 
 #include "core/linear_algebra/block_product.h"
 #include "core/mlpg/pinned_system.h"
+#include "core/mlpg/reduced/hot_places.h"
 #include "core/mlpg/reduced/make_peak_table.h"
 #include "core/mlpg/reduced/reduced_stress.h"
 #include "core/mlpg/splines/contact_remainder.h"
@@ -217,6 +218,8 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
     auto model = is_direct ? ReducedModel::makeDirect(shared_problem_, factor, system_.pinned(), unit.value())
                            : ReducedModel::make(shared_problem_, stiffness_, unit.value(), limits);
     if (!model) return Error{model.error()};
+    model.value().keepHotPlaces(hotPlaces(
+        model.value(), [&](const Eigen::VectorXd& unknowns) { return stressOfUnknowns(unknowns, {}); }));
     tell(modes_done);
     // Beside a support, stress and compliance change too fast from place to place for a table.
     const bool is_held =
