@@ -22,6 +22,7 @@ using Face = RepairMesh::Face_index;
 using HalfEdge = RepairMesh::Halfedge_index;
 
 constexpr std::size_t largest_hole = 4000;  // edges; the search is quadratic
+constexpr std::size_t largest_cubic = 300;  // where it fails, and all triangles are tried
 constexpr double rim_of_a_sheet = 0.85;     // of the size: a bowl without thickness has 0.94,
 constexpr double lid_of_a_sheet = 0.3;      // and a hole of half its area; a slab without a triangle has 0.27
 
@@ -66,7 +67,8 @@ TriangleMesh fillHoles(TriangleMesh& mesh, double largest_m, RepairReport& repor
         const bool is_sheet = across > rim_of_a_sheet * size && areaWithin(rim) > lid_of_a_sheet * area;
         if (rim.size() > largest_hole || across > largest_m || is_sheet) continue;
         std::vector<Face> patch;
-        pmp::triangulate_hole(surface, border, std::back_inserter(patch));
+        pmp::triangulate_hole(surface, border, std::back_inserter(patch),
+                              CGAL::parameters::do_not_use_cubic_algorithm(rim.size() > largest_cubic));
         if (patch.empty()) continue;
         for (const Face face : patch) patch_faces.push_back(static_cast<int>(std::size_t(face)));
         ++report.filled_holes;

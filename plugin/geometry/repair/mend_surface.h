@@ -4,6 +4,9 @@
 
 namespace sherd {
 
+/// Of a vessel: diagonal of its rim, over that of the mesh.
+constexpr double smallest_opening = 0.15;
+
 // Each takes and gives a manifold with or without borders (CGAL's polygon mesh processing).
 
 /// Flips or collapses triangles without area.

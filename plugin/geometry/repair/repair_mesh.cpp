@@ -34,8 +34,7 @@ constexpr double wrap_offset = 0.1;            // of the wrap's detail: bodies
 constexpr double wrap_offset_of_sheets = 0.5;  // of the wrap's detail: sheets become walls of twice that
 constexpr double coarse = 4;                   // over the wrap's detail
 constexpr std::size_t most_triangles = 3000000;
-constexpr double thinnest_walls = 1e-4;    // over the mesh's diagonal
-constexpr double smallest_opening = 0.15;  // of a vessel: diagonal of its rim, over that of the mesh
+constexpr double thinnest_walls = 1e-4;  // over the mesh's diagonal
 
 constexpr const char* hint = " Repair::automatic() mends such meshes, and wraps what it cannot mend.";
 

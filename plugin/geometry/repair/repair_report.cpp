@@ -4,6 +4,7 @@
 
 #include "core/numerics/mesh_measures.h"
 #include "geometry/mesh_frame.h"
+#include "geometry/repair/mend_surface.h"
 #include "geometry/sentences.h"
 
 namespace sherd {
@@ -49,7 +50,7 @@ std::vector<std::string> RepairReport::sentences() const {
         "where the surface touched itself parted by a thousandth of an edge");
     say(filled_holes, "hole", "holes",
         "filled; the box around the largest has a diagonal of " + threeDigits(largest_hole_m) + " m");
-    if (filled_holes > 0 && !hollowed && !thickened)
+    if (largest_hole_m > smallest_opening * size_m && !hollowed && !thickened)
         said.push_back(
             "A vessel whose opening was filled is solid; with Repair::shell_thickness_m it gets walls, and "
             "stays open.");
@@ -63,7 +64,9 @@ std::vector<std::string> RepairReport::sentences() const {
     if (hollowed) said.push_back("The solid was made hollow.");
     if (thickened) said.push_back("The sheet became walls; its openings stay open.");
     const double distance_m = largest_distance_m > rounding * size_m ? largest_distance_m : 0;
-    if (wrapped || crossings > 0 || united_parts > 0)
+    if (distance_m == 0 && (crossings > 0 || united_parts > 0))
+        said.push_back("The new surface lies on the old one.");
+    else if (wrapped || crossings > 0 || united_parts > 0)
         said.push_back("The new surface is up to " + threeDigits(distance_m) + " m from the old one (" +
                        threeDigits(100 * distance_m / size_m) + " % of its size).");
     return said;

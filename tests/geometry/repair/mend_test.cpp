@@ -43,8 +43,11 @@ TEST(Repair, SaysWhatBecameOfHolesAndPrintsNoRoundingErrors) {
     report.size_m = 0.4;
     report.largest_distance_m = 2.78e-17;
     for (const char* words : {"the box around the largest has a diagonal of 0.141 m.",
-                              "Repair::shell_thickness_m", "up to 0 m from the old one (0 % of its size)"})
+                              "Repair::shell_thickness_m", "The new surface lies on the old one."})
         EXPECT_NE(allOf(report).find(words), std::string::npos) << allOf(report);
+    report.largest_hole_m = 0.05;  // too small for an opening
+    EXPECT_EQ(allOf(report).find("Repair::shell_thickness_m"), std::string::npos) << allOf(report);
+    report.largest_hole_m = 0.1414;
     report.hollowed = true;
     EXPECT_EQ(allOf(report).find("Repair::shell_thickness_m"), std::string::npos) << allOf(report);
     EXPECT_EQ(describePlace(Vec3(2.78e-17, -1e-12, 0.25)), "(0, 0, 0.25)");
