@@ -42,6 +42,11 @@ void keepDamage(const StrikeContext& struck, const Damage& damage, BlowOutcome& 
     out.damaged = DamagedMaterial::with(struck.earlier, struck.sampling, damage.damaged);
 }
 
+constexpr const char* beyond_elasticity =
+    "The largest stress is above Young's modulus, which no elastic body has: a part carries it that is much "
+    "thinner than the particles are apart (use a smaller spacing or a higher quality), or masses and speeds "
+    "are in other units.";
+
 struct Pieces {
     FragmentLabels labels;
     FragmentSurfaces surfaces;
@@ -93,6 +98,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     out.residual_rel = found.residual_rel;
     out.warnings = found.warnings;
     noteDamage(found.damage, out);
+    if (out.largest_stress_pa > solid.material().youngs_modulus_pa) out.warnings.push_back(beyond_elasticity);
     if (found.damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
     std::optional<Pieces> pieces = piecesOf(struck, found, out);
     if (!pieces && found.add_ringing) {

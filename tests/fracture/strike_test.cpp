@@ -74,6 +74,15 @@ double crackArea(const BlowOutcome& out) {
 }
 
 // Of bodies so weak that nothing but the energy holds them together.
+TEST(Strike, StressThatNoElasticBodyHasIsToldOf) {
+    const auto solid = plate(Material::plaster());
+    EXPECT_TRUE(strike(*solid, blowInTheMiddle(1, 10), 1).warnings.empty());
+    const BlowOutcome out = strike(*solid, blowInTheMiddle(1e6, 1e4), 1);
+    EXPECT_GT(out.largest_stress_pa, solid->material().youngs_modulus_pa);
+    ASSERT_EQ(out.warnings.size(), 1u);
+    EXPECT_EQ(out.warnings[0].find("The largest stress is above Young's modulus"), 0u) << out.warnings[0];
+}
+
 TEST(Strike, CracksCostNoMoreThanTheBlowPaysFor) {
     const double share = 4 * FractureSettings().energy_into_cracks;
     int broke = 0, held = 0;
