@@ -12,6 +12,7 @@
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/extra_contacts.h"
+#include "bullet/first_touch.h"
 #include "bullet/met_on_the_way.h"
 #include "bullet/missed_vertices.h"
 #include "bullet/piles.h"
@@ -36,16 +37,17 @@ void moveToSurface(btManifoldPoint& point, const btCollisionObject& swept) {
 
 /// A ball touches where its normal leaves it. Bullet may give a point far from there where its centre comes
 /// to lie on the other one's surface.
-void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btCollisionObject& b) {
+void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btCollisionObject& b,
+                const ContactCollector& collector) {
     const btVector3 out_of_b = point.m_normalWorldOnB;
     const auto radiusOf = [](const btCollisionObject& object) {
         return static_cast<const btSphereShape*>(object.getCollisionShape())->getRadius();
     };
     if (a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
-        point.m_positionWorldOnA = a.getWorldTransform().getOrigin() - radiusOf(a) * out_of_b;
+        point.m_positionWorldOnA = collector.stoodAt(a).getOrigin() - radiusOf(a) * out_of_b;
         point.m_positionWorldOnB = point.m_positionWorldOnA - point.getDistance() * out_of_b;
     } else if (b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
-        point.m_positionWorldOnB = b.getWorldTransform().getOrigin() + radiusOf(b) * out_of_b;
+        point.m_positionWorldOnB = collector.stoodAt(b).getOrigin() + radiusOf(b) * out_of_b;
         point.m_positionWorldOnA = point.m_positionWorldOnB + point.getDistance() * out_of_b;
     }
 }
@@ -146,7 +148,7 @@ void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollec
             moveToSurface(point, *a);
             point.m_index0 = point.m_index1 = -1;
         }
-        if (meeting == Meeting::found) moveToBall(point, *a, *b);
+        if (meeting == Meeting::found) moveToBall(point, *a, *b, collector);
         points.push_back(point);
     }
     points.insert(points.end(), vertices.begin(), vertices.end());
@@ -195,8 +197,43 @@ void ContactCollector::lookUp(const btCollisionObject& object, Party& party) con
     if (party.listens) party.asset_from_world = party.breakable->placed(stoodAt(object)).inverse();
 }
 
-void ContactCollector::addSide(const Side& own, const Side& other, const btManifoldPoint& point) {
+/// Where and when something round met the true surface, if the hulls that stand for that say otherwise: deep
+/// in one of them a ball comes out at its side.
+void ContactCollector::correctTouch(Side& own, Side& other, btManifoldPoint& point) const {
+    constexpr btScalar alike = btScalar(0.996);  // cosine
+    constexpr double close = 0.1;                // way over the radius
+    const btCollisionObject& striker = *other.party->object;
+    const auto radius = btScalar(strikingRadius(*striker.getCollisionShape(), other.child));
+    if (!(radius > 0)) return;
+    const bool is_ball = striker.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+    const btVector3 centre = is_ball ? stoodAt(striker).getOrigin() : other.point - radius * own.push;
+    const btVector3 meeting =
+        motionAt(striker, other.party->before, centre, own.push, time_step_s_).velocity -
+        motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_).velocity;
+    const btScalar closing = meeting.dot(own.push);
+    if (!(closing > slowest_landing_m_s)) return;
+    const btTransform& asset_from_world = own.party->asset_from_world;
+    const double known_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
+    const auto touch =
+        firstTouch(own.party->breakable->asset.solid()->surfaceTree(), fromBullet(asset_from_world * centre),
+                   fromBullet(asset_from_world.getBasis() * meeting), double(radius), known_s, time_step_s_);
+    if (!touch) return;
+    const btVector3 push = asset_from_world.getBasis().transpose() * toBullet(touch->push);
+    const btVector3 place = asset_from_world.inverse() * toBullet(touch->point);
+    const double way = std::abs(touch->ago_s - known_s) * static_cast<double>(meeting.length());
+    const bool is_known = push.dot(own.push) > alike && way < close * static_cast<double>(radius) &&
+                          std::abs(push.dot(place - own.point)) < btScalar(close) * radius;
+    if (is_known) return;
+    own.push = push;
+    other.push = -push;
+    own.point = place;
+    other.point = centre + radius * push;
+    point.setDistance(btScalar(-touch->ago_s) * meeting.dot(push));
+}
+
+void ContactCollector::addSide(Side own, Side other, btManifoldPoint point) {
     if (!own.party->listens) return;
+    correctTouch(own, other, point);
     Breakable& breakable = *own.party->breakable;
     ContactImpulse contact = contactOn(own, other, point);
     const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
@@ -214,6 +251,8 @@ void ContactCollector::addSide(const Side& own, const Side& other, const btManif
         Mobility mobility = mobilityOf(partner, asset_from_world, own.point);
         // Where the two points were one. Deep in the body, its centre would have other levers.
         mobility.centre += contact.point - fromBullet(asset_from_world * other.point);
+        const btVector3 pushed_out = partner.getWorldTransform().getOrigin() - stoodAt(partner).getOrigin();
+        mobility.centre -= fromBullet(asset_from_world.getBasis() * pushed_out);  // by the solve
         entry.blow.partners.push_back(mobility);
     }
     entry.blow.contacts.push_back(contact);

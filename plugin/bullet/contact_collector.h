@@ -96,7 +96,8 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     };
     void lookUp(const btCollisionObject& object, Party& party) const;
     StruckBreakable& entryOf(Breakable& breakable, const btTransform& asset_from_world);
-    void addSide(const Side& own, const Side& other, const btManifoldPoint& point);
+    void correctTouch(Side& own, Side& other, btManifoldPoint& point) const;
+    void addSide(Side own, Side other, btManifoldPoint point);
     bool isExempt(const Side& own, const Side& other) const;
     btVector3 placeOfTouch(const Side& own, const Side& other, btScalar radius, const btVector3& velocity,
                            double touched_s) const;
