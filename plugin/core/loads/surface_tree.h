@@ -14,6 +14,7 @@ class SurfaceTree {
   public:
     /// The surface has to outlive the tree.
     explicit SurfaceTree(const TriangleMesh& surface);
+    SurfaceTree(const TriangleMesh&&) = delete;  // it would be gone
 
     const TriangleMesh& surface() const { return surface_; }
 
