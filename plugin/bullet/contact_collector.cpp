@@ -197,49 +197,48 @@ void ContactCollector::lookUp(const btCollisionObject& object, Party& party) con
     if (party.listens) party.asset_from_world = party.breakable->placed(stoodAt(object)).inverse();
 }
 
-/// Where and when something round met the true surface, if the hulls that stand for that say otherwise: deep
-/// in one of them a ball comes out at its side.
+/// Where and when a ball met the true surface, if the hulls that stand for that say otherwise: deep in one of
+/// them it comes out at its side.
 void ContactCollector::correctTouch(Side& own, Side& other, btManifoldPoint& point) const {
-    constexpr btScalar alike = btScalar(0.996);  // cosine
-    constexpr double close = 0.1;                // way over the radius
     const btCollisionObject& striker = *other.party->object;
-    const auto radius = btScalar(strikingRadius(*striker.getCollisionShape(), other.child));
+    const auto radius = btScalar(ballRadius(*striker.getCollisionShape(), other.child));
     if (!(radius > 0)) return;
-    const bool is_ball = striker.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
-    const btVector3 centre = is_ball ? stoodAt(striker).getOrigin() : other.point - radius * own.push;
+    const bool is_one = striker.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE;
+    const btVector3 centre = is_one ? stoodAt(striker).getOrigin() : other.point - radius * own.push;
     const btVector3 meeting =
         motionAt(striker, other.party->before, centre, own.push, time_step_s_).velocity -
         motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_).velocity;
     const btScalar closing = meeting.dot(own.push);
     if (!(closing > slowest_landing_m_s)) return;
     const btTransform& asset_from_world = own.party->asset_from_world;
-    const double known_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
-    const auto touch =
-        firstTouch(own.party->breakable->asset.solid()->surfaceTree(), fromBullet(asset_from_world * centre),
-                   fromBullet(asset_from_world.getBasis() * meeting), double(radius), known_s, time_step_s_);
+    const FirstTouch known{fromBullet(asset_from_world * own.point),
+                           fromBullet(asset_from_world.getBasis() * own.push),
+                           timeSinceTouch(closing, -point.getDistance(), time_step_s_)};
+    const auto touch = trueTouch(own.party->breakable->asset.solid()->surfaceTree(),
+                                 {fromBullet(asset_from_world * centre),
+                                  fromBullet(asset_from_world.getBasis() * meeting), double(radius)},
+                                 known, time_step_s_);
     if (!touch) return;
     const btVector3 push = asset_from_world.getBasis().transpose() * toBullet(touch->push);
-    const btVector3 place = asset_from_world.inverse() * toBullet(touch->point);
-    const double way = std::abs(touch->ago_s - known_s) * static_cast<double>(meeting.length());
-    const bool is_known = push.dot(own.push) > alike && way < close * static_cast<double>(radius) &&
-                          std::abs(push.dot(place - own.point)) < btScalar(close) * radius;
-    if (is_known) return;
+    const btScalar pressed = own.impulse.dot(own.push);
+    const btVector3 along = own.impulse - pressed * own.push;
+    own.impulse = pressed * push + along - along.dot(push) * push;
+    other.impulse = -own.impulse;
     own.push = push;
     other.push = -push;
-    own.point = place;
+    own.point = asset_from_world.inverse() * toBullet(touch->point);
     other.point = centre + radius * push;
     point.setDistance(btScalar(-touch->ago_s) * meeting.dot(push));
 }
 
 void ContactCollector::addSide(Side own, Side other, btManifoldPoint point) {
-    if (!own.party->listens) return;
+    if (!own.party->listens || isExempt(own, other)) return;
     correctTouch(own, other, point);
     Breakable& breakable = *own.party->breakable;
     ContactImpulse contact = contactOn(own, other, point);
     const bool rests = contact.supports() && point.getDistance() <= largestRestingGap();
     if (!contact.strikes() && !rests) return;
     const btCollisionObject& partner = *other.party->object;
-    if (isExempt(own, other)) return;
     const bool is_out_of_reach =
         contact.strikes() && piles_ &&
         piles_->isStoppedBefore(partner, other.point, -own.push, contact.touched_s, contact.approach_m_s);
@@ -354,7 +353,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const auto radius = btScalar(strikingRadius(*striker.getCollisionShape(), other.child));
     const PointMotion self =
         motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_);
-    const PointMotion partner = motionAt(striker, other.party->before, own.point, own.push, time_step_s_);
+    const PointMotion partner = motionAt(striker, other.party->before, other.point, own.push, time_step_s_);
     const btVector3 meeting = partner.velocity - self.velocity;
     const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
 

@@ -122,4 +122,19 @@ double strikingRadius(const btCollisionShape& shape, int child) {
     }
 }
 
+double ballRadius(const btCollisionShape& shape, int child) {
+    switch (shape.getShapeType()) {
+        case SPHERE_SHAPE_PROXYTYPE:
+        case CAPSULE_SHAPE_PROXYTYPE:
+            return strikingRadius(shape, child);
+        case COMPOUND_SHAPE_PROXYTYPE: {
+            const auto& compound = static_cast<const btCompoundShape&>(shape);
+            const bool known = child >= 0 && child < compound.getNumChildShapes();
+            return known ? ballRadius(*compound.getChildShape(child), -1) : 0;
+        }
+        default:
+            return 0;
+    }
+}
+
 }  // namespace sherd

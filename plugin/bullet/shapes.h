@@ -27,4 +27,7 @@ btVector3 extentOf(const btCollisionObject& object);
 /// flat or unknown. `child` is the index of the child shape in Bullet's contact point, -1 if it has none.
 double strikingRadius(const btCollisionShape& shape, int child);
 
+/// The same of balls and capsules alone, which touch at that distance from their middle.
+double ballRadius(const btCollisionShape& shape, int child);
+
 }  // namespace sherd

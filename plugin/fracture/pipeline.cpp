@@ -98,7 +98,6 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     out.residual_rel = found.residual_rel;
     out.warnings = found.warnings;
     noteDamage(found.damage, out);
-    if (out.largest_stress_pa > solid.material().youngs_modulus_pa) out.warnings.push_back(beyond_elasticity);
     if (found.damage.count == 0 || forces.strain_energy_j < smallestCrackEnergy(solid, fracture)) return;
     std::optional<Pieces> pieces = piecesOf(struck, found, out);
     if (!pieces && found.add_ringing) {
@@ -120,7 +119,11 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
 
 BlowOutcome strike(const BreakableSolid& solid, const Blow& blow, const FractureSettings& fracture,
                    std::uint64_t seed, const std::shared_ptr<const DamagedMaterial>& earlier) {
-    return failedIfThrown([&](BlowOutcome& out) { runStages(solid, blow, fracture, seed, earlier, out); });
+    return failedIfThrown([&](BlowOutcome& out) {
+        runStages(solid, blow, fracture, seed, earlier, out);
+        if (out.largest_stress_pa > solid.material().youngs_modulus_pa)
+            out.warnings.push_back(beyond_elasticity);
+    });
 }
 
 }  // namespace sherd

@@ -48,9 +48,12 @@ std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
     const TriangleMesh original = withoutCrackFaces(piece);
     AreaSpread together(boundingBox(piece).center());
     for (const SurfaceRegion& region : regions) {
-        if (spreadOf(original, region).area_m2() < smallest_area * spacing_m * spacing_m) continue;
+        AreaSpread with_it = together;
+        with_it.add(original, region);
+        const double own_m2 = with_it.area_m2() - together.area_m2();
+        if (own_m2 < smallest_area * spacing_m * spacing_m) continue;
         holding.push_back(region);
-        together.add(original, region);
+        together = with_it;
     }
     if (together.width_m() < smallest_width * std::min(spacing_m, wall_thickness_m)) return {};
     return holding;

@@ -46,7 +46,7 @@ void HardestStates::look(double time_s, double force_n, const Oscillators& oscil
 
 std::vector<VibrationState> HardestStates::take(double much_the_same_s) const {
     constexpr double little_more = 1.2, matters = 0.5;  // times the stress that others have; of the largest
-    constexpr std::size_t most = measures + 2;
+    constexpr std::size_t most = measures + 1;
     std::vector<VibrationState> states;
     for (int by = 0; by < measures; ++by) {
         const VibrationState& state = states_[by];
