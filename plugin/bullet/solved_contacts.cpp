@@ -1,0 +1,173 @@
+// How the manifolds of a solved step are fed to a collector.
+
+#include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
+#include <BulletCollision/CollisionShapes/btSphereShape.h>
+#include <BulletCollision/NarrowPhaseCollision/btPersistentManifold.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "bullet/contact_collector.h"
+#include "bullet/contact_motion.h"
+#include "bullet/extra_contacts.h"
+#include "bullet/met_on_the_way.h"
+#include "bullet/missed_vertices.h"
+
+namespace sherd {
+
+namespace {
+
+/// Predictive contacts (continuous collision) put the centre of the swept sphere where other contacts have
+/// the point.
+void moveToSurface(btManifoldPoint& point, const btCollisionObject& swept) {
+    const btVector3 to_surface = -point.m_normalWorldOnB * swept.getCcdSweptSphereRadius();
+    point.m_positionWorldOnA += to_surface;
+    point.m_positionWorldOnB += to_surface;
+}
+
+/// A ball touches where its normal leaves it. Bullet may give a point far from there where its centre comes
+/// to lie on the other one's surface.
+void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btCollisionObject& b,
+                const ContactCollector& collector) {
+    const btVector3 out_of_b = point.m_normalWorldOnB;
+    const auto radiusOf = [](const btCollisionObject& object) {
+        return static_cast<const btSphereShape*>(object.getCollisionShape())->getRadius();
+    };
+    if (a.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+        point.m_positionWorldOnA = collector.stoodAt(a).getOrigin() - radiusOf(a) * out_of_b;
+        point.m_positionWorldOnB = point.m_positionWorldOnA - point.getDistance() * out_of_b;
+    } else if (b.getCollisionShape()->getShapeType() == SPHERE_SHAPE_PROXYTYPE) {
+        point.m_positionWorldOnB = collector.stoodAt(b).getOrigin() + radiusOf(b) * out_of_b;
+        point.m_positionWorldOnA = point.m_positionWorldOnB + point.getDistance() * out_of_b;
+    }
+}
+
+/// The vertices that a manifold lacks. A shape that Sherd made follows the surface to within a tolerance:
+/// what is no further apart than that is met at the same time.
+std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
+                                            const ContactCollector& collector) {
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
+    if (tolerance == 0) return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
+    btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
+    for (int i = 0; i < manifold.getNumContacts(); ++i)
+        deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
+    const btScalar reach = std::max(deepest, btScalar(0)) + tolerance;
+    std::vector<btManifoldPoint> vertices =
+        missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b), reach, true);
+    for (btManifoldPoint& vertex : vertices)
+        if (vertex.getDistance() < deepest + tolerance)
+            vertex.setDistance(std::min(vertex.getDistance(), deepest));
+    return vertices;
+}
+
+/// What bodies that rest on each other touch with, pressed or not: which points of a flat contact Bullet
+/// presses depends on the step, and a face that leans against another is tilted by hardly anything.
+void pressEvenly(std::vector<btManifoldPoint>& points) {
+    constexpr btScalar faint = btScalar(1e-3);  // of the whole impulse: the point counts as pressed
+    btScalar sum = 0;
+    for (const btManifoldPoint& point : points) sum += std::max(btScalar(0), point.m_appliedImpulse);
+    for (btManifoldPoint& point : points)
+        if (point.getDistance() <= btScalar(largestRestingGap()))
+            point.m_appliedImpulse = std::max(point.m_appliedImpulse, faint * sum);
+}
+
+/// Gives the impulses of a point to others, in equal parts.
+void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
+    const btScalar part = 1 / static_cast<btScalar>(others.size());
+    for (btManifoldPoint& other : others) {
+        other.m_appliedImpulse += part * point.m_appliedImpulse;
+        other.m_appliedImpulseLateral1 += part * point.m_appliedImpulseLateral1;
+        other.m_appliedImpulseLateral2 += part * point.m_appliedImpulseLateral2;
+    }
+}
+
+/// What is known of how the bodies of a manifold met.
+enum class Meeting {
+    found,       ///< where they are
+    predictive,  ///< where they will be
+    on_the_way,  ///< where they were
+};
+
+void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollector& collector) {
+    const bool predictive = meeting == Meeting::predictive;
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const btCollisionObjectWrapper wrapper_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1,
+                                             -1);
+    const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
+                                             -1);
+    const bool rests = !predictive && !collector.mayStrike(manifold);
+    std::vector<btManifoldPoint> vertices;
+    if (!isExtra(manifold))  // else Bullet's own manifold of the pair lacks the same ones
+        vertices = rests ? missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
+                                          btScalar(largestRestingGap()))
+                         : landedVertices(manifold, collector);
+    std::vector<btManifoldPoint> points;
+    points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint point = manifold.getContactPoint(i);
+        if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
+        if (!predictive && isBetween(point, vertices)) {
+            share(point, vertices);
+            continue;
+        }
+        if (predictive) {
+            moveToSurface(point, *a);
+            point.m_index0 = point.m_index1 = -1;
+        }
+        if (meeting == Meeting::found) moveToBall(point, *a, *b, collector);
+        points.push_back(point);
+    }
+    points.insert(points.end(), vertices.begin(), vertices.end());
+    if (rests) pressEvenly(points);
+    for (btManifoldPoint& point : points)
+        collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
+                                  point.m_partId1, point.m_index1);
+}
+
+}  // namespace
+
+void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collector) {
+    btDispatcher& dispatcher = *world.getDispatcher();
+    std::vector<btPersistentManifold*> solved;
+    solved.reserve(static_cast<std::size_t>(dispatcher.getNumManifolds()));
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        btPersistentManifold* manifold = dispatcher.getManifoldByIndexInternal(i);
+        if (manifold->getNumContacts() == 0) continue;
+        const btCollisionObject *a = manifold->getBody0(), *b = manifold->getBody1();
+        // Predictive manifolds outlive bodies that the app takes out while the step is solved.
+        if (a->getWorldArrayIndex() < 0 || b->getWorldArrayIndex() < 0) continue;
+        if ((a->isActive() || b->isActive()) && dispatcher.needsResponse(a, b)) solved.push_back(manifold);
+    }
+    const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
+    std::vector<std::unique_ptr<btPersistentManifold>> corrected;
+    std::vector<std::pair<btPersistentManifold**, btPersistentManifold*>> replaced;
+    for (btPersistentManifold*& manifold : solved) {
+        if (isAmong(foreseen, manifold)) continue;
+        if (auto met = collector.corrected(*manifold)) {
+            corrected.push_back(std::move(met));
+            replaced.emplace_back(&manifold, manifold);
+            manifold = corrected.back().get();
+        }
+    }
+    // What lies as deep in others, and did so before, has not met the side of the next one.
+    for (const auto& [place, own] : replaced)
+        if (isSunkBeside(*own, solved)) *place = own;
+    for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
+    collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
+    for (btPersistentManifold* manifold : solved) {
+        if (!collector.listensTo(*manifold)) continue;
+        const bool is_corrected = std::any_of(corrected.begin(), corrected.end(),
+                                              [&](const auto& own) { return own.get() == manifold; });
+        feedManifold(*manifold,
+                     is_corrected                  ? Meeting::on_the_way
+                     : isAmong(foreseen, manifold) ? Meeting::predictive
+                                                   : Meeting::found,
+                     collector);
+    }
+}
+
+}  // namespace sherd
