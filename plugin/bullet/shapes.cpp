@@ -72,6 +72,12 @@ double largestRadius(const btMultiSphereShape& spheres) {
     return radius;
 }
 
+/// nullptr if the child is not known.
+const btCollisionShape* partOf(const btCompoundShape& compound, int child) {
+    const bool is_known = child >= 0 && child < compound.getNumChildShapes();
+    return is_known ? compound.getChildShape(child) : nullptr;
+}
+
 }  // namespace
 
 std::vector<Vec3> supportPoints(const btConvexShape& shape) {
@@ -113,9 +119,8 @@ double strikingRadius(const btCollisionShape& shape, int child) {
             return scaled.getUniformScalingFactor() * strikingRadius(*scaled.getChildShape(), -1);
         }
         case COMPOUND_SHAPE_PROXYTYPE: {
-            const auto& compound = static_cast<const btCompoundShape&>(shape);
-            const bool known = child >= 0 && child < compound.getNumChildShapes();
-            return known ? strikingRadius(*compound.getChildShape(child), -1) : 0;
+            const btCollisionShape* part = partOf(static_cast<const btCompoundShape&>(shape), child);
+            return part ? strikingRadius(*part, -1) : 0;
         }
         default:
             return 0;
@@ -128,9 +133,8 @@ double ballRadius(const btCollisionShape& shape, int child) {
         case CAPSULE_SHAPE_PROXYTYPE:
             return strikingRadius(shape, child);
         case COMPOUND_SHAPE_PROXYTYPE: {
-            const auto& compound = static_cast<const btCompoundShape&>(shape);
-            const bool known = child >= 0 && child < compound.getNumChildShapes();
-            return known ? ballRadius(*compound.getChildShape(child), -1) : 0;
+            const btCollisionShape* part = partOf(static_cast<const btCompoundShape&>(shape), child);
+            return part ? ballRadius(*part, -1) : 0;
         }
         default:
             return 0;
