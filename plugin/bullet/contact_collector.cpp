@@ -168,8 +168,9 @@ bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
 
 btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const {
     const Breakable* breakable = breakables_.of(object);
-    const bool is_ours = breakable && breakable->ownedHere() && !breakable->owned.shape->disjoint;
-    return is_ours ? static_cast<btScalar>(shape_tolerance * breakable->asset.solid()->spacing()) : 0;
+    const bool is_hulls = breakable && breakable->ownedHere() && !breakable->owned.shape->disjoint &&
+                          object.getCollisionShape()->getShapeType() != BOX_SHAPE_PROXYTYPE;
+    return is_hulls ? static_cast<btScalar>(shape_tolerance * breakable->asset.solid()->spacing()) : 0;
 }
 
 const btTransform& ContactCollector::stoodAt(const btCollisionObject& object) const {

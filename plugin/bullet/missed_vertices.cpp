@@ -56,7 +56,7 @@ class VerticesOf {
         forEachVertex(*part.shape, [&](const btVector3& own) {
             if (isBeyond(planes, own)) return;
             const btVector3 vertex = part.transform * own;
-            const btVector3 within = vertex - outwardAt(first) * reach_;
+            const btVector3 within = vertex - outwardAt(first) * (margin + reach_);
             const btManifoldPoint* near = nearestPoint(vertex, isInside(other, within));
             if (!near) return;
             const btManifoldPoint point = contactAt(*near, vertex, margin);

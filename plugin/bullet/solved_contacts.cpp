@@ -45,13 +45,16 @@ void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btColl
     }
 }
 
-/// The vertices that a manifold lacks. A shape that Sherd made follows the surface to within a tolerance:
-/// what is no further apart than that is met at the same time.
+/// The vertices that a manifold lacks: what lands on several of them touches with all at about the same time.
+/// A shape that Sherd made follows the surface to within a tolerance: what is no further apart than that is
+/// met at the same time.
 std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
                                             const ContactCollector& collector) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
     const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
-    if (tolerance == 0) return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b));
+    if (tolerance == 0)  // as near as Bullet's own points
+        return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
+                              manifold.getContactBreakingThreshold());
     btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
@@ -64,12 +67,26 @@ std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold
     return vertices;
 }
 
+constexpr btScalar faint = btScalar(1e-3);  // of the whole impulse: a point counts as pressed
+
+btScalar impulseOf(const std::vector<btManifoldPoint>& points) {
+    btScalar sum = 0;
+    for (const btManifoldPoint& point : points) sum += std::max(btScalar(0), point.m_appliedImpulse);
+    return sum;
+}
+
+/// What lands meets what is still a little off when the step ends in that step, too, and Bullet loads only
+/// what it needs to stop the body.
+void pressLanding(std::vector<btManifoldPoint>& points) {
+    const btScalar sum = impulseOf(points);
+    for (btManifoldPoint& point : points)
+        if (point.getDistance() > 0) point.m_appliedImpulse = std::max(point.m_appliedImpulse, faint * sum);
+}
+
 /// What bodies that rest on each other touch with, pressed or not: which points of a flat contact Bullet
 /// presses depends on the step, and a face that leans against another is tilted by hardly anything.
 void pressEvenly(std::vector<btManifoldPoint>& points) {
-    constexpr btScalar faint = btScalar(1e-3);  // of the whole impulse: the point counts as pressed
-    btScalar sum = 0;
-    for (const btManifoldPoint& point : points) sum += std::max(btScalar(0), point.m_appliedImpulse);
+    const btScalar sum = impulseOf(points);
     for (btManifoldPoint& point : points)
         if (point.getDistance() <= btScalar(largestRestingGap()))
             point.m_appliedImpulse = std::max(point.m_appliedImpulse, faint * sum);
@@ -122,7 +139,10 @@ void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollec
         points.push_back(point);
     }
     points.insert(points.end(), vertices.begin(), vertices.end());
-    if (rests) pressEvenly(points);
+    if (rests)
+        pressEvenly(points);
+    else if (meeting == Meeting::found)
+        pressLanding(points);
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);

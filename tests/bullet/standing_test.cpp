@@ -54,6 +54,51 @@ TEST(Standing, AWallStruckInItsMiddleIsStressedAsOneThatFloats) {
         }
 }
 
+/// The blow of a body that lands on a floor at 5 m/s, tilted by that much, when it is `left_m` above it at
+/// the end of a step.
+BlowEvent landing(const BreakableAsset& asset, double half_height_m, double tilt_rad, double rate,
+                  double left_m) {
+    constexpr double speed_m_s = 5;
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    BodyOptions options;
+    options.start = at(0, 0, btScalar(half_height_m + 0.1 * std::sin(tilt_rad) + left_m + speed_m_s / rate));
+    options.start.setRotation(btQuaternion(btVector3(0, 1, 0), btScalar(tilt_rad)));
+    options.velocity = btVector3(0, 0, btScalar(-speed_m_s));
+    EXPECT_TRUE(fracture.add(asset, options).ok());
+    for (int i = 0; i < 4; ++i) {
+        scene.step(1, 1 / rate);
+        for (BlowEvent& event : fracture.takeEvents()) return event;
+    }
+    ADD_FAILURE() << "no blow was solved at " << rate << " Hz, " << left_m << " m above the floor";
+    return noBreak();
+}
+
+// Where a body lands on several points it strikes with those that it meets at about the same time, whether
+// Bullet has it above the floor or in it by the end of the step.
+TEST(Landing, FlatOrAlmostFlatIsTheSameAtAllRatesAndPhases) {
+    const TriangleMesh bar = shapes::box(Vec3(-0.1, -0.03, -0.02), Vec3(0.1, 0.03, 0.02), 10, 3, 2);
+    const TriangleMesh jar = shapes::moved(shapes::revolvedSolid({{0.04, -0.1}, {0.04, 0.1}}, 48),
+                                           Mat3(Eigen::AngleAxisd(1.5707963267948966, Vec3::UnitY())));
+    const Settings settings = Settings::forQuality(Quality::preview);
+    for (const auto& [mesh, half_height_m] : {std::pair(bar, 0.02), std::pair(jar, 0.04)}) {
+        const auto asset = BreakableAsset::fromMesh(mesh, Material::ceramic(), settings);
+        ASSERT_TRUE(asset.ok()) << asset.error();
+        for (const double tilt_rad : {0.0, 1e-3, 3e-3}) {
+            const BlowEvent reference = landing(asset.value(), half_height_m, tilt_rad, 960, -0.003);
+            for (const double rate : rates)
+                for (const double left_m : {0.0015, 0.0005, -0.0002, -0.003, -0.01}) {
+                    if (left_m < -5 / rate) continue;
+                    const BlowEvent event = landing(asset.value(), half_height_m, tilt_rad, rate, left_m);
+                    EXPECT_NEAR(event.peak_force_n / reference.peak_force_n, 1, 0.02)
+                        << tilt_rad << " rad, " << rate << " Hz, " << left_m << " m";
+                    EXPECT_NEAR(event.largest_stress_pa / reference.largest_stress_pa, 1, 0.05);
+                }
+        }
+    }
+}
+
 /// The first solved blow of a ball of 5 kg that touches a plate at 8 m/s with a force behind it; outcome
 /// `held` and no stress if none was solved.
 BlowEvent blowOfPushedBall(double force_n, double rate) {
