@@ -4,6 +4,7 @@
 #include <memory_resource>
 
 #include "bullet/joint_anchors.h"
+#include "fracture/can_break.h"
 #include "fracture/debris.h"
 
 namespace sherd {
@@ -28,6 +29,12 @@ bool Breakable::breaksAt(double time_s) const {
     return time_s >= unbreakable_until_s &&
            asset.solid()->moments().volume >= fracture->smallest_fragment_m3 &&
            (fracture->largest_generation == 0 || generation < fracture->largest_generation);
+}
+
+void Breakable::noteLeastEnergy() {
+    const bool has_to_say = !warned && !asset.warnings().empty();
+    const bool says_all = fracture->check_with_full_solve || has_to_say;
+    least_energy_j = says_all ? 0 : leastEnergy(*asset.solid(), *fracture);
 }
 
 std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset& asset,

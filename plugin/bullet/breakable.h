@@ -110,6 +110,8 @@ struct Breakable {
     bool isHeldRest() const { return isFragment() && isHeld(); }
     /// Whether it may break at that simulated time: neither debris nor just born.
     bool breaksAt(double time_s) const;
+    /// Of what blow upwards there is anything to say: sets `least_energy_j`.
+    void noteLeastEnergy();
     /// Whether it is large enough for that, and not of the last generation that may be.
     bool mayBreak() const { return breaksAt(std::numeric_limits<double>::infinity()); }
 };

@@ -100,8 +100,7 @@ void FractureWorld::Impl::tellWhatCannotBreak() {
 Breakable& FractureWorld::Impl::registerBreakable(std::unique_ptr<Breakable> breakable) {
     breakable->serial = next_serial_++;
     breakable->inner_ball = innerBall(*breakable->body->getCollisionShape());
-    const bool says_all = breakable->fracture->check_with_full_solve || !breakable->asset.warnings().empty();
-    if (!says_all) breakable->least_energy_j = leastEnergy(*breakable->asset.solid(), *breakable->fracture);
+    breakable->noteLeastEnergy();
     return breakables_.add(std::move(breakable));
 }
 

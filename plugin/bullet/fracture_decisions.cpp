@@ -19,6 +19,7 @@ namespace {
 std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     if (std::exchange(breakable.warned, true)) return {};
     std::vector<std::string> warnings = breakable.asset.warnings();
+    breakable.noteLeastEnergy();
     if (breakable.prepared_free && !breakable.asset.prepared())
         warnings.push_back(
             "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "

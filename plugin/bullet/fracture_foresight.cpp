@@ -30,14 +30,16 @@ void FractureWorld::Impl::lookAhead() {
             some_unanswered = some_unanswered || !breakable->asset.solid()->hasSolver();
         }
     const ThreadsAsAllowed threads(*this);
+    std::optional<Touching> touching;
     for (btRigidBody* body : movers) {
         if (!foresight_.mayRehearse()) return;
         if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;
         if (some_unanswered) makeSolversFor(*body);
         const BodyToken token = giveToken(*body);
         if (token == no_token || !foresight_.isToBeLookedAt(token, time_s_, budget_.foresight_s)) continue;
+        if (!touching) touching.emplace(world_);
         const std::vector<Role> roles =
-            rolesAround(world_, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
+            rolesAround(world_, *touching, breakables_, before_, *body, 2 * budget_.foresight_s, time_s_);
         if (!roles.empty()) rehearse(*body, token, roles);
     }
 }

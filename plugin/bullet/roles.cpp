@@ -5,6 +5,7 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
+#include <unordered_map>
 #include <unordered_set>
 #include <utility>
 
@@ -130,27 +131,47 @@ bool disturbs(const btCollisionObject& other, const btRigidBody& mover, const Br
     return !other.isStaticOrKinematicObject() && body && disturbing * body->getInvMass() < mover.getInvMass();
 }
 
-/// Adds what touches one of the bodies, and notes all that anything touches. False if something disturbs the
-/// mover.
-bool addNeighbours(btDiscreteDynamicsWorld& world, const btRigidBody& mover,
-                   const BreakableRegistry& breakables, ObjectSet& cast, ObjectSet& touched) {
-    const ObjectSet first = cast;
-    btDispatcher& dispatcher = *world.getDispatcher();
-    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0) continue;
-        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-        touched.insert({a, b});
-        for (const auto& [own, other] : {std::make_pair(a, b), std::make_pair(b, a)}) {
-            if (first.count(own) == 0 || own->isStaticObject() || !isInWorld(world, other)) continue;
-            if (own == &mover && disturbs(*other, mover, breakables)) return false;
+/// Objects in the order in which they stand in their world.
+Objects inOrder(const ObjectSet& set) {
+    Objects objects(set.begin(), set.end());
+    std::sort(objects.begin(), objects.end(), [](const btCollisionObject* a, const btCollisionObject* b) {
+        return a->getWorldArrayIndex() < b->getWorldArrayIndex();
+    });
+    return objects;
+}
+
+/// Adds what touches one of the objects.
+void addNeighbours(const Touching& touching, ObjectSet& cast) {
+    for (const btCollisionObject* own : inOrder(cast)) {
+        if (own->isStaticObject()) continue;
+        for (const btCollisionObject* other : touching.of(*own))
             if (cast.size() < most_roles && canStandIn(*other)) cast.insert(other);
-        }
     }
-    return true;
 }
 
 }  // namespace
+
+Touching::Touching(const btDiscreteDynamicsWorld& world) {
+    const auto& objects = world.getCollisionObjectArray();
+    of_.resize(static_cast<std::size_t>(objects.size()));
+    // Predictive manifolds outlive bodies that the app takes out: those are not to be asked for their place.
+    std::unordered_map<const btCollisionObject*, std::size_t> places;  // for look-up only
+    for (int i = 0; i < objects.size(); ++i) places[objects[i]] = static_cast<std::size_t>(i);
+    const btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold =
+            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+        const auto at_a = places.find(a), at_b = places.find(b);
+        if (manifold.getNumContacts() == 0 || at_a == places.end() || at_b == places.end()) continue;
+        of_[at_a->second].push_back(b);
+        of_[at_b->second].push_back(a);
+    }
+}
+
+const std::vector<const btCollisionObject*>& Touching::of(const btCollisionObject& object) const {
+    return of_[static_cast<std::size_t>(object.getWorldArrayIndex())];
+}
 
 std::vector<btRigidBody*> fastBodies(const btDiscreteDynamicsWorld& world) {
     constexpr btScalar slow_m_s = btScalar(0.2), slow_rad_s = 1;
@@ -195,8 +216,12 @@ std::vector<const Breakable*> breakablesAround(btDiscreteDynamicsWorld& world,
     return found;
 }
 
-std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                              const StepSnapshot& before, btRigidBody& mover, double ahead_s, double time_s) {
+std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const Touching& touching,
+                              const BreakableRegistry& breakables, const StepSnapshot& before,
+                              const btRigidBody& mover, double ahead_s, double time_s) {
+    const Objects& at_mover = touching.of(mover);
+    const auto turnsAside = [&](const auto* other) { return disturbs(*other, mover, breakables); };
+    if (std::any_of(at_mover.begin(), at_mover.end(), turnsAside)) return {};
     const double energy_j = energyOf(mover);
     const auto mayBreak = [&](const btCollisionObject& struck) {
         return breakableBy(energy_j, struck, breakables, time_s) != nullptr;
@@ -208,17 +233,13 @@ std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableReg
             : std::any_of(met.begin(), met.end(), [&](const auto* other) { return mayBreak(*other); });
     if (!is_worth_it) return {};
     keepNearest(mover, met);
-    ObjectSet cast(met.begin(), met.end()), touched;
+    ObjectSet cast(met.begin(), met.end());
     cast.insert(&mover);
-    if (!addNeighbours(world, mover, breakables, cast, touched)) return {};
-    Objects in_order(cast.begin(), cast.end());
-    std::sort(in_order.begin(), in_order.end(), [](const btCollisionObject* a, const btCollisionObject* b) {
-        return a->getWorldArrayIndex() < b->getWorldArrayIndex();
-    });
+    addNeighbours(touching, cast);
     std::vector<Role> roles;
-    for (const btCollisionObject* object : in_order)
-        roles.push_back(
-            roleOf(*object, breakables, before, world.getSolverInfo().m_timeStep, touched.count(object) > 0));
+    for (const btCollisionObject* object : inOrder(cast))
+        roles.push_back(roleOf(*object, breakables, before, world.getSolverInfo().m_timeStep,
+                               !touching.of(*object).empty()));
     return roles;
 }
 

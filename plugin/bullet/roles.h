@@ -36,11 +36,24 @@ std::vector<const Breakable*> breakablesAround(btDiscreteDynamicsWorld& world,
                                                const BreakableRegistry& breakables, const btRigidBody& mover,
                                                double ahead_s, double time_s);
 
+/// What touches what in a world.
+class Touching {
+  public:
+    explicit Touching(const btDiscreteDynamicsWorld& world);
+    /// What touches an object of the world, in the order of the dispatcher's manifolds; several times if they
+    /// have several.
+    const std::vector<const btCollisionObject*>& of(const btCollisionObject& object) const;
+
+  private:
+    std::vector<std::vector<const btCollisionObject*>> of_;  // by the objects' places in the world
+};
+
 /// What a rehearsal of a mover's next `ahead_s` seconds needs, in the order of the world's objects: itself,
 /// the nearest of what it may meet on its way, and what touches one of these. Empty if it meets nothing that
 /// it may break, nor anything that may break it, and if something turns it aside already. `before`: the state
 /// before the last step.
-std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                              const StepSnapshot& before, btRigidBody& mover, double ahead_s, double time_s);
+std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const Touching& touching,
+                              const BreakableRegistry& breakables, const StepSnapshot& before,
+                              const btRigidBody& mover, double ahead_s, double time_s);
 
 }  // namespace sherd

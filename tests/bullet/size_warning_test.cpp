@@ -53,6 +53,28 @@ TEST(SizeWarning, FirstBlowOnATinyBodySaysItThoughItIsTooWeakToBeSolved) {
     EXPECT_GT(events[0].normal.z(), 0.9);
 }
 
+TEST(SizeWarning, AfterItsEventABodyAtRestIsNoLongerLookedAt) {
+    Settings settings = coarse(0.001);
+    settings.fracture.smallest_fragment_m3 = 0;
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(0, 0, 0), Vec3(0.004, 0.004, 0.004)),
+                                                unbreakable(), settings);
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    ASSERT_FALSE(asset.value().warnings().empty());
+    TestWorld scene;
+    scene.addFloor();
+    scene.world->setGravity(btVector3(0, 0, -10));
+    FractureWorld fracture(scene.world.get());
+    btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0.0001f)).value();
+    body->setActivationState(DISABLE_DEACTIVATION);
+    scene.step(30);
+    const auto events = fracture.takeEvents();
+    ASSERT_EQ(events.size(), 1u);
+    EXPECT_TRUE(warns(events[0]));
+    const long long seen = fracture.counts().seen;
+    scene.step(30);
+    EXPECT_EQ(fracture.counts().seen, seen);
+}
+
 TEST(SizeWarning, UsualBodiesAndTheirFragmentsGoWithout) {
     const std::vector<BlowEvent> events = eventsOfACube(0.02, 10, crumbly());
     ASSERT_FALSE(events.empty());
