@@ -1,6 +1,7 @@
 #include <sherd/explosion.h>
 #include <sherd/fracture_world.h>
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,7 +9,10 @@
 #include <utility>
 
 #include "bullet/conversions.h"
+#include "core/loads/load_patch.h"
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
+#include "fracture/breakable_solid.h"
 
 namespace sherd {
 
@@ -17,15 +21,15 @@ namespace {
 /// What of the blast falls on a part of a surface. Asset frame, the centre of the explosion at the origin.
 struct Exposure {
     double solid_angle = 0;
-    Vec3 direction = Vec3::Zero();  // times the solid angle
+    Vec3 direction = Vec3::Zero();  // unit vectors away from the centre, over the solid angle
     Vec3 place = Vec3::Zero();      // times the solid angle
     double square = 0;              // |place|^2 times the solid angle
 
-    void add(const Vec3& at, double angle) {
-        solid_angle += angle;
-        direction += angle * at.normalized();
-        place += angle * at;
-        square += angle * at.squaredNorm();
+    void add(const Exposure& part) {
+        solid_angle += part.solid_angle;
+        direction += part.direction;
+        place += part.place;
+        square += part.square;
     }
     Vec3 mean() const { return place / solid_angle; }
     /// Of the disc whose points are as far from its middle as these are from theirs, in the mean square.
@@ -43,42 +47,101 @@ double solidAngle(const Vec3& a, const Vec3& b, const Vec3& c) {
                                       b.dot(c) * lengths[0] + c.dot(a) * lengths[1]);
 }
 
-using Octants = std::array<Exposure, 8>;
+/// The unit vectors towards a triangle, seen from the origin, over its solid angle: half the angle that each
+/// side is seen under, along the normal of the plane through that side and the origin (Lambert's formula for
+/// the light of a polygon).
+Vec3 directionOver(const Vec3& a, const Vec3& b, const Vec3& c) {
+    const auto ofSide = [](const Vec3& from, const Vec3& to) {
+        const Vec3 normal = from.cross(to);
+        const double sine = normal.norm();
+        return sine > 0 ? Vec3(0.5 * std::atan2(sine, from.dot(to)) / sine * normal) : Vec3(Vec3::Zero());
+    };
+    return ofSide(a, b) + ofSide(b, c) + ofSide(c, a);
+}
 
-/// Adds a triangle, in parts that are not larger than they are far away.
-void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double reach_m, int splits, Octants& octants) {
+/// Adds what of a triangle is exposed, in parts that are not larger than they are far away.
+void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double reach_m, int splits,
+                 std::vector<Exposure>& exposed) {
     const Vec3 middle = (a + b + c) / 3;
     const double edge = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
     if (splits > 0 && edge > middle.norm()) {
         const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
-        addTriangle(a, ab, ca, reach_m, splits - 1, octants);
-        addTriangle(ab, b, bc, reach_m, splits - 1, octants);
-        addTriangle(ca, bc, c, reach_m, splits - 1, octants);
-        addTriangle(bc, ca, ab, reach_m, splits - 1, octants);
+        addTriangle(a, ab, ca, reach_m, splits - 1, exposed);
+        addTriangle(ab, b, bc, reach_m, splits - 1, exposed);
+        addTriangle(ca, bc, c, reach_m, splits - 1, exposed);
+        addTriangle(bc, ca, ab, reach_m, splits - 1, exposed);
         return;
     }
     // Triangles are counter-clockwise from outside, so the angle is below zero where one faces the centre.
     const double angle = -solidAngle(a, b, c);
-    if (!(angle > 0) || !(middle.norm() <= reach_m)) return;
-    octants[(middle.x() > 0) + 2 * (middle.y() > 0) + 4 * (middle.z() > 0)].add(middle, angle);
+    if (angle > 0 && middle.norm() <= reach_m)
+        exposed.push_back({angle, -directionOver(a, b, c), angle * middle, angle * middle.squaredNorm()});
 }
 
-Octants exposuresOf(const TriangleMesh& surface, const Vec3& centre, double reach_m) {
-    constexpr int most_splits = 6;
-    Octants octants;
+std::vector<Exposure> exposuresOf(const TriangleMesh& surface, const Vec3& centre, double reach_m) {
+    constexpr int most_splits = 16;  // few at a time: only parts that are near the centre are split on
+    std::vector<Exposure> exposed;
     const auto vertex = [&](int v) { return Vec3(surface.vertices[v] - centre); };
     for (const auto& t : surface.triangles)
-        addTriangle(vertex(t[0]), vertex(t[1]), vertex(t[2]), reach_m, most_splits, octants);
+        addTriangle(vertex(t[0]), vertex(t[1]), vertex(t[2]), reach_m, most_splits, exposed);
+    return exposed;
+}
+
+/// Axes that turn with what is exposed: along the push on all of it, and across that along its length.
+Mat3 axesOf(const std::vector<Exposure>& exposed) {
+    Exposure all;
+    for (const Exposure& part : exposed) all.add(part);
+    Mat3 spread = Mat3::Zero();
+    for (const Exposure& part : exposed) {
+        const Vec3 arm = part.mean() - all.mean();
+        spread += part.solid_angle * arm * arm.transpose();
+    }
+    constexpr double one_sided = 1e-3;  // else what is exposed lies all around the centre
+    const bool has_side = all.direction.norm() > one_sided * all.solid_angle;
+    const Mat3 own = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors();
+    if (!has_side) return own;
+    const Vec3 along = all.direction.normalized(), second = along.unitOrthogonal();
+    Eigen::Matrix<double, 3, 2> across;
+    across << second, along.cross(second);
+    const Eigen::Matrix2d in_plane = across.transpose() * spread * across;
+    const Vec3 longest =
+        across * Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(in_plane).eigenvectors().col(1);
+    Mat3 axes;
+    axes << longest, along.cross(longest), along;
+    return axes;
+}
+
+/// Joined by octants about those axes.
+std::array<Exposure, 8> octantsOf(const std::vector<Exposure>& exposed) {
+    const Mat3 axes = axesOf(exposed);
+    std::array<Exposure, 8> octants;
+    for (const Exposure& part : exposed) {
+        const Vec3 at = axes.transpose() * part.direction;
+        octants[(at.x() > 0) + 2 * (at.y() > 0) + 4 * (at.z() > 0)].add(part);
+    }
     return octants;
+}
+
+/// A charge that lies on the surface, where a ray has met it: rounding may have it on the inner side.
+Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
+    constexpr double skin = 0.05;  // of a particle spacing
+    const double off = skin * solid.spacing();
+    if ((centre - solid.moments().centroid).norm() > solid.boundingRadius() + off) return centre;
+    const SurfaceTree& surface = solid.surfaceTree();
+    const SurfaceSpot spot = nearestSurfacePoint(surface, centre, Vec3::Zero());
+    if (spot.triangle < 0 || (spot.point - centre).norm() >= off) return centre;
+    return spot.point + off * areaVector(cornersOf(surface.surface(), spot.triangle)).normalized();
 }
 
 std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, const Explosion& explosion) {
     constexpr double nothing =
         1e-9;  // steradians, as a grain of 0.1 mm at 3 m: surface that is seen from its edge
     const btTransform world_from_asset = world.assetTransform(body);
-    const Vec3 centre = fromBullet(world_from_asset.inverse() * explosion.centre);
+    const auto asset = world.asset(body);
+    const Vec3 centre =
+        offTheSurface(*asset->solid(), fromBullet(world_from_asset.inverse() * explosion.centre));
     std::vector<Push> pushes;
-    for (const Exposure& part : exposuresOf(world.asset(body)->surface(), centre, explosion.reach_m)) {
+    for (const Exposure& part : octantsOf(exposuresOf(asset->surface(), centre, explosion.reach_m))) {
         if (!(part.solid_angle > nothing)) continue;
         const Vec3 impulse = explosion.impulse_n_s / (4 * pi) * part.direction;
         pushes.push_back({world_from_asset * toBullet(Vec3(centre + part.mean())),

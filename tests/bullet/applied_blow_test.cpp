@@ -293,6 +293,96 @@ TEST(Explosion, PushesByTheSolidAngleOfWhatFacesIt) {
     EXPECT_EQ(out_of_reach->getLinearVelocity().length(), 0);
 }
 
+TEST(Explosion, OnALargeTrianglePushesAlongItsNormalAndWithAQuarterOfItAll) {
+    const Vec3 half(2, 2, 0.15);
+    const auto slab = BreakableAsset::fromMesh(shapes::box(-half, half), unbreakable(), coarse(0.3));
+    ASSERT_TRUE(slab.ok()) << slab.error();
+    for (const double height_m : {0.03, 0.003, 0.0, -1e-6}) {  // the last two: where a ray has met it
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(slab.value(), at(0, 0, 0)).value();
+        ASSERT_TRUE(explode(fracture, {btVector3(0.3f, -0.2f, btScalar(half.z() + height_m)), 100, 10}).ok());
+        const btVector3 momentum = momentumOf({body}).linear;
+        EXPECT_NEAR(momentum.z(), -25, 0.5) << height_m;
+        EXPECT_LT(btVector3(momentum.x(), momentum.y(), 0).length(), 0.5) << height_m;
+    }
+}
+
+/// The event of an explosion over the middle of a square plate whose mesh is turned in its own coordinates.
+BlowEvent explosionOver(const Mat3& turn) {
+    const Vec3 half(0.25, 0.25, 0.02);
+    Material material = Material::ceramic();
+    material.strength_scatter = 0;
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::moved(shapes::box(-half, half, 6, 6, 1), turn), material);
+    EXPECT_TRUE(asset.ok()) << asset.error();
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    const Eigen::Quaterniond back(Mat3(turn.transpose()));
+    const btQuaternion level(btScalar(back.x()), btScalar(back.y()), btScalar(back.z()), btScalar(back.w()));
+    EXPECT_TRUE(fracture.add(asset.value(), btTransform(level)).ok());
+    EXPECT_TRUE(explode(fracture, {btVector3(0, 0, 0.2f), 200, 3}).ok());
+    const auto events = fracture.takeEvents();
+    return events.empty() ? noBreak() : events.front();
+}
+
+TEST(Explosion, DoesNotDependOnHowTheMeshLiesInItsCoordinates) {
+    const BlowEvent level = explosionOver(Mat3::Identity());
+    const Mat3 to_corner =
+        Eigen::Quaterniond::FromTwoVectors(Vec3::UnitZ(), Vec3(1, 1, 1)).toRotationMatrix();
+    for (const Mat3& turn : {to_corner, shapes::tilt()}) {
+        const BlowEvent turned = explosionOver(turn);
+        EXPECT_NEAR(turned.peak_force_n / level.peak_force_n, 1, 0.1);
+        EXPECT_NEAR(turned.largest_stress_pa / level.largest_stress_pa, 1, 0.15);
+    }
+}
+
+TEST(AppliedBlow, InPartsAtOnePlaceItIsOne) {
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, 0), Vec3(0.2, 0.2, 0.02), 4, 4),
+                                                Material::ceramic());
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    const auto forceOf = [&](int parts, btScalar apart_m) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0)).value();
+        std::vector<Push> pushes;
+        for (int i = 0; i < parts; ++i)
+            pushes.push_back(
+                {btVector3(apart_m * btScalar(i), 0, 0.02f), btVector3(0, 0, btScalar(-5.0 / parts)), 0, 10});
+        EXPECT_TRUE(fracture.applyBlow(body, pushes).ok());
+        const auto events = fracture.takeEvents();
+        return events.empty() ? 0 : events.front().peak_force_n;
+    };
+    const double one = forceOf(1, 0);
+    EXPECT_GT(one, 0);
+    EXPECT_NEAR(forceOf(8, 0) / one, 1, 1e-3);
+    EXPECT_NEAR(forceOf(4, 1e-4f) / one, 1, 0.02);
+}
+
+TEST(AppliedBlow, EachOfARowBreaksItsBodyAsTheFirstDid) {
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, 0), Vec3(0.2, 0.2, 0.02), 4, 4), crumbly());
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.fragments_per_step = 20;
+    budget.fragments_alive = 1000;
+    ASSERT_TRUE(fracture.setBudget(budget).ok());
+    std::vector<std::size_t> pieces;
+    for (int i = 0; i < 5; ++i) {
+        BodyOptions options;
+        options.start = at(btScalar(i), 0, 0);
+        options.seed = 1;
+        btRigidBody* body = fracture.add(asset.value(), options).value();
+        ASSERT_TRUE(fracture.applyBlow(body, {btVector3(btScalar(i), 0, 0.02f), btVector3(0, 0, -20)}).ok());
+        for (const BlowEvent& event : fracture.takeEvents()) pieces.push_back(event.fragments.size());
+    }
+    ASSERT_EQ(pieces.size(), 5u);
+    EXPECT_GT(pieces[0], 10u);
+    for (const std::size_t count : pieces) EXPECT_EQ(count, pieces[0]);
+}
+
 TEST(Explosion, BreaksAHollowBodyFromWithin) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());

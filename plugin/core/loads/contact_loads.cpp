@@ -68,14 +68,20 @@ std::vector<const ContactImpulse*> separateContacts(const ContactBody& body, con
     return separate;
 }
 
+/// Of the patch that the app gives, no larger than the body; 0: it gives none.
+double givenRadius(const ContactBody& body, const ContactImpulse& contact, const ContactSettings& settings) {
+    const double smallest = settings.smallest_patch * body.wall_thickness_m;
+    const double given = contact.patch_radius_m;
+    return given > 0 ? std::clamp(given, smallest, std::max(smallest, body.radius_m)) : 0;
+}
+
 /// A patch that the app gives is that of a contact of its size: it takes up as much of the energy.
-void giveCurvature(double smallest_patch_m, Strike& strike) {
+void giveCurvature(const ContactBody& body, const ContactSettings& settings, Strike& strike) {
     for (StrikePoint& point : strike.points) {
-        const double given = point.contact->patch_radius_m;
+        const double given = givenRadius(body, *point.contact, settings);
         const double energy = 0.5 * point.share * strike.mass(0) * strike.speed_m_s * strike.speed_m_s;
         if (given > 0 && energy > 0)
-            point.hertz.radius_m =
-                hertzRadiusOfPatch(point.hertz.contact_modulus_pa, std::max(given, smallest_patch_m), energy);
+            point.hertz.radius_m = hertzRadiusOfPatch(point.hertz.contact_modulus_pa, given, energy);
     }
 }
 
@@ -106,7 +112,7 @@ Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings
         strike.points.back().share = present;
     }
     shareOut(body.mobility, blow, strike);
-    giveCurvature(settings.smallest_patch * body.wall_thickness_m, strike);
+    giveCurvature(body, settings, strike);
     return strike;
 }
 
@@ -119,8 +125,7 @@ double patchRadius(const ContactBody& body, const Strike& strike, const StrikePo
                    const ContactSettings& settings) {
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
-    const double given = point.contact->patch_radius_m;
-    if (given > 0) return std::max(given, smallest);
+    if (const double given = givenRadius(body, *point.contact, settings); given > 0) return given;
     const double peak = hertzPeakForce(point.hertz, point.share * strike.mass(0), strike.speed_m_s);
     return std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
 }
