@@ -60,7 +60,9 @@ struct BlowEvent : BlowFigures {
     std::vector<btTypedConstraint*> removed_constraints;
     std::vector<btMultiBodyConstraint*> removed_multi_body_constraints;  ///< the same with multi-bodies
     double dropped_mass_kg = 0;  ///< of debris that left the world (FractureSettings::debris)
-    /// Linear and angular, of all fragments against the body; 0 if the world held it or holds some of them.
+    /// Linear and angular, of all fragments against the body; 0 if the world held it or holds some of them. A
+    /// body of the app's may have an inertia larger than its solid has, as Bullet gives it to hulls and
+    /// compounds: its fragments go on as it turned then, with less angular momentum, and this says how much.
     double momentum_error_rel = 0;
 };
 

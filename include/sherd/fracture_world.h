@@ -94,11 +94,13 @@ class FractureWorld {
 
     /// Strikes a breakable body of the world as a bullet, a blast or a hammer of the program's own would: the
     /// same stress, strength, fragments and event as with a contact, and the impulse moves the body, or its
-    /// fragments as one. Of a body with supports these are the fragments that come loose; what falls on a
-    /// fragment that stays held goes to what holds it. Outside a step the body breaks before this returns;
-    /// whether it broke or held, its event says (`takeEvents`), and there is none if the push is far too
-    /// weak. Bodies that still rest from their birth (FractureSettings::rest_after_break_s), and debris, are
-    /// pushed only. The error says which figure is out of range, or why the body cannot be struck.
+    /// fragments as one. Of a body with supports these are the fragments that come loose, which become no
+    /// faster than the push (`Push::speed_m_s`, or the speed that it would give the body as a free mass); the
+    /// rest, and what falls on a fragment that stays held, goes to what holds it. Outside a step the body
+    /// breaks before this returns; whether it broke or held, its event says (`takeEvents`), and there is none
+    /// if the push is far too weak. Bodies that still rest from their birth
+    /// (FractureSettings::rest_after_break_s), and debris, are pushed only. The error says which figure is
+    /// out of range, or why the body cannot be struck.
     Status applyBlow(btRigidBody* body, const Push& push);
 
     /// The same with several pushes that act together.

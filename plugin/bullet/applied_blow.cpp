@@ -92,6 +92,30 @@ ContactImpulse asContact(const btTransform& asset_from_world, const Push& push, 
     return contact;
 }
 
+/// Pushes at one place and in one direction are one, as though the same had given them: several strikers side
+/// by side would press harder.
+std::vector<Push> joined(const std::vector<Push>& pushes, double near_m) {
+    constexpr btScalar alike = btScalar(0.95);  // cosine of the angle between directions that are one
+    std::vector<Push> groups;
+    for (const Push& push : pushes) {
+        const btScalar impulse = push.impulse_n_s.length();
+        const auto known = std::find_if(groups.begin(), groups.end(), [&](const Push& group) {
+            return (group.point - push.point).length() < std::max(near_m, group.patch_radius_m) &&
+                   group.impulse_n_s.dot(push.impulse_n_s) > alike * impulse * group.impulse_n_s.length();
+        });
+        if (known == groups.end()) {
+            groups.push_back(push);
+            continue;
+        }
+        const btScalar share = impulse / (impulse + known->impulse_n_s.length());
+        known->point += share * (push.point - known->point);
+        known->speed_m_s += double(share) * (push.speed_m_s - known->speed_m_s);
+        known->patch_radius_m = std::max(known->patch_radius_m, push.patch_radius_m);
+        known->impulse_n_s += push.impulse_n_s;
+    }
+    return groups;
+}
+
 /// The place that a contact strikes, world frame, m.
 Vec3 onSurface(const Breakable& breakable, const ContactImpulse& contact) {
     const SurfaceSpot spot =
@@ -136,7 +160,9 @@ Status checkPlaces(const Breakable& breakable, const std::vector<Push>& pushes) 
     return success();
 }
 
-StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes) {
+StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& all_pushes) {
+    const std::vector<Push> pushes = joined(
+        all_pushes, breakable.fracture->contact.smallest_patch * breakable.asset.solid()->wallThickness());
     const btRigidBody& body = *breakable.body;
     const btTransform asset_from_world = breakable.placed(body.getWorldTransform()).inverse();
     StruckBreakable struck;
@@ -177,8 +203,16 @@ void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std:
         const auto hit = std::min_element(pieces.begin(), pieces.end(), [&](const auto& a, const auto& b) {
             return distanceTo(*a, push.point) < distanceTo(*b, push.point);
         });
-        if (hit != pieces.end() && (*hit)->isDynamic()) pushAsOne(loose, push.impulse_n_s, push.point);
+        if (hit != pieces.end() && (*hit)->isDynamic())
+            pushAsOne(loose, push.impulse_n_s, push.point, push.speed_m_s);
     }
+}
+
+std::vector<Push> forLoosePieces(const Breakable& breakable, std::vector<Push> pushes) {
+    const std::vector<double> speeds = speedsBy(breakable, pushes);
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+        pushes[i].speed_m_s = std::max(pushes[i].speed_m_s, speeds[i]);
+    return pushes;
 }
 
 std::vector<Push> moved(std::vector<Push> pushes, const btTransform& transform) {

@@ -81,8 +81,9 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
 }
 
 void FractureWorld::Impl::finishBetweenSteps() {
-    decided_now_ = 0;  // what the last step decided is done
+    decided_now_ = 0;  // what the last step decided, and the pieces that it made, are done
     decided_now_ms_ = 0;
+    new_fragments_ = 0;
     timed(times_.whole, [&] { finish(0); });
 }
 
@@ -110,7 +111,7 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
             if (!body->breaksAt(time_s_)) continue;
             together.push_back(struck);
             together.back().is_of_explosion = is_explosion;
-            if (is_held) together.back().for_pieces = pushes;
+            if (is_held) together.back().for_pieces = forLoosePieces(*body, pushes);
         }
     // Where Sherd's solver was replaced no step would end their waiting.
     const bool may_wait = is_explosion && decorator_.inPlace();

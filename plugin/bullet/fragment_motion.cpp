@@ -1,6 +1,7 @@
 #include "bullet/fragment_motion.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "bullet/conversions.h"
 
@@ -46,6 +47,23 @@ Assembly assemble(const std::vector<btRigidBody*>& pieces) {
     return all;
 }
 
+/// How fast the pieces turn together, by the angular momentum of the whole. What Bullet gives hulls and
+/// compounds is the inertia of the box around them: the pieces have less, and would turn many times as fast.
+/// Where they would have more energy than the whole, they go on as it turned.
+Vec3 commonSpin(const btRigidBody& whole, const Assembly& pieces, const Vec3& momentum) {
+    constexpr double rounding = 1e-5;
+    const Vec3 spin = fromBullet(whole.getAngularVelocity());
+    const bool turns_freely = fromBullet(whole.getInvInertiaDiagLocal()).minCoeff() > 0;
+    if (!turns_freely) return spin;
+    const Mat3 inertia = inertiaOf(whole);
+    const Vec3 angular = inertia * spin - (pieces.centre - centreOf(whole)).cross(momentum);
+    const Vec3 kept = pieces.inertia.ldlt().solve(angular);
+    const double twice_energy = spin.dot(inertia * spin);
+    if (!(kept.dot(angular) > (1 + rounding) * twice_energy)) return kept;
+    const double if_same = spin.dot(pieces.inertia * spin);
+    return if_same > twice_energy ? Vec3(std::sqrt(twice_energy / if_same) * spin) : spin;
+}
+
 /// Bullet multiplies applied forces by the factors of a body. Divides by them, so that they are not applied
 /// twice.
 Vec3 unscaled(const Vec3& v, const Vec3& factor) {
@@ -57,11 +75,8 @@ Vec3 unscaled(const Vec3& v, const Vec3& factor) {
 void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces) {
     const Assembly all = assemble(pieces);
     const Vec3 momentum = massOf(whole) * fromBullet(whole.getLinearVelocity());
-    const Vec3 spin = fromBullet(whole.getAngularVelocity());
     const Vec3 velocity = momentum / all.mass;
-    const Vec3 own_angular = inertiaOf(whole) * spin - (all.centre - centreOf(whole)).cross(momentum);
-    const bool turns_freely = fromBullet(whole.getInvInertiaDiagLocal()).minCoeff() > 0;
-    const Vec3 common_spin = turns_freely ? Vec3(all.inertia.ldlt().solve(own_angular)) : spin;
+    const Vec3 common_spin = commonSpin(whole, all, momentum);
     for (btRigidBody* piece : pieces) {
         piece->setLinearVelocity(toBullet(Vec3(velocity + common_spin.cross(centreOf(*piece) - all.centre))));
         piece->setAngularVelocity(toBullet(common_spin));
@@ -81,11 +96,17 @@ void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pie
     }
 }
 
-void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point) {
+void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point,
+               double fastest_m_s) {
     const Assembly all = assemble(pieces);
-    const Vec3 gained = fromBullet(impulse) / all.mass;
-    const Vec3 angular = (fromBullet(point) - all.centre).cross(fromBullet(impulse));
-    const Vec3 spin = all.inertia.ldlt().solve(angular);
+    const Vec3 arm = fromBullet(point) - all.centre;
+    Vec3 gained = fromBullet(impulse) / all.mass;
+    Vec3 spin = all.inertia.ldlt().solve(arm.cross(fromBullet(impulse)));
+    const double speed = (gained + spin.cross(arm)).dot(fromBullet(impulse).normalized());
+    if (speed > fastest_m_s) {
+        gained *= fastest_m_s / speed;
+        spin *= fastest_m_s / speed;
+    }
     for (btRigidBody* piece : pieces) {
         const btVector3 velocity = toBullet(Vec3(gained + spin.cross(centreOf(*piece) - all.centre)));
         piece->setLinearVelocity(piece->getLinearVelocity() + velocity * piece->getLinearFactor());

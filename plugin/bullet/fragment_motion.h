@@ -16,8 +16,10 @@ void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
 /// holds.
 void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
-/// Gives the pieces an impulse, N s, at a point of the world as if they were one rigid body.
-void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point);
+/// Gives the pieces an impulse, N s, at a point of the world as if they were one rigid body, or as much of it
+/// as moves that point by `fastest_m_s`.
+void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point,
+               double fastest_m_s);
 
 /// Distributes the forces and torques that the solve will apply (gravity and the app's own), such that all
 /// pieces accelerate as parts of the rigid whole. `gravity_if_none`: inside a step, where a body without any

@@ -276,7 +276,9 @@ struct WeakWall {
         EXPECT_TRUE(asset.ok()) << asset.error();
         body = fracture.add(asset.value(), options).value();
     }
-    Push push() const { return {btVector3(0, -0.05f, 0.8f), btVector3(0, 100, 0)}; }
+    Push push(double speed_m_s = 50) const {
+        return {btVector3(0, -0.05f, 0.8f), btVector3(0, 100, 0), 0, speed_m_s};
+    }
 
     TestWorld scene;
     FractureWorld fracture{scene.world.get()};
@@ -310,6 +312,24 @@ TEST(Anchored, WhatComesLooseTakesTheImpulseOfAnAppliedBlow) {
     inside.scene.step();
     inside.scene.world->setInternalTickCallback(nullptr);
     EXPECT_NEAR(momentumOf(inside.fracture).y(), 100, 0.01);
+}
+
+TEST(Anchored, WhatComesLooseIsNoFasterThanWhatStruckIt) {
+    for (const double speed_m_s : {0.0, 1.2}) {  // 0: that which the impulse gives to the wall, as a mass
+        WeakWall wall;
+        const double mass = wall.fracture.asset(wall.body)->mass();
+        const Push push = wall.push(speed_m_s);
+        ASSERT_TRUE(wall.fracture.applyBlow(wall.body, push).ok());
+        ASSERT_FALSE(inWorld(wall.scene, wall.body));
+        const double fastest = speed_m_s > 0 ? speed_m_s : 100 / mass;
+        EXPECT_GT(momentumOf(wall.fracture).y(), 10);
+        for (const btRigidBody* piece : wall.fracture.bodies()) {
+            if (piece->isStaticObject()) continue;
+            const btVector3 at_push =
+                piece->getVelocityInLocalPoint(push.point - piece->getCenterOfMassPosition());
+            EXPECT_NEAR(at_push.y(), fastest, 1e-3 * fastest);
+        }
+    }
 }
 
 TEST(Anchored, WhatHitsAFragmentThatStaysHeldMovesNothing) {

@@ -225,6 +225,17 @@ TEST(FragmentMotion, MomentumIsKeptWhereTheAppsInertiaIsNotThatOfTheSolid) {
     EXPECT_LT(momentumDifference(d.whole, {&d.left, &d.right}), 1e-6);
 }
 
+TEST(FragmentMotion, NoEnergyComesOfAnInertiaThatIsTooLarge) {
+    Dumbbell d;
+    d.whole.setMassProps(2, btVector3(8, 8, 8));  // of a box around it, as Bullet has it for hulls
+    d.whole.updateInertiaTensor();
+    d.whole.setAngularVelocity(btVector3(0, 0, 4));
+    shareMotion(d.whole, {&d.left, &d.right});
+    EXPECT_EQ(d.right.getAngularVelocity(), btVector3(0, 0, 4)) << "as it turned, not four times as fast";
+    EXPECT_LT(d.right.getLinearVelocity().distance(btVector3(0, 4, 0)), 1e-5);
+    EXPECT_GT(momentumDifference(d.whole, {&d.left, &d.right}), 0.1) << "the figure says what was left out";
+}
+
 TEST(FragmentMotion, LockedAxesKeepTheirSpin) {
     Dumbbell d;
     d.whole.setMassProps(2, btVector3(0, 0, 0));

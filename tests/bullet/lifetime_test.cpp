@@ -93,7 +93,7 @@ TEST(MakeBreakable, AppsCompoundBreaksAndKeepsItsMass) {
     EXPECT_NEAR(fracture.asset(body)->mass(), 7, 1e-5);
     EXPECT_NEAR(fracture.asset(body)->volume(), 0.6 * 0.3 * 0.06, 1e-6);
     body->setLinearVelocity(btVector3(0.3f, 0, 0));
-    body->setMassProps(7, btVector3(0.1f, 0.5f, 0.4f));  // not the inertia of the solid
+    body->setMassProps(7, btVector3(0.02f, 0.1f, 0.1f));  // not the inertia of the solid
     body->updateInertiaTensor();
     body->setAngularVelocity(btVector3(1, 2, 3));
     scene.addBall(2, 0.1, btVector3(0.05f, 0, 0.2f), btVector3(0, 0, -8));
