@@ -151,10 +151,13 @@ class VerticesOf {
 
 }  // namespace
 
-bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices) {
+bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices,
+               bool lands_on_face) {
     constexpr btScalar flat = btScalar(0.01);      // slope of the face against what it lands on
     constexpr btScalar parallel = btScalar(1e-5);  // sine of an angle that is none but for rounding
-    if (vertices.size() < 3) return false;
+    constexpr btScalar opposite =
+        btScalar(-0.999);  // cosine of the angle between ways to the ends of an edge
+    if (vertices.size() < 2) return false;
     const btVector3& normal = point.m_normalWorldOnB;
     std::vector<btVector3> ways;
     ways.reserve(vertices.size());
@@ -163,6 +166,10 @@ bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>&
         if (way.fuzzyZero()) continue;
         if (vertex.getDistance() <= point.getDistance() + flat * way.length()) ways.push_back(way);
     }
+    for (const btVector3& way : ways)
+        for (const btVector3& other : ways)
+            if (lands_on_face && way.dot(other) < opposite * btSqrt(way.length2() * other.length2()))
+                return true;
     if (ways.size() < 3) return false;
     // From each of them another one is less than half a turn further round the point.
     return std::all_of(ways.begin(), ways.end(), [&](const btVector3& way) {

@@ -20,7 +20,9 @@ std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold
 
 /// A face that lands flat touches with all its vertices at once; the one point that a manifold gets for it
 /// may be anywhere between them. Whether `point` is one of these: at least three of the vertices are no less
-/// deep than it, and they lie all around it.
-bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices);
+/// deep than it, and they lie all around it. `lands_on_face`: the body lands on the face of a box or on a
+/// plane, where it may also be between two ends of an edge; what is round touches an edge in between.
+bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>& vertices,
+               bool lands_on_face = false);
 
 }  // namespace sherd

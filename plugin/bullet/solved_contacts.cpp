@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bullet/box_faces.h"
 #include "bullet/contact_collector.h"
 #include "bullet/contact_motion.h"
 #include "bullet/extra_contacts.h"
@@ -45,13 +46,17 @@ void moveToBall(btManifoldPoint& point, const btCollisionObject& a, const btColl
     }
 }
 
+/// How far the shapes of a manifold's bodies may be from their surfaces, m.
+btScalar toleranceOf(const btPersistentManifold& manifold, const ContactCollector& collector) {
+    return std::max(collector.shapeTolerance(*manifold.getBody0()),
+                    collector.shapeTolerance(*manifold.getBody1()));
+}
+
 /// The vertices that a manifold lacks: what lands on several of them touches with all at about the same time.
-/// A shape that Sherd made follows the surface to within a tolerance: what is no further apart than that is
-/// met at the same time.
 std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
                                             const ContactCollector& collector) {
     const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-    const btScalar tolerance = std::max(collector.shapeTolerance(*a), collector.shapeTolerance(*b));
+    const btScalar tolerance = toleranceOf(manifold, collector);
     if (tolerance == 0)  // as near as Bullet's own points
         return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
                               manifold.getContactBreakingThreshold());
@@ -59,12 +64,15 @@ std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
     const btScalar reach = std::max(deepest, btScalar(0)) + tolerance;
-    std::vector<btManifoldPoint> vertices =
-        missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b), reach, true);
-    for (btManifoldPoint& vertex : vertices)
-        if (vertex.getDistance() < deepest + tolerance)
-            vertex.setDistance(std::min(vertex.getDistance(), deepest));
-    return vertices;
+    return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b), reach, true);
+}
+
+/// What is no deeper than the tolerance of a shape above the deepest is met with that.
+void meetTogether(std::vector<btManifoldPoint>& points, btScalar tolerance) {
+    btScalar deepest = BT_LARGE_FLOAT;
+    for (const btManifoldPoint& point : points) deepest = std::min(deepest, point.getDistance());
+    for (btManifoldPoint& point : points)
+        if (point.getDistance() < deepest + tolerance) point.setDistance(deepest);
 }
 
 constexpr btScalar faint = btScalar(1e-3);  // of the whole impulse: a point counts as pressed
@@ -102,6 +110,11 @@ void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
     }
 }
 
+bool isFlat(const btCollisionObject& object) {
+    const int type = object.getCollisionShape()->getShapeType();
+    return type == BOX_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE;
+}
+
 /// What is known of how the bodies of a manifold met.
 enum class Meeting {
     found,       ///< where they are
@@ -109,25 +122,29 @@ enum class Meeting {
     on_the_way,  ///< where they were
 };
 
-void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollector& collector) {
+void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector& collector) {
     const bool predictive = meeting == Meeting::predictive;
-    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const btCollisionObject *a = found.getBody0(), *b = found.getBody1();
+    const btTransform &stood_a = collector.stoodAt(*a), &stood_b = collector.stoodAt(*b);
     const btCollisionObjectWrapper wrapper_a(nullptr, a->getCollisionShape(), a, a->getWorldTransform(), -1,
                                              -1);
     const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
                                              -1);
-    const bool rests = !predictive && !collector.mayStrike(manifold);
+    const bool rests = !predictive && !collector.mayStrike(found);
+    const bool lands_on_face = !rests && (isFlat(*a) || isFlat(*b));
+    const auto straight =
+        predictive || rests || isExtra(found) ? nullptr : onBoxFaces(found, stood_a, stood_b);
+    const btPersistentManifold& manifold = straight ? *straight : found;
     std::vector<btManifoldPoint> vertices;
-    if (!isExtra(manifold))  // else Bullet's own manifold of the pair lacks the same ones
-        vertices = rests ? missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
-                                          btScalar(largestRestingGap()))
+    if (!isExtra(found))  // else Bullet's own manifold of the pair lacks the same ones
+        vertices = rests ? missedVertices(manifold, stood_a, stood_b, btScalar(largestRestingGap()))
                          : landedVertices(manifold, collector);
     std::vector<btManifoldPoint> points;
     points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint point = manifold.getContactPoint(i);
         if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
-        if (!predictive && isBetween(point, vertices)) {
+        if (!predictive && isBetween(point, vertices, lands_on_face)) {
             share(point, vertices);
             continue;
         }
@@ -139,10 +156,12 @@ void feedManifold(btPersistentManifold& manifold, Meeting meeting, ContactCollec
         points.push_back(point);
     }
     points.insert(points.end(), vertices.begin(), vertices.end());
-    if (rests)
+    if (rests) {
         pressEvenly(points);
-    else if (meeting == Meeting::found)
+    } else if (!predictive) {
+        meetTogether(points, toleranceOf(manifold, collector));
         pressLanding(points);
+    }
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);

@@ -92,6 +92,8 @@ TEST(MissedVertices, AllOnOneSideOfAPointDoNotHaveItBetweenThemHoweverTheyAreTur
         const auto t = btScalar(turn);
         EXPECT_FALSE(isBetween(middle, {at(t), at(t + 30), at(t + 60), at(t + 90)})) << turn;
         EXPECT_FALSE(isBetween(middle, {at(t), at(t + 180), at(t + 180), at(t)})) << turn;
+        EXPECT_TRUE(isBetween(middle, {at(t), at(t + 180)}, true)) << turn << ": on an edge";
+        EXPECT_FALSE(isBetween(middle, {at(t), at(t + 170)}, true)) << turn;
         EXPECT_TRUE(isBetween(middle, {at(t), at(t + 100), at(t + 200), at(t + 300)})) << turn;
     }
 }

@@ -78,19 +78,30 @@ BlowEvent landing(const BreakableAsset& asset, double half_height_m, double tilt
 // Where a body lands on several points it strikes with those that it meets at about the same time, whether
 // Bullet has it above the floor or in it by the end of the step.
 TEST(Landing, FlatOrAlmostFlatIsTheSameAtAllRatesAndPhases) {
-    const TriangleMesh bar = shapes::box(Vec3(-0.1, -0.03, -0.02), Vec3(0.1, 0.03, 0.02), 10, 3, 2);
-    const TriangleMesh jar = shapes::moved(shapes::revolvedSolid({{0.04, -0.1}, {0.04, 0.1}}, 48),
-                                           Mat3(Eigen::AngleAxisd(1.5707963267948966, Vec3::UnitY())));
+    const Mat3 lying(Eigen::AngleAxisd(1.5707963267948966, Vec3::UnitY()));
+    const auto jar = [&](const std::vector<std::pair<double, double>>& profile) {
+        return shapes::moved(shapes::revolvedSolid(profile, 48), lying);
+    };
+    struct Body {
+        TriangleMesh mesh;
+        double half_height_m;
+        std::vector<double> tilts_rad;
+    };
+    const Body bodies[] = {
+        {shapes::box(Vec3(-0.1, -0.03, -0.02), Vec3(0.1, 0.03, 0.02), 10, 3, 2), 0.02, {0, 1e-3, 3e-3}},
+        {jar({{0.04, -0.1}, {0.04, 0.1}}), 0.04, {0, 1e-3, 3e-3}},
+        {jar({{0.03, -0.1}, {0.04, -0.05}, {0.04, 0.05}, {0.03, 0.1}}), 0.04, {0, 3.5e-3, 0.01}}};
     const Settings settings = Settings::forQuality(Quality::preview);
-    for (const auto& [mesh, half_height_m] : {std::pair(bar, 0.02), std::pair(jar, 0.04)}) {
-        const auto asset = BreakableAsset::fromMesh(mesh, Material::ceramic(), settings);
+    for (const Body& body : bodies) {
+        const auto asset = BreakableAsset::fromMesh(body.mesh, Material::ceramic(), settings);
         ASSERT_TRUE(asset.ok()) << asset.error();
-        for (const double tilt_rad : {0.0, 1e-3, 3e-3}) {
-            const BlowEvent reference = landing(asset.value(), half_height_m, tilt_rad, 960, -0.003);
+        for (const double tilt_rad : body.tilts_rad) {
+            const BlowEvent reference = landing(asset.value(), body.half_height_m, tilt_rad, 960, -0.003);
             for (const double rate : rates)
-                for (const double left_m : {0.0015, 0.0005, -0.0002, -0.003, -0.01}) {
+                for (const double left_m : {0.0015, 0.0005, -0.0002, -0.003, -0.01, -0.023, -0.04}) {
                     if (left_m < -5 / rate) continue;
-                    const BlowEvent event = landing(asset.value(), half_height_m, tilt_rad, rate, left_m);
+                    const BlowEvent event =
+                        landing(asset.value(), body.half_height_m, tilt_rad, rate, left_m);
                     EXPECT_NEAR(event.peak_force_n / reference.peak_force_n, 1, 0.02)
                         << tilt_rad << " rad, " << rate << " Hz, " << left_m << " m";
                     EXPECT_NEAR(event.largest_stress_pa / reference.largest_stress_pa, 1, 0.05);
