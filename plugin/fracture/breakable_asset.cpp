@@ -55,7 +55,10 @@ std::vector<std::string> unitWarnings(const Material& material) {
     };
     warn("youngs_modulus_pa", material.youngs_modulus_pa, 1e6, "Pa, not in GPa or MPa");
     warn("tensile_strength_pa", material.tensile_strength_pa, 500, "Pa, not in MPa");
-    warn("density_kg_m3", material.density_kg_m3, 5, "kg/m^3, not in g/cm^3");
+    warn("density_kg_m3", material.density_kg_m3, 5,
+         "kg/m^3, not in g/cm^3? That of a body of the program's own (makeBreakable) is its mass over its "
+         "volume: is "
+         "that as it should be");
     return warnings;
 }
 

@@ -83,12 +83,14 @@ std::string sizeWarning(const TriangleMesh& mesh) {
     const double length = mesh.triangles.empty() ? 0 : boundingBox(mesh).sizes().maxCoeff();
     if (length > largest_usual_m)
         return "The body is " + threeDigits(length) +
-               " m long; if its file is in centimetres or millimetres, read it with a scale of 0.01 or 0.001 "
-               "(Repair::scale).";
+               " m long, and lengths are in metres: if its file is in centimetres or millimetres, read it "
+               "with a "
+               "scale of 0.01 or 0.001 (Repair::scale).";
     if (length > 0 && length < smallest_usual_m)
         return "The body is only " + threeDigits(length) +
-               " m long; if its file is in decimetres or larger units, read it with a scale of 10, 100 or "
-               "1000 (Repair::scale).";
+               " m long, and lengths are in metres: if its file is in decimetres or larger units, read it "
+               "with a "
+               "scale of 10, 100 or 1000 (Repair::scale).";
     return "";
 }
 
