@@ -180,6 +180,14 @@ bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
     return false;
 }
 
+bool ContactCollector::wouldMeet(const btCollisionObject& a, const btCollisionObject& b,
+                                 const btManifoldPoint& point) const {
+    const btVector3& normal = point.m_normalWorldOnB;
+    const PointMotion of_a = motionAt(a, before_.find(&a), point.m_positionWorldOnA, normal, time_step_s_);
+    const PointMotion of_b = motionAt(b, before_.find(&b), point.m_positionWorldOnB, normal, time_step_s_);
+    return (of_b.velocity - of_a.velocity).dot(normal) * btScalar(time_step_s_) > point.getDistance();
+}
+
 btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const {
     const Breakable* breakable = breakables_.of(object);
     const bool is_hulls = breakable && breakable->ownedHere() && !breakable->owned.shape->disjoint &&

@@ -72,6 +72,11 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// Whether the bodies of a manifold meet faster than bodies that rest on each other do.
     bool mayStrike(const btPersistentManifold& manifold) const;
 
+    /// Whether two bodies would have met at a point that is still ahead of them by the end of the step, had
+    /// nothing stopped them.
+    bool wouldMeet(const btCollisionObject& a, const btCollisionObject& b,
+                   const btManifoldPoint& point) const;
+
     /// How far the shape that stands for a body may be from its surface, m; 0: it is what it is.
     btScalar shapeTolerance(const btCollisionObject& object) const;
 

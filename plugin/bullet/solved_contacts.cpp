@@ -83,12 +83,15 @@ btScalar impulseOf(const std::vector<btManifoldPoint>& points) {
     return sum;
 }
 
-/// What lands meets what is still a little off when the step ends in that step, too, and Bullet loads only
-/// what it needs to stop the body.
-void pressLanding(std::vector<btManifoldPoint>& points) {
+/// What lands would have met in this step what is still a little off, too: Bullet loads only what it needs to
+/// stop the body.
+void pressLanding(std::vector<btManifoldPoint>& points, const btCollisionObject& a,
+                  const btCollisionObject& b, const ContactCollector& collector) {
     const btScalar sum = impulseOf(points);
     for (btManifoldPoint& point : points)
-        if (point.getDistance() > 0) point.m_appliedImpulse = std::max(point.m_appliedImpulse, faint * sum);
+        if (point.getDistance() > 0 && point.m_appliedImpulse < faint * sum &&
+            collector.wouldMeet(a, b, point))
+            point.m_appliedImpulse = faint * sum;
 }
 
 /// What bodies that rest on each other touch with, pressed or not: which points of a flat contact Bullet
@@ -160,7 +163,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
         pressEvenly(points);
     } else if (!predictive) {
         meetTogether(points, toleranceOf(manifold, collector));
-        pressLanding(points);
+        pressLanding(points, *a, *b, collector);
     }
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
