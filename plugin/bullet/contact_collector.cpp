@@ -17,8 +17,6 @@
 #include "bullet/same_blow.h"
 #include "bullet/shapes.h"
 #include "bullet/torn_out.h"
-#include "core/loads/contact_loads.h"
-#include "core/loads/load_patch.h"
 #include "core/loads/strike.h"
 
 namespace sherd {
@@ -34,18 +32,6 @@ double speedOnto(const btCollisionObject& landed, const btVector3& point, const 
     const PointMotion after = motionAt(landed, nullptr, point, push, time_step_s);
     const double closing = (after.velocity - self.velocity).dot(push);
     return closing > slowestStrike(self, after, time_step_s) ? closing : std::min(closing, 0.0);
-}
-
-/// Radius of curvature of what a breakable body strikes with, m; 0: with a face.
-double radiusAt(const Breakable& striker, const btTransform& asset_from_world, const btVector3& point,
-                const btVector3& push) {
-    const BreakableSolid& solid = *striker.asset.solid();
-    const Vec3 inward = fromBullet(asset_from_world.getBasis() * push);
-    const SurfaceSpot spot =
-        nearestSurfacePoint(solid.surfaceTree(), fromBullet(asset_from_world * point), inward);
-    if (spot.triangle < 0) return 0;
-    const double radius = touchingRadius(solid.surfaceTree(), solid.wallThickness(), spot.point, inward);
-    return radius < solid.boundingRadius() ? radius : 0;
 }
 
 /// Sets where the body was struck, and by what.
@@ -98,7 +84,7 @@ void ContactCollector::lookUp(const btCollisionObject& object, Party& party) con
     party.before = before_.find(&object);
     party.breakable = breakables_.of(object);
     party.listens = party.breakable && listens(*party.breakable);
-    if (party.breakable) party.asset_from_world = party.breakable->placed(stoodAt(object)).inverse();
+    if (party.listens) party.asset_from_world = party.breakable->placed(stoodAt(object)).inverse();
 }
 
 /// Where and when a ball met the true surface, if the hulls that stand for that say otherwise: deep in one of
@@ -290,9 +276,6 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;
-        if (contact.strikes() && radius == 0)
-            contact.partner_radius_m =
-                radiusAt(*other_breakable, other.party->asset_from_world, other.point, -own.push);
     }
     return contact;
 }

@@ -9,7 +9,7 @@ namespace {
 
 // What a strike may differ by from the foreseen one, in parts of the particle spacing and of the speed: far
 // less than the stress is exact to.
-constexpr double same_place = 0.1, same_speed = 0.01, same_direction = 1e-3, same_radius = 0.05;
+constexpr double same_place = 0.1, same_speed = 0.01, same_direction = 1e-3;
 // What presses without striking: in parts of the body's radius, and the cosine of an angle.
 constexpr double about_there = 0.35, about_so = 0.9, standing_m_s = 0.05;
 constexpr double light = 0.02;  // of the struck body's mass: what supports it has more
@@ -34,8 +34,7 @@ bool areTurnsAlike(const Blow& a, const Blow& b) {
 
 bool isSameStrike(const ContactImpulse& a, const ContactImpulse& b, double spacing) {
     const double speed = a.approach_m_s;
-    return b.strikes() &&
-           std::abs(a.partner_radius_m - b.partner_radius_m) <= same_radius * a.partner_radius_m &&
+    return b.strikes() && a.partner_radius_m == b.partner_radius_m &&
            a.partner_youngs_modulus_pa == b.partner_youngs_modulus_pa &&
            a.partner_poisson_ratio == b.partner_poisson_ratio && a.friction == b.friction &&
            (a.point - b.point).norm() <= same_place * spacing &&

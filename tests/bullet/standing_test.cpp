@@ -110,44 +110,6 @@ TEST(Landing, FlatOrAlmostFlatIsTheSameAtAllRatesAndPhases) {
     }
 }
 
-/// The forces of the first blows on a plate and on a cube that flies at it, turned like this.
-std::pair<double, double> forcesOnBoth(const btQuaternion& turn) {
-    Material material = Material::ceramic();  // both are stiff: neither knows how far the other one bends
-    material.tensile_strength_pa = 6e7;
-    material.fracture_energy_j_m2 = 1e-3;
-    const auto plate = BreakableAsset::fromMesh(
-        shapes::box(Vec3(-0.15, -0.15, -0.03), Vec3(0.15, 0.15, 0.03), 1, 1, 1), material);
-    const auto cube = BreakableAsset::fromMesh(
-        shapes::box(Vec3(-0.04, -0.04, -0.04), Vec3(0.04, 0.04, 0.04), 1, 1, 1), material);
-    EXPECT_TRUE(plate.ok() && cube.ok());
-    TestWorld scene;
-    FractureWorld fracture(scene.world.get());
-    const btRigidBody* struck = fracture.add(plate.value(), at(0, 0, 0)).value();
-    BodyOptions options;
-    options.start = at(0, 0, 0.12f);
-    options.start.setRotation(turn);
-    options.velocity = btVector3(0, 0, -10);
-    EXPECT_TRUE(fracture.add(cube.value(), options).ok());
-    double on_plate = 0, on_cube = 0;
-    for (int i = 0; i < 12; ++i) {
-        scene.step(1, 1.0 / 480);
-        for (const BlowEvent& event : fracture.takeEvents())
-            if (double& force = event.body == struck ? on_plate : on_cube; force == 0)
-                force = event.peak_force_n;
-    }
-    return {on_plate, on_cube};
-}
-
-TEST(Standing, TwoBodiesThatStrikeEachOtherFeelTheSameForce) {
-    const btQuaternion on_edge(btVector3(1, 0, 0), SIMD_HALF_PI / 2),
-        on_corner = shortestArcQuat(btVector3(1, 1, 1).normalized(), btVector3(0, 0, 1));
-    for (const btQuaternion& turn : {on_edge, on_corner}) {
-        const auto [on_plate, on_cube] = forcesOnBoth(turn);
-        EXPECT_GT(on_cube, 0);
-        EXPECT_NEAR(on_plate / on_cube, 1, 0.1);
-    }
-}
-
 /// The first solved blow of a ball of 5 kg that touches a plate at 8 m/s with a force behind it; outcome
 /// `held` and no stress if none was solved.
 BlowEvent blowOfPushedBall(double force_n, double rate) {

@@ -34,7 +34,8 @@ StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
                         const ContactSettings& settings) {
     const SurfaceSpot spot = spotOf(body, contact);
     const double wall = body.wall_thickness_m;
-    const double own = touchingRadius(body.surface, wall, spot.point, contact.normal);
+    const double own =
+        contactRadius(body.surface, spot.point, contact.normal, cap_reach * wall, cap_height * wall);
     const double curvature =
         (own > 0 ? 1 / own : 0) + (contact.partner_radius_m > 0 ? 1 / contact.partner_radius_m : 0);
     HertzContact hertz;
@@ -85,10 +86,6 @@ void giveCurvature(const ContactBody& body, const ContactSettings& settings, Str
 }
 
 }  // namespace
-
-double touchingRadius(const SurfaceTree& surface, double wall_m, const Vec3& spot, const Vec3& push) {
-    return contactRadius(surface, spot, push, cap_reach * wall_m, cap_height * wall_m);
-}
 
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,
                       const ContactSettings& settings) {

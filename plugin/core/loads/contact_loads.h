@@ -61,10 +61,6 @@ std::vector<ContactPatch> contactPatches(const ContactBody& body, const Strike& 
 /// Their quadrature points.
 std::vector<PointForce> unitLoads(const std::vector<ContactPatch>& patches);
 
-/// Radius of curvature with which a body of that wall thickness meets a flat partner at a spot of its
-/// surface, m. Faces have a large one.
-double touchingRadius(const SurfaceTree& surface, double wall_m, const Vec3& spot, const Vec3& push);
-
 /// The modulus of a contact; the settings stand in for what is not known of the partner.
 double contactModulus(const ContactBody& body, const ContactImpulse& contact,
                       const ContactSettings& settings);
