@@ -92,6 +92,14 @@ ContactImpulse asContact(const btTransform& asset_from_world, const Push& push, 
     return contact;
 }
 
+/// With the speed of what strikes: where that is not known, what all pushes give to the place.
+std::vector<Push> withSpeeds(const Breakable& breakable, std::vector<Push> pushes) {
+    const std::vector<double> speeds = speedsBy(breakable, pushes);
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+        pushes[i].speed_m_s = std::max(pushes[i].speed_m_s, speeds[i]);
+    return pushes;
+}
+
 /// Pushes at one place and in one direction are one, as though the same had given them: several strikers side
 /// by side would press harder.
 std::vector<Push> joined(const std::vector<Push>& pushes, double near_m) {
@@ -199,20 +207,18 @@ void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std:
     std::vector<btRigidBody*> loose;
     for (const auto& piece : pieces)
         if (piece->isDynamic()) loose.push_back(piece->body);
+    std::vector<Push> on_loose;
     for (const Push& push : pushes) {
         const auto hit = std::min_element(pieces.begin(), pieces.end(), [&](const auto& a, const auto& b) {
             return distanceTo(*a, push.point) < distanceTo(*b, push.point);
         });
-        if (hit != pieces.end() && (*hit)->isDynamic())
-            pushAsOne(loose, push.impulse_n_s, push.point, push.speed_m_s);
+        if (hit != pieces.end() && (*hit)->isDynamic()) on_loose.push_back(push);
     }
+    if (!on_loose.empty()) pushAsOne(loose, on_loose);
 }
 
-std::vector<Push> forLoosePieces(const Breakable& breakable, std::vector<Push> pushes) {
-    const std::vector<double> speeds = speedsBy(breakable, pushes);
-    for (std::size_t i = 0; i < pushes.size(); ++i)
-        pushes[i].speed_m_s = std::max(pushes[i].speed_m_s, speeds[i]);
-    return pushes;
+std::vector<Push> forLoosePieces(const Breakable& breakable, const std::vector<Push>& pushes) {
+    return withSpeeds(breakable, pushes);
 }
 
 std::vector<Push> moved(std::vector<Push> pushes, const btTransform& transform) {

@@ -3,6 +3,7 @@
 #include <BulletCollision/CollisionShapes/btBoxShape.h>
 
 #include <cmath>
+#include <optional>
 
 #include "bullet/convex_part.h"
 
@@ -17,10 +18,10 @@ bool isBox(const ConvexPart& part) {
     return part.shape && part.shape->getShapeType() == BOX_SHAPE_PROXYTYPE;
 }
 
-/// The vertex that is lowest along an axis of a frame, in that frame.
-btVector3 lowest(const ConvexPart& part, const btTransform& frame, int axis, btScalar side) {
+/// The vertex that is lowest along an axis of a frame, in that frame; nothing of a part without vertices.
+std::optional<btVector3> lowest(const ConvexPart& part, const btTransform& frame, int axis, btScalar side) {
     const btTransform to_frame = frame.inverseTimes(part.transform);
-    btVector3 found(0, 0, 0);
+    std::optional<btVector3> found;
     btScalar least = BT_LARGE_FLOAT;
     forEachVertex(*part.shape, [&](const btVector3& own) {
         const btVector3 vertex = to_frame * own;
@@ -39,7 +40,9 @@ bool straighten(const ConvexPart& box, const ConvexPart& hull, bool box_is_a, bt
     const btScalar side = normal[axis] > 0 ? btScalar(1) : btScalar(-1);
     if (side * normal[axis] > 1 - exact || side * normal[axis] < of_face) return false;
     const btVector3 half = static_cast<const btBoxShape*>(box.shape)->getHalfExtentsWithMargin();
-    btVector3 vertex = lowest(hull, box.transform, axis, side);
+    const auto lowest_vertex = lowest(hull, box.transform, axis, side);
+    if (!lowest_vertex) return false;
+    btVector3 vertex = *lowest_vertex;
     vertex[axis] -= side * marginAround(*hull.shape);
     const btScalar distance = side * vertex[axis] - half[axis];
     if (-distance > half[axis]) return false;
@@ -60,18 +63,17 @@ bool straighten(const ConvexPart& box, const ConvexPart& hull, bool box_is_a, bt
 
 std::unique_ptr<btPersistentManifold> onBoxFaces(const btPersistentManifold& manifold,
                                                  const btTransform& stood_a, const btTransform& stood_b) {
-    if (manifold.getNumContacts() == 0) return nullptr;
-    auto straight = std::make_unique<btPersistentManifold>(manifold);
-    bool changed = false;
-    for (int i = 0; i < straight->getNumContacts(); ++i) {
-        btManifoldPoint& point = straight->getContactPoint(i);
+    std::unique_ptr<btPersistentManifold> straight;
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint point = manifold.getContactPoint(i);
         const ConvexPart a = partOf(*manifold.getBody0(), stood_a, point.m_index0),
                          b = partOf(*manifold.getBody1(), stood_b, point.m_index1);
         if (!a.shape || !b.shape || isBox(a) == isBox(b)) continue;
-        const bool is_other = isBox(a) ? straighten(a, b, true, point) : straighten(b, a, false, point);
-        changed = changed || is_other;
+        if (!(isBox(a) ? straighten(a, b, true, point) : straighten(b, a, false, point))) continue;
+        if (!straight) straight = std::make_unique<btPersistentManifold>(manifold);
+        straight->getContactPoint(i) = point;
     }
-    return changed ? std::move(straight) : nullptr;
+    return straight;
 }
 
 }  // namespace sherd

@@ -59,31 +59,39 @@ Vec3 directionOver(const Vec3& a, const Vec3& b, const Vec3& c) {
     return ofSide(a, b) + ofSide(b, c) + ofSide(c, a);
 }
 
-/// Adds what of a triangle is exposed, in parts that are not larger than they are far away.
-void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, double reach_m, int splits,
+/// How triangles are divided: into parts that are no larger than they are far away, nor than `largest_m`.
+struct Division {
+    double reach_m, largest_m;
+};
+
+/// Adds what of a triangle is exposed.
+void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Division& division, int splits,
                  std::vector<Exposure>& exposed) {
     const Vec3 middle = (a + b + c) / 3;
     const double edge = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
-    if (splits > 0 && edge > middle.norm()) {
+    if (splits > 0 && edge > std::min(middle.norm(), division.largest_m)) {
         const Vec3 ab = (a + b) / 2, bc = (b + c) / 2, ca = (c + a) / 2;
-        addTriangle(a, ab, ca, reach_m, splits - 1, exposed);
-        addTriangle(ab, b, bc, reach_m, splits - 1, exposed);
-        addTriangle(ca, bc, c, reach_m, splits - 1, exposed);
-        addTriangle(bc, ca, ab, reach_m, splits - 1, exposed);
+        addTriangle(a, ab, ca, division, splits - 1, exposed);
+        addTriangle(ab, b, bc, division, splits - 1, exposed);
+        addTriangle(ca, bc, c, division, splits - 1, exposed);
+        addTriangle(bc, ca, ab, division, splits - 1, exposed);
         return;
     }
     // Triangles are counter-clockwise from outside, so the angle is below zero where one faces the centre.
     const double angle = -solidAngle(a, b, c);
-    if (angle > 0 && middle.norm() <= reach_m)
-        exposed.push_back({angle, -directionOver(a, b, c), angle * middle, angle * middle.squaredNorm()});
+    if (!(angle > 0) || middle.norm() > division.reach_m) return;
+    const double within =
+        ((a - middle).squaredNorm() + (b - middle).squaredNorm() + (c - middle).squaredNorm()) / 12;
+    exposed.push_back(
+        {angle, -directionOver(a, b, c), angle * middle, angle * (middle.squaredNorm() + within)});
 }
 
-std::vector<Exposure> exposuresOf(const TriangleMesh& surface, const Vec3& centre, double reach_m) {
+std::vector<Exposure> exposuresOf(const TriangleMesh& surface, const Vec3& centre, const Division& division) {
     constexpr int most_splits = 16;  // few at a time: only parts that are near the centre are split on
     std::vector<Exposure> exposed;
     const auto vertex = [&](int v) { return Vec3(surface.vertices[v] - centre); };
     for (const auto& t : surface.triangles)
-        addTriangle(vertex(t[0]), vertex(t[1]), vertex(t[2]), reach_m, most_splits, exposed);
+        addTriangle(vertex(t[0]), vertex(t[1]), vertex(t[2]), division, most_splits, exposed);
     return exposed;
 }
 
@@ -128,9 +136,14 @@ Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
     const double off = skin * solid.spacing();
     if ((centre - solid.moments().centroid).norm() > solid.boundingRadius() + off) return centre;
     const SurfaceTree& surface = solid.surfaceTree();
-    const SurfaceSpot spot = nearestSurfacePoint(surface, centre, Vec3::Zero());
-    if (spot.triangle < 0 || (spot.point - centre).norm() >= off) return centre;
-    return spot.point + off * areaVector(cornersOf(surface.surface(), spot.triangle)).normalized();
+    constexpr int most_faces = 4;  // of a corner, one after the other
+    Vec3 place = centre;
+    for (int face = 0; face < most_faces; ++face) {
+        const SurfaceSpot spot = nearestSurfacePoint(surface, place, Vec3::Zero());
+        if (spot.triangle < 0 || (spot.point - place).norm() >= (1 - 1e-9) * off) break;
+        place = spot.point + off * areaVector(cornersOf(surface.surface(), spot.triangle)).normalized();
+    }
+    return place;
 }
 
 std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, const Explosion& explosion) {
@@ -141,7 +154,9 @@ std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, 
     const Vec3 centre =
         offTheSurface(*asset->solid(), fromBullet(world_from_asset.inverse() * explosion.centre));
     std::vector<Push> pushes;
-    for (const Exposure& part : octantsOf(exposuresOf(asset->surface(), centre, explosion.reach_m))) {
+    constexpr double of_radius = 0.125;  // parts of the body that the octants are made of
+    const Division division{explosion.reach_m, of_radius * asset->solid()->boundingRadius()};
+    for (const Exposure& part : octantsOf(exposuresOf(asset->surface(), centre, division))) {
         if (!(part.solid_angle > nothing)) continue;
         const Vec3 impulse = explosion.impulse_n_s / (4 * pi) * part.direction;
         pushes.push_back({world_from_asset * toBullet(Vec3(centre + part.mean())),

@@ -96,17 +96,22 @@ void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pie
     }
 }
 
-void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point,
-               double fastest_m_s) {
+void pushAsOne(const std::vector<btRigidBody*>& pieces, const std::vector<Push>& pushes) {
     const Assembly all = assemble(pieces);
-    const Vec3 arm = fromBullet(point) - all.centre;
-    Vec3 gained = fromBullet(impulse) / all.mass;
-    Vec3 spin = all.inertia.ldlt().solve(arm.cross(fromBullet(impulse)));
-    const double speed = (gained + spin.cross(arm)).dot(fromBullet(impulse).normalized());
-    if (speed > fastest_m_s) {
-        gained *= fastest_m_s / speed;
-        spin *= fastest_m_s / speed;
+    Vec3 impulse = Vec3::Zero(), angular = Vec3::Zero();
+    for (const Push& push : pushes) {
+        impulse += fromBullet(push.impulse_n_s);
+        angular += (fromBullet(push.point) - all.centre).cross(fromBullet(push.impulse_n_s));
     }
+    Vec3 gained = impulse / all.mass, spin = all.inertia.ldlt().solve(angular);
+    double share = 1;
+    for (const Push& push : pushes) {
+        const Vec3 motion = gained + spin.cross(fromBullet(push.point) - all.centre);
+        const double speed = motion.dot(fromBullet(push.impulse_n_s).normalized());
+        if (speed > push.speed_m_s) share = std::min(share, push.speed_m_s / speed);
+    }
+    gained *= share;
+    spin *= share;
     for (btRigidBody* piece : pieces) {
         const btVector3 velocity = toBullet(Vec3(gained + spin.cross(centreOf(*piece) - all.centre)));
         piece->setLinearVelocity(piece->getLinearVelocity() + velocity * piece->getLinearFactor());

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BulletDynamics/Dynamics/btRigidBody.h>
+#include <sherd/push.h>
 
 #include <vector>
 
@@ -9,17 +10,16 @@ namespace sherd {
 /// Gives the pieces, which are placed already, the common rigid motion that has the linear and angular
 /// momentum of the whole. For a body made from an asset this is the whole's own velocity at each centre. An
 /// app's body may have an inertia or a centre of mass that differs from its shape's; then momentum is
-/// conserved rather than spin.
+/// conserved rather than spin, where that adds no energy.
 void shareMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
 /// Gives the pieces the whole's own motion, each at its place: of a body some of whose pieces the world
 /// holds.
 void followMotion(const btRigidBody& whole, const std::vector<btRigidBody*>& pieces);
 
-/// Gives the pieces an impulse, N s, at a point of the world as if they were one rigid body, or as much of it
-/// as moves that point by `fastest_m_s`.
-void pushAsOne(const std::vector<btRigidBody*>& pieces, const btVector3& impulse, const btVector3& point,
-               double fastest_m_s);
+/// Pushes the pieces as if they were one rigid body, with as much of all pushes as moves the point of none of
+/// them by more than its speed.
+void pushAsOne(const std::vector<btRigidBody*>& pieces, const std::vector<Push>& pushes);
 
 /// Distributes the forces and torques that the solve will apply (gravity and the app's own), such that all
 /// pieces accelerate as parts of the rigid whole. `gravity_if_none`: inside a step, where a body without any

@@ -56,8 +56,7 @@ class VerticesOf {
         forEachVertex(*part.shape, [&](const btVector3& own) {
             if (isBeyond(planes, own)) return;
             const btVector3 vertex = part.transform * own;
-            const btVector3 within = vertex - outwardAt(first) * (margin + reach_);
-            const btManifoldPoint* near = nearestPoint(vertex, isInside(other, within));
+            const btManifoldPoint* near = nearestPoint(vertex, isOverOrIn(other, first, vertex, margin));
             if (!near) return;
             const btManifoldPoint point = contactAt(*near, vertex, margin);
             if (point.getDistance() < reach_) points.push_back(point);
@@ -113,6 +112,17 @@ class VerticesOf {
                part.shape->isInside(part.transform.invXform(point), part.shape->getMargin());
     }
 
+    /// The same of a vertex, or where it is no further out than the reach, of the place below it.
+    bool isOverOrIn(const ConvexPart& part, const btManifoldPoint& point, const btVector3& vertex,
+                    btScalar margin) const {
+        constexpr btScalar below = 0.01;  // of the threshold: no thin box ends there
+        const btVector3 outward = outwardAt(point);
+        const btScalar height = outward.dot(vertex - onOther(point)) - margin;
+        if (height >= reach_) return false;
+        return isInside(part,
+                        vertex - outward * (margin + std::max(height, btScalar(0)) + below * threshold_));
+    }
+
     /// The manifold's point whose plane the vertex is held against; nullptr if the vertex is that point, or
     /// not inside and too far from all of them for one plane to be that of the other body.
     const btManifoldPoint* nearestPoint(const btVector3& vertex, bool inside) const {
@@ -166,10 +176,9 @@ bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>&
         if (way.fuzzyZero()) continue;
         if (vertex.getDistance() <= point.getDistance() + flat * way.length()) ways.push_back(way);
     }
-    for (const btVector3& way : ways)
+    for (const btVector3& way : lands_on_face ? ways : std::vector<btVector3>())
         for (const btVector3& other : ways)
-            if (lands_on_face && way.dot(other) < opposite * btSqrt(way.length2() * other.length2()))
-                return true;
+            if (way.dot(other) < opposite * btSqrt(way.length2() * other.length2())) return true;
     if (ways.size() < 3) return false;
     // From each of them another one is less than half a turn further round the point.
     return std::all_of(ways.begin(), ways.end(), [&](const btVector3& way) {

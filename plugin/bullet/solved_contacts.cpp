@@ -13,6 +13,7 @@
 #include "bullet/box_faces.h"
 #include "bullet/contact_collector.h"
 #include "bullet/contact_motion.h"
+#include "bullet/convex_part.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/met_on_the_way.h"
 #include "bullet/missed_vertices.h"
@@ -113,9 +114,14 @@ void share(const btManifoldPoint& point, std::vector<btManifoldPoint>& others) {
     }
 }
 
-bool isFlat(const btCollisionObject& object) {
-    const int type = object.getCollisionShape()->getShapeType();
-    return type == BOX_SHAPE_PROXYTYPE || type == STATIC_PLANE_PROXYTYPE;
+/// Whether a point lies on a plane or a box.
+bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const btCollisionObject& b) {
+    const auto isFlat = [](const btCollisionObject& object, int child) {
+        const btCollisionShape* shape = childOf(object, object.getWorldTransform(), child).shape;
+        return shape && (shape->getShapeType() == BOX_SHAPE_PROXYTYPE ||
+                         shape->getShapeType() == STATIC_PLANE_PROXYTYPE);
+    };
+    return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
 /// What is known of how the bodies of a manifold met.
@@ -134,7 +140,6 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
     const btCollisionObjectWrapper wrapper_b(nullptr, b->getCollisionShape(), b, b->getWorldTransform(), -1,
                                              -1);
     const bool rests = !predictive && !collector.mayStrike(found);
-    const bool lands_on_face = !rests && (isFlat(*a) || isFlat(*b));
     const auto straight =
         predictive || rests || isExtra(found) ? nullptr : onBoxFaces(found, stood_a, stood_b);
     const btPersistentManifold& manifold = straight ? *straight : found;
@@ -147,7 +152,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
         btManifoldPoint point = manifold.getContactPoint(i);
         if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
-        if (!predictive && isBetween(point, vertices, lands_on_face)) {
+        if (!predictive && isBetween(point, vertices, !rests && isOnFace(point, *a, *b))) {
             share(point, vertices);
             continue;
         }

@@ -332,6 +332,20 @@ TEST(Anchored, WhatComesLooseIsNoFasterThanWhatStruckIt) {
     }
 }
 
+TEST(Anchored, APushInPartsMovesWhatComesLooseAsTheWholePushDoes) {
+    const auto momentumBy = [](int parts) {
+        WeakWall wall;
+        Push part = wall.push(1.2);
+        part.impulse_n_s = btVector3(0, btScalar(1000) / btScalar(parts), 0);
+        EXPECT_TRUE(wall.fracture.applyBlow(wall.body, std::vector<Push>(std::size_t(parts), part)).ok());
+        EXPECT_FALSE(inWorld(wall.scene, wall.body));
+        return double(momentumOf(wall.fracture).y());
+    };
+    const double whole = momentumBy(1);
+    EXPECT_GT(whole, 10);
+    EXPECT_NEAR(momentumBy(8) / whole, 1, 1e-3);
+}
+
 TEST(Anchored, WhatHitsAFragmentThatStaysHeldMovesNothing) {
     WeakWall wall;
     Push push = wall.push();

@@ -308,20 +308,38 @@ TEST(Explosion, OnALargeTrianglePushesAlongItsNormalAndWithAQuarterOfItAll) {
     }
 }
 
+TEST(Explosion, OnWhatIsAllAroundItMovesNothing) {
+    const Vec3 half(0.5, 0.5, 0.5);
+    const auto hollow = BreakableAsset::fromMesh(
+        shapes::joined(shapes::box(-half, half),
+                       shapes::inverted(shapes::box(Vec3(-0.4, -0.4, -0.4), Vec3(0.4, 0.4, 0.4)))),
+        unbreakable(), coarse(0.1));
+    ASSERT_TRUE(hollow.ok()) << hollow.error();
+    for (const btVector3& centre : {btVector3(0.1f, 0, 0), btVector3(0, 0, -0.4f),
+                                    btVector3(-0.4f, -0.4f, 0.05f), btVector3(0.4f, -0.4f, -0.4f)}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(hollow.value(), at(0, 0, 0)).value();
+        ASSERT_TRUE(explode(fracture, {centre, 100, 5}).ok());
+        EXPECT_LT(momentumOf({body}).linear.length(), 0.1)
+            << centre.x() << ' ' << centre.y() << ' ' << centre.z();
+    }
+}
+
 /// The event of an explosion over the middle of a square plate whose mesh is turned in its own coordinates.
-BlowEvent explosionOver(const Mat3& turn) {
+BlowEvent explosionOver(const Mat3& turn, int squares = 6, double distance_m = 0.2) {
     const Vec3 half(0.25, 0.25, 0.02);
     Material material = Material::ceramic();
     material.strength_scatter = 0;
-    const auto asset =
-        BreakableAsset::fromMesh(shapes::moved(shapes::box(-half, half, 6, 6, 1), turn), material);
+    const auto asset = BreakableAsset::fromMesh(
+        shapes::moved(shapes::box(-half, half, squares, squares, 1), turn), material);
     EXPECT_TRUE(asset.ok()) << asset.error();
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
     const Eigen::Quaterniond back(Mat3(turn.transpose()));
     const btQuaternion level(btScalar(back.x()), btScalar(back.y()), btScalar(back.z()), btScalar(back.w()));
     EXPECT_TRUE(fracture.add(asset.value(), btTransform(level)).ok());
-    EXPECT_TRUE(explode(fracture, {btVector3(0, 0, 0.2f), 200, 3}).ok());
+    EXPECT_TRUE(explode(fracture, {btVector3(0, 0, btScalar(distance_m)), 200 * distance_m / 0.2, 3}).ok());
     const auto events = fracture.takeEvents();
     return events.empty() ? noBreak() : events.front();
 }
@@ -334,6 +352,16 @@ TEST(Explosion, DoesNotDependOnHowTheMeshLiesInItsCoordinates) {
         const BlowEvent turned = explosionOver(turn);
         EXPECT_NEAR(turned.peak_force_n / level.peak_force_n, 1, 0.1);
         EXPECT_NEAR(turned.largest_stress_pa / level.largest_stress_pa, 1, 0.15);
+    }
+}
+
+TEST(Explosion, DoesNotDependOnHowFineTheMeshIs) {
+    for (const double distance_m : {0.2, 0.6, 1.5}) {
+        const BlowEvent fine = explosionOver(Mat3::Identity(), 6, distance_m);
+        const BlowEvent rough = explosionOver(Mat3::Identity(), 1, distance_m);
+        ASSERT_GT(fine.peak_force_n, 0);
+        EXPECT_NEAR(rough.peak_force_n / fine.peak_force_n, 1, 0.1) << distance_m;
+        EXPECT_NEAR(rough.largest_stress_pa / fine.largest_stress_pa, 1, 0.15) << distance_m;
     }
 }
 

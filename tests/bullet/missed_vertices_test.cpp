@@ -107,6 +107,28 @@ TEST(MissedVertices, OfABoxOnAPlaneAreItsCorners) {
     EXPECT_EQ(lowestPoints(scene, body, true).size(), 4u);
 }
 
+TEST(MissedVertices, OfAHullOnAThinPaneAreItsCorners) {
+    for (const btScalar thickness : {btScalar(0.004), btScalar(0.2)}) {
+        TestWorld scene;
+        scene.addBox(0, btVector3(1, 1, thickness / 2), btVector3(0, 0, -thickness / 2));
+        auto hull = std::make_unique<btConvexHullShape>();
+        for (int corner = 0; corner < 8; ++corner)
+            hull->addPoint(
+                btVector3(corner & 1 ? 0.4f : -0.4f, corner & 2 ? 0.4f : -0.4f, corner & 4 ? 0.05f : -0.05f));
+        hull->setMargin(0.001f);
+        scene.addBody(std::move(hull), 4, btVector3(0, 0, 0.0505f));
+        scene.world->performDiscreteCollisionDetection();
+        btDispatcher& dispatcher = *scene.world->getDispatcher();
+        ASSERT_EQ(dispatcher.getNumManifolds(), 1);
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(0);
+        ASSERT_GT(manifold.getNumContacts(), 0);
+        const auto vertices =
+            missedVertices(manifold, manifold.getBody0()->getWorldTransform(),
+                           manifold.getBody1()->getWorldTransform(), manifold.getContactBreakingThreshold());
+        EXPECT_GE(vertices.size(), 3u) << thickness;
+    }
+}
+
 // The threshold grows with the body, so that corners of its small parts become one.
 TEST(MissedVertices, OfASmallPartOfALargeBodyAreKeptApart) {
     TestWorld scene;
