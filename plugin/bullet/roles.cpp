@@ -24,7 +24,7 @@ constexpr std::size_t most_met = 4, most_roles = 16;
 constexpr double disturbing = 0.25;  // of a mover's mass: what touches it turns it aside
 
 using Objects = std::vector<const btCollisionObject*>;
-using ObjectSet = std::unordered_set<const btCollisionObject*>;  // for look-up only
+using ObjectSet = std::unordered_set<const btCollisionObject*>;  // in no order: see inOrder
 
 /// Whether a stand-in does what the object does: of links of multi-bodies and soft bodies none would.
 bool canStandIn(const btCollisionObject& object) {
