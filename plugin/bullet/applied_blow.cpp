@@ -92,14 +92,6 @@ ContactImpulse asContact(const btTransform& asset_from_world, const Push& push, 
     return contact;
 }
 
-/// With the speed of what strikes: where that is not known, what all pushes give to the place.
-std::vector<Push> withSpeeds(const Breakable& breakable, std::vector<Push> pushes) {
-    const std::vector<double> speeds = speedsBy(breakable, pushes);
-    for (std::size_t i = 0; i < pushes.size(); ++i)
-        pushes[i].speed_m_s = std::max(pushes[i].speed_m_s, speeds[i]);
-    return pushes;
-}
-
 /// Pushes at one place and in one direction are one, as though the same had given them: several strikers side
 /// by side would press harder.
 std::vector<Push> joined(const std::vector<Push>& pushes, double near_m) {
@@ -217,8 +209,11 @@ void pushLoose(const std::vector<std::unique_ptr<Breakable>>& pieces, const std:
     if (!on_loose.empty()) pushAsOne(loose, on_loose);
 }
 
-std::vector<Push> forLoosePieces(const Breakable& breakable, const std::vector<Push>& pushes) {
-    return withSpeeds(breakable, pushes);
+std::vector<Push> withSpeeds(const Breakable& breakable, std::vector<Push> pushes) {
+    const std::vector<double> speeds = speedsBy(breakable, pushes);
+    for (std::size_t i = 0; i < pushes.size(); ++i)
+        pushes[i].speed_m_s = std::max(pushes[i].speed_m_s, speeds[i]);
+    return pushes;
 }
 
 std::vector<Push> moved(std::vector<Push> pushes, const btTransform& transform) {

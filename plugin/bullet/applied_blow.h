@@ -29,9 +29,8 @@ StruckBreakable asContacts(Breakable& breakable, const std::vector<Push>& pushes
 /// Pushes a body, if it moves.
 void push(btRigidBody& body, const std::vector<Push>& pushes);
 
-/// What the loose pieces of a held body are to be given: no push makes them faster than what strikes it, or
-/// than the body would be if nothing held it.
-std::vector<Push> forLoosePieces(const Breakable& breakable, const std::vector<Push>& pushes);
+/// The same pushes, none slower than what they give to the places that they hit: of a held body, as a mass.
+std::vector<Push> withSpeeds(const Breakable& breakable, std::vector<Push> pushes);
 
 /// Pushes the pieces of a body that was held: those that came loose take the impulse as one rigid body, up to
 /// the speed of the push. The rest, and what falls on a piece that is still held, goes to what holds it.

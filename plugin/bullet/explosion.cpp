@@ -87,7 +87,7 @@ void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Division& di
 }
 
 std::vector<Exposure> exposuresOf(const TriangleMesh& surface, const Vec3& centre, const Division& division) {
-    constexpr int most_splits = 16;  // few at a time: only parts that are near the centre are split on
+    constexpr int most_splits = 16;  // beyond the size of the body only what is near the centre is split on
     std::vector<Exposure> exposed;
     const auto vertex = [&](int v) { return Vec3(surface.vertices[v] - centre); };
     for (const auto& t : surface.triangles)

@@ -111,7 +111,7 @@ void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScala
             if (!body->breaksAt(time_s_)) continue;
             together.push_back(struck);
             together.back().is_of_explosion = is_explosion;
-            if (is_held) together.back().for_pieces = forLoosePieces(*body, pushes);
+            if (is_held) together.back().for_pieces = withSpeeds(*body, pushes);
         }
     // Where Sherd's solver was replaced no step would end their waiting.
     const bool may_wait = is_explosion && decorator_.inPlace();

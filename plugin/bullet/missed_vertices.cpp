@@ -176,9 +176,12 @@ bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>&
         if (way.fuzzyZero()) continue;
         if (vertex.getDistance() <= point.getDistance() + flat * way.length()) ways.push_back(way);
     }
-    for (const btVector3& way : lands_on_face ? ways : std::vector<btVector3>())
-        for (const btVector3& other : ways)
-            if (way.dot(other) < opposite * btSqrt(way.length2() * other.length2())) return true;
+    const auto isOpposite = [&](const btVector3& way) {
+        return std::any_of(ways.begin(), ways.end(), [&](const btVector3& other) {
+            return way.dot(other) < opposite * btSqrt(way.length2() * other.length2());
+        });
+    };
+    if (lands_on_face && std::any_of(ways.begin(), ways.end(), isOpposite)) return true;
     if (ways.size() < 3) return false;
     // From each of them another one is less than half a turn further round the point.
     return std::all_of(ways.begin(), ways.end(), [&](const btVector3& way) {

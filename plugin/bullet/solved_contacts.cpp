@@ -54,18 +54,14 @@ btScalar toleranceOf(const btPersistentManifold& manifold, const ContactCollecto
 }
 
 /// The vertices that a manifold lacks: what lands on several of them touches with all at about the same time.
-std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold,
-                                            const ContactCollector& collector) {
-    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-    const btScalar tolerance = toleranceOf(manifold, collector);
+std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
+                                            const btTransform& stood_b, btScalar tolerance) {
     if (tolerance == 0)  // as near as Bullet's own points
-        return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b),
-                              manifold.getContactBreakingThreshold());
+        return missedVertices(manifold, stood_a, stood_b, manifold.getContactBreakingThreshold());
     btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
-    const btScalar reach = std::max(deepest, btScalar(0)) + tolerance;
-    return missedVertices(manifold, collector.stoodAt(*a), collector.stoodAt(*b), reach, true);
+    return missedVertices(manifold, stood_a, stood_b, std::max(deepest, btScalar(0)) + tolerance, true);
 }
 
 /// What is no deeper than the tolerance of a shape above the deepest is met with that.
@@ -143,10 +139,11 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
     const auto straight =
         predictive || rests || isExtra(found) ? nullptr : onBoxFaces(found, stood_a, stood_b);
     const btPersistentManifold& manifold = straight ? *straight : found;
+    const btScalar tolerance = toleranceOf(found, collector);
     std::vector<btManifoldPoint> vertices;
     if (!isExtra(found))  // else Bullet's own manifold of the pair lacks the same ones
         vertices = rests ? missedVertices(manifold, stood_a, stood_b, btScalar(largestRestingGap()))
-                         : landedVertices(manifold, collector);
+                         : landedVertices(manifold, stood_a, stood_b, tolerance);
     std::vector<btManifoldPoint> points;
     points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
     for (int i = 0; i < manifold.getNumContacts(); ++i) {
@@ -167,7 +164,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
     if (rests) {
         pressEvenly(points);
     } else if (!predictive) {
-        meetTogether(points, toleranceOf(manifold, collector));
+        meetTogether(points, tolerance);
         pressLanding(points, *a, *b, collector);
     }
     for (btManifoldPoint& point : points)
