@@ -213,9 +213,9 @@ std::vector<SurfacePlace> placesAbout(const SurfaceTree& tree, const std::vector
         outward.normalize();
         const Vec3 a = outward.unitOrthogonal(), b = outward.cross(a);
         constexpr int angles = 36;
-        for (const double share : {0.7, 0.8, 0.9, 1.0, 1.1})
+        for (int ring = 10; ring <= 24; ++ring)  // twentieths of the radius
             for (int i = 0; i < angles; ++i) {
-                const double angle = 2 * pi * i / angles, r = share * patch.radius_m;
+                const double angle = 2 * pi * i / angles, r = 0.05 * ring * patch.radius_m;
                 const Vec3 x = patch.spot.point + r * (std::cos(angle) * a + std::sin(angle) * b);
                 const SurfaceSpot spot = nearestSurfacePoint(tree, x, patch.push);
                 if ((spot.point - x).norm() < 0.5 * patch.radius_m) add(spot);

@@ -45,7 +45,8 @@ void HardestStates::look(double time_s, double force_n, const Oscillators& oscil
 }
 
 std::vector<VibrationState> HardestStates::take(double much_the_same_s) const {
-    constexpr double little_more = 1.2, matters = 0.5;  // times the stress that others have; of the largest
+    constexpr double slightly_more = 1.03, little_more = 1.2;  // times the stress that others have
+    constexpr double matters = 0.5;                            // of the largest
     constexpr std::size_t most = measures + 1;
     std::vector<VibrationState> states;
     for (int by = 0; by < measures; ++by) {
@@ -58,14 +59,19 @@ std::vector<VibrationState> HardestStates::take(double much_the_same_s) const {
     if (hot_states_.empty()) return states;
     Eigen::VectorXd taken = Eigen::VectorXd::Zero(hottest_pa_.size());
     for (const VibrationState& state : states) taken = taken.cwiseMax(stressOf(state.modes));
+    const auto takeHottestAt = [&](Eigen::Index place) {
+        states.push_back(hot_states_[hottest_state_[place]]);
+        taken = taken.cwiseMax(stressOf(states.back().modes));
+    };
+    Eigen::Index place = 0;
+    const double hottest = hottest_pa_.maxCoeff(&place);
+    if (hottest > slightly_more * taken.maxCoeff()) takeHottestAt(place);
     while (states.size() < most) {
-        Eigen::Index place = 0;
         const double more = (hottest_pa_.array() > little_more * taken.array())
                                 .select(hottest_pa_, Eigen::VectorXd::Zero(taken.size()))
                                 .maxCoeff(&place);
-        if (!(more > matters * hottest_pa_.maxCoeff())) break;
-        states.push_back(hot_states_[hottest_state_[place]]);
-        taken = taken.cwiseMax(stressOf(states.back().modes));
+        if (!(more > matters * hottest)) break;
+        takeHottestAt(place);
     }
     return states;
 }

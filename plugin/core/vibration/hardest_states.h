@@ -19,7 +19,7 @@ class HardestStates {
     void look(double time_s, double force_n, const Oscillators& oscillators);
 
     /// In the order of what they were found by, without those that are much the same as an earlier one, and
-    /// at places without those that have little more stress there.
+    /// at places without those that have little more stress there, and not the largest of all.
     std::vector<VibrationState> take(double much_the_same_s) const;
 
   private:

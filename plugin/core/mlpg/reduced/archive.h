@@ -87,7 +87,8 @@ void archiveVibrations(Archive& archive, const ProperModes& modes, VibrationMode
     auto places = static_cast<std::int32_t>(hot_pa.rows()),
          slowest = static_cast<std::int32_t>(hot_pa.cols());
     archiveAll(archive, places, slowest);
-    archive.require(0 <= places && places <= slowest && slowest <= modes.count);
+    archive.require(0 <= places && places <= VibrationModes::most_hot_places && 0 <= slowest &&
+                    slowest <= modes.count);
     if (!archive.good()) return;
     if (Archive::reads) hot_pa.resize(places, slowest);
     archive.raw(hot_pa.data(), static_cast<std::size_t>(hot_pa.size()) * sizeof(float));

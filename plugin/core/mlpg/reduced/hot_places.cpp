@@ -3,6 +3,7 @@
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -22,18 +23,43 @@ Vec3 strongestAxis(const SymmetricTensor& stress) {
     return spectrum.eigenvectors().col(-spectrum.eigenvalues()[0] > spectrum.eigenvalues()[2] ? 0 : 2);
 }
 
-std::size_t hottest(const Stresses& stresses) {
-    const auto size = [](const SymmetricTensor& stress) { return toMatrix(stress).squaredNorm(); };
-    const auto place = std::max_element(
-        stresses.begin(), stresses.end(),
-        [&](const SymmetricTensor& a, const SymmetricTensor& b) { return size(a) < size(b); });
-    return static_cast<std::size_t>(place - stresses.begin());
+/// The stress that vibrations (columns) have at places (rows), each along the direction in which one of them
+/// pulls or presses most there.
+Eigen::MatrixXf alongStrongest(const std::vector<Stresses>& of_vibration) {
+    const auto places = static_cast<Eigen::Index>(of_vibration.front().size());
+    Eigen::MatrixXf pa(places, static_cast<Eigen::Index>(of_vibration.size()));
+    for (Eigen::Index place = 0; place < places; ++place) {
+        const auto at = [&](const Stresses& stresses) { return toMatrix(stresses[place]); };
+        const auto strongest = std::max_element(
+            of_vibration.begin(), of_vibration.end(),
+            [&](const Stresses& a, const Stresses& b) { return at(a).squaredNorm() < at(b).squaredNorm(); });
+        const Vec3 along = strongestAxis((*strongest)[place]);
+        for (Eigen::Index v = 0; v < pa.cols(); ++v)
+            pa(place, v) = static_cast<float>(along.dot(at(of_vibration[v]) * along));
+    }
+    return pa;
 }
 
-/// Whether two places say the same of all vibrations.
-bool areAlike(const Eigen::RowVectorXf& a, const Eigen::RowVectorXf& b) {
-    constexpr float alike = 0.98f;
-    return std::abs(a.dot(b)) > alike * a.norm() * b.norm();
+/// Rows of which each says something else than all others, the most different first, from the largest on. Of
+/// those that are left, and at least half as large as the largest, each says much the same as one of them.
+std::vector<Eigen::Index> differentRows(const Eigen::MatrixXf& rows) {
+    constexpr float alike = 0.9f, large = 0.5f;
+    const Eigen::VectorXf sizes = rows.rowwise().norm();
+    Eigen::Index next = 0;
+    const float largest = sizes.maxCoeff(&next);
+    std::vector<Eigen::Index> chosen;
+    if (!std::isfinite(largest) || !(largest > 0)) return chosen;
+    // The largest cosine between a row and one that was chosen.
+    Eigen::VectorXf likeness =
+        (sizes.array() < large * largest).select(1.0f, Eigen::VectorXf::Zero(sizes.size()));
+    while (chosen.size() < std::size_t{VibrationModes::most_hot_places}) {
+        chosen.push_back(next);
+        const Eigen::ArrayXf products = (sizes * sizes[next]).array().max(std::numeric_limits<float>::min());
+        const Eigen::VectorXf cosines = (rows * rows.row(next).transpose()).array().abs() / products;
+        likeness = likeness.cwiseMax(cosines);
+        if (likeness.minCoeff(&next) > alike) break;
+    }
+    return chosen;
 }
 
 }  // namespace
@@ -48,19 +74,13 @@ Eigen::MatrixXf hotPlaces(const ReducedModel& model, const StressOfUnknowns& str
         const Stresses& inside = field.value().particles;
         stresses.insert(stresses.end(), inside.begin(), inside.end());
     }
-    std::vector<Eigen::RowVectorXf> places;
-    for (const Stresses& own : of_vibration) {
-        const std::size_t place = hottest(own);
-        const Vec3 along = strongestAxis(own[place]);
-        Eigen::RowVectorXf row(count);
-        for (Eigen::Index v = 0; v < count; ++v)
-            row[v] = static_cast<float>(along.dot(toMatrix(of_vibration[v][place]) * along));
-        const bool is_known = std::any_of(places.begin(), places.end(),
-                                          [&](const auto& other) { return areAlike(row, other); });
-        if (row.allFinite() && !is_known) places.push_back(std::move(row));
-    }
-    Eigen::MatrixXf hot(places.size(), count);
-    for (std::size_t p = 0; p < places.size(); ++p) hot.row(static_cast<Eigen::Index>(p)) = places[p];
+    if (of_vibration.empty() || of_vibration.front().empty()) return {};
+    const Eigen::MatrixXf all_places = alongStrongest(of_vibration);
+    if (!all_places.allFinite()) return {};
+    const std::vector<Eigen::Index> chosen = differentRows(all_places);
+    Eigen::MatrixXf hot(static_cast<Eigen::Index>(chosen.size()), count);
+    for (std::size_t p = 0; p < chosen.size(); ++p)
+        hot.row(static_cast<Eigen::Index>(p)) = all_places.row(chosen[p]);
     return hot;
 }
 

@@ -11,6 +11,8 @@ namespace sherd {
 /// the columns of V Q vibrate at the rates w, and have the energy 1/2 each (Rayleigh and Ritz). V answers
 /// static loads all over the surface, and so has all slow vibrations in it.
 struct VibrationModes {
+    static constexpr int most_hot_places = 64;
+
     Eigen::ArrayXd rates_rad_s;  ///< w, ascending
     Eigen::MatrixXf shapes;      ///< Q, #proper modes x #vibrations
     /// The stress of the slowest ones over their amplitude at some places of the body, Pa / J^(1/2), #places
