@@ -2,17 +2,21 @@
 //
 //   idle [CUPS]      200 stoneware cups stand on a floor: a step beside that of the same shapes in a world
 //                    without Sherd, awake and asleep, and the memory that a body adds
-//   idle plates [N]  40 plates of stoneware lie on each other, and a block of 500 kg falls on them from 1 cm:
-//                    26 steps at 60 Hz, with the budget of the defaults
+//   idle plates [N [paced]]
+//                    40 plates of stoneware lie on each other, and a block of 500 kg falls on them from 1 cm:
+//                    26 steps at 60 Hz, with the budget of the defaults; paced: after each step it waits for
+//                    the time that it simulates, as a game does
 
 #include <btBulletDynamicsCommon.h>
 #include <sherd/sherd.h>
 
+#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "benchmark/floor_world.h"
@@ -106,7 +110,7 @@ void standCups(int count) {
     std::printf("%lld blows seen\n", fracture.counts().seen);
 }
 
-void pressPlates(int count) {
+void pressPlates(int count, bool paced) {
     const BreakableAsset plate = valueOrExit(
         BreakableAsset::fromMesh(shapes::slab(Vec3(0.3, 0.3, 0.01), 12, 12, 1), Material::ceramic()));
     succeedOrExit(plate.prepare());
@@ -122,9 +126,12 @@ void pressPlates(int count) {
     block.translate(btVector3(0, 0, btScalar(0.0101 * count + 0.21)));
     room.world.addRigidBody(&block);
     std::vector<double> steps;
+    const auto start = std::chrono::steady_clock::now();
     for (int i = 0; i < 26; ++i) {
         steps.push_back(stepMilliseconds(room.world));
         fracture.takeEvents();
+        if (paced)
+            std::this_thread::sleep_until(start + std::chrono::duration<double>((i + 1) * time_step_s));
     }
     const BlowCounts counts = fracture.counts();
     std::printf(
@@ -140,7 +147,7 @@ void pressPlates(int count) {
 int main(int count, char** arguments) {
     const std::string first = count > 1 ? arguments[1] : "";
     if (first == "plates")
-        pressPlates(count > 2 ? std::atoi(arguments[2]) : 40);
+        pressPlates(count > 2 ? std::atoi(arguments[2]) : 40, count > 3);
     else
         standCups(first.empty() ? 200 : std::atoi(first.c_str()));
     return 0;

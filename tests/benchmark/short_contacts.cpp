@@ -2,9 +2,9 @@
 // rod and a plate that stand free, prepared at `game`. Truth is the motion of the body under half a sine wave
 // with the blow's own peak force and duration, on a grid with up to three times as many unknowns: Newmark's
 // method with the average acceleration (beta 1/4), 40 steps in a contact, then 10 in as much time or 400 in a
-// period of the slowest vibration, whichever is more, until one such period after the contact. Of the
-// contact's near field it has what a static solve has. Neither modes nor anything else of the reduced model
-// is used. Usage: short_contacts
+// period of the slowest vibration, whichever is more, until one such period after the contact; every second
+// one is read. Of the contact's near field it has what a static solve has. Neither modes nor anything else of
+// the reduced model is used. Usage: short_contacts
 //
 // Columns: the contact over the slowest period; largest principal stress over the true one: with vibrations,
 // as an event has it; the same further from the contact than the body is thick; quasi-static under the same
@@ -13,7 +13,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -155,7 +157,7 @@ class Transient {
             }
         };
         go(duration / 40, std::min(3 * duration, duration + period_s), 2);
-        go(std::clamp(period_s / 400, duration / 40, duration / 10), duration + period_s, 4);
+        go(std::clamp(period_s / 400, duration / 40, duration / 10), duration + period_s, 2);
         return found;
     }
 

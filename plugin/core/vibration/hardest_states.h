@@ -18,8 +18,9 @@ class HardestStates {
 
     void look(double time_s, double force_n, const Oscillators& oscillators);
 
-    /// In the order of what they were found by, without those that are much the same as an earlier one, and
-    /// at places without those that have little more stress there, and not the largest of all.
+    /// In the order of what they were found by, without those that are much the same as an earlier one. At
+    /// places that is the hottest of all, unless another has nearly its stress, and then those that have much
+    /// more than others somewhere.
     std::vector<VibrationState> take(double much_the_same_s) const;
 
   private:

@@ -40,24 +40,25 @@ Eigen::MatrixXf alongStrongest(const std::vector<Stresses>& of_vibration) {
     return pa;
 }
 
-/// Rows of which each says something else than all others, the most different first, from the largest on. Of
-/// those that are left, and at least half as large as the largest, each says much the same as one of them.
+/// Rows that matter: somewhere in them is at least half the largest number of its column. The largest one,
+/// and then always the one that has most beyond that chosen before which is most like it.
 std::vector<Eigen::Index> differentRows(const Eigen::MatrixXf& rows) {
-    constexpr float alike = 0.9f, large = 0.5f;
-    const Eigen::VectorXf sizes = rows.rowwise().norm();
-    Eigen::Index next = 0;
-    const float largest = sizes.maxCoeff(&next);
+    constexpr float matters = 0.5f, alike = 0.999f;
+    const Eigen::RowVectorXf largest = rows.cwiseAbs().colwise().maxCoeff();
+    const Eigen::ArrayXf sizes = rows.rowwise().norm().array();
+    const Eigen::ArrayXf divisors = sizes.max(std::numeric_limits<float>::min());
+    // The largest cosine between a row and one that was chosen; 1 of what does not matter.
+    Eigen::ArrayXf likeness(rows.rows());
+    for (Eigen::Index row = 0; row < rows.rows(); ++row)
+        likeness[row] = (rows.row(row).cwiseAbs().array() >= matters * largest.array()).any() ? 0.0f : 1.0f;
     std::vector<Eigen::Index> chosen;
-    if (!std::isfinite(largest) || !(largest > 0)) return chosen;
-    // The largest cosine between a row and one that was chosen.
-    Eigen::VectorXf likeness =
-        (sizes.array() < large * largest).select(1.0f, Eigen::VectorXf::Zero(sizes.size()));
     while (chosen.size() < std::size_t{VibrationModes::most_hot_places}) {
+        Eigen::Index next = 0;
+        const float beyond = (sizes * (1 - likeness.square()).max(0.0f).sqrt()).maxCoeff(&next);
+        if (!(beyond > 0) || likeness[next] > alike) break;
         chosen.push_back(next);
-        const Eigen::ArrayXf products = (sizes * sizes[next]).array().max(std::numeric_limits<float>::min());
-        const Eigen::VectorXf cosines = (rows * rows.row(next).transpose()).array().abs() / products;
-        likeness = likeness.cwiseMax(cosines);
-        if (likeness.minCoeff(&next) > alike) break;
+        const Eigen::VectorXf products = rows * rows.row(next).transpose();
+        likeness = likeness.max(products.array().abs() / (divisors * divisors[next]));
     }
     return chosen;
 }
@@ -75,8 +76,9 @@ Eigen::MatrixXf hotPlaces(const ReducedModel& model, const StressOfUnknowns& str
         stresses.insert(stresses.end(), inside.begin(), inside.end());
     }
     if (of_vibration.empty() || of_vibration.front().empty()) return {};
-    const Eigen::MatrixXf all_places = alongStrongest(of_vibration);
-    if (!all_places.allFinite()) return {};
+    Eigen::MatrixXf all_places = alongStrongest(of_vibration);
+    for (auto row : all_places.rowwise())
+        if (!row.allFinite()) row.setZero();
     const std::vector<Eigen::Index> chosen = differentRows(all_places);
     Eigen::MatrixXf hot(static_cast<Eigen::Index>(chosen.size()), count);
     for (std::size_t p = 0; p < chosen.size(); ++p)

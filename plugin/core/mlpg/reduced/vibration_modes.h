@@ -11,7 +11,7 @@ namespace sherd {
 /// the columns of V Q vibrate at the rates w, and have the energy 1/2 each (Rayleigh and Ritz). V answers
 /// static loads all over the surface, and so has all slow vibrations in it.
 struct VibrationModes {
-    static constexpr int most_hot_places = 64;
+    static constexpr int most_hot_places = 64;  ///< rows of `hot_pa`
 
     Eigen::ArrayXd rates_rad_s;  ///< w, ascending
     Eigen::MatrixXf shapes;      ///< Q, #proper modes x #vibrations
