@@ -145,19 +145,19 @@ class Transient {
         const auto force = [&](double t) {
             return t < duration ? forces.pulse.peak_force_n * std::sin(pi * t / duration) : 0;
         };
-        const auto go = [&](double step, double until, int every) {
+        const auto go = [&](double step, double until) {
             const auto system = factored(4 / (step * step));
             for (int i = 0; now.time_s < until; ++i) {
                 const double f = force(now.time_s + step);
                 advance(*system, step, f * unit, now);
-                if (i % every) continue;
+                if (i % 2) continue;
                 StressField stress = valueOrExit(solver.stressOfUnknowns(now.displacement, forces.contact));
                 addTimes(f, unseen, stress);
                 found.add(stress, sampling, places, is_away);
             }
         };
-        go(duration / 40, std::min(3 * duration, duration + period_s), 2);
-        go(std::clamp(period_s / 400, duration / 40, duration / 10), duration + period_s, 2);
+        go(duration / 40, std::min(3 * duration, duration + period_s));
+        go(std::clamp(period_s / 400, duration / 40, duration / 10), duration + period_s);
         return found;
     }
 
