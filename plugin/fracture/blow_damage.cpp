@@ -55,18 +55,21 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
                        const BodyStrength& strength, StageTimes& ms, BlowDamage& found) {
     ReducedResponse response;
     ReducedModel::LocalSystem kept;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField& contact) -> Result<UnitResponse> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField& contact,
+                                    double contact_s) -> Result<UnitResponse> {
         const AddedTime time(ms.solve);
+        UnitResponse unit{0, reduced.model.struckModes(loads, contact_s, kept)};
         if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
-            Result<ReducedModel::Whole> whole = reduced.model.respondAsAWhole(loads, kept);
-            if (!whole) return Error{whole.error()};
-            return UnitResponse{whole.value().strain_energy_j, std::move(whole.value().modes)};
+            const Result<double> energy = reduced.model.strainEnergy(loads, kept);
+            if (!energy) return Error{energy.error()};
+            unit.strain_energy_j = energy.value();
+            return unit;
         }
         Result<ReducedResponse> answer = reduced.model.respond(loads, kept);
         if (!answer) return Error{answer.error()};
         response = std::move(answer).value();
-        return UnitResponse{response.strain_energy_j, reduced.model.struckModes(loads)};
+        unit.strain_energy_j = response.strain_energy_j;
+        return unit;
     };
     Result<BlowForces> forces =
         blowForces(struck.solid, struck.fracture.contact, blow, solve, {struck.solid.spacing()}, ms);
@@ -91,12 +94,13 @@ Status askReducedModel(const StrikeContext& struck, const ReducedStress& reduced
     AddDamageAt add_damage_at = [&reduced, at_points, faint_n, unknowns = std::move(response.unknowns),
                                  pressed = reduced.reading.contactReading(found.forces.contact),
                                  free = reduced.reading.contactReading({}),
-                                 work = found.forces.modes.work](const VibrationState& state, Damage& sum) {
+                                 modes = found.forces.modes](const VibrationState& state, Damage& sum) {
         const auto add = [&](const Eigen::VectorXf& read, const ContactReading& contact, double scale) {
             reduced.reading.addDamage(read, contact, scale, at_points, sum);
         };
         if (state.modes.size() == 0) return add(unknowns, pressed, state.force_n);
-        const Eigen::VectorXf swing = reduced.model.vibration(state.modes - state.force_n * work);
+        const Eigen::VectorXf swing =
+            reduced.model.vibration(modes, state.modes - state.force_n * modes.work);
         if (!(state.force_n > faint_n)) return add(swing, free, 1);
         add(unknowns + swing / static_cast<float>(state.force_n), pressed, state.force_n);
     };

@@ -78,12 +78,19 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     for (const PointForce& load : forces.loads)
         if (load.force.dot(stack.strike.push) > 0) forces.strike.push_back(load);
     forces.contact.others = forces.loads;
-    const Result<UnitResponse> unit = solve(forces.loads, forces.contact);
+    constexpr double at_rest = std::numeric_limits<double>::infinity();
+    const Result<UnitResponse> unit = solve(forces.loads, forces.contact, at_rest);
     if (!unit) return Error{unit.error()};
     forces.strain_energy_j =
         std::min(unit.value().strain_energy_j * forces.pulse.peak_force_n * forces.pulse.peak_force_n,
                  stack.largestEnergy());
     return forces;
+}
+
+/// How long a contact lasts on a body that does not give way, s.
+double shortestContact(const Impact& impact, double shortest_s) {
+    if (!(impact.hertz_force_n > 0)) return shortest_s;
+    return std::max(pulseDuration(impact.hertz_force_n, impact.mass_kg * impact.speed_m_s), shortest_s);
 }
 
 /// The pulse of an impact, and what of the body's vibrations goes with it.
@@ -95,8 +102,7 @@ void strikeBody(const Impact& impact, StruckBody body, double shortest_s, BlowFo
     forces.pressed.clear();
     forces.ringing.clear();
     if (!(impact.hertz_force_n > 0)) return;
-    const double stiff_s = pulseDuration(impact.hertz_force_n, impact.mass_kg * impact.speed_m_s);
-    if (isQuasiStatic(body.modes.slowestPeriod(), std::max(stiff_s, shortest_s))) return;
+    if (isQuasiStatic(body.modes.slowestPeriod(), shortestContact(impact, shortest_s))) return;
     ModalImpact found = modalImpact(impact, body, shortest_s);
     forces.pulse = found.pulse;
     forces.strain_energy_j = 0;
@@ -160,9 +166,10 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     const double unseen_j = patch_energy_j - patchEnergy(body, strike, contact, grid.spacing_m);
     double brought_j = 0;
     for (int solved = 1; solved <= most_solves; ++solved) {
-        Result<UnitResponse> unit = solve(forces.loads, forces.contact);
-        if (!unit) return Error{unit.error()};
         const Impact impact = impactOf(strike, answer.held);
+        Result<UnitResponse> unit =
+            solve(forces.loads, forces.contact, shortestContact(impact, contact.shortest_contact_s));
+        if (!unit) return Error{unit.error()};
         strikeBody(impact,
                    {std::move(unit.value().modes), unit.value().strain_energy_j + unseen_j, patch_energy_j,
                     answer.others_energy_j},
@@ -189,7 +196,8 @@ Result<StressField> stressAt(const BlowStress& stress, const VibrationState& sta
                              const StressSolver& solver, const ReducedModel& model) {
     StressField sum = stress.unit;
     const Eigen::ArrayXd beyond = state.modes - state.force_n * stress.modes.work;
-    const auto more = solver.stressOfUnknowns(model.vibration(beyond).cast<double>(), stress.contact);
+    const auto more =
+        solver.stressOfUnknowns(model.vibration(stress.modes, beyond).cast<double>(), stress.contact);
     if (!more) return more;
     const auto add = [&](std::vector<SymmetricTensor>& all, const std::vector<SymmetricTensor>& own) {
         for (std::size_t i = 0; i < all.size(); ++i) all[i] = state.force_n * all[i] + own[i];
@@ -204,10 +212,11 @@ Result<BlowStress> blowStress(const StrikeContext& struck, const Blow& blow, Sta
     const auto solver = [&]() -> const StressSolver& { return solverOf(struck.solid, ms); };
     BlowStress stress;
     const ReducedStress* reduced = struck.solid.reducedStress();  // knows the vibrations
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField& contact) -> Result<UnitResponse> {
+    ReducedModel::LocalSystem kept;
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField& contact,
+                                    double contact_s) -> Result<UnitResponse> {
         UnitResponse response;
-        if (reduced) response.modes = reduced->model.struckModes(loads);
+        if (reduced) response.modes = reduced->model.struckModes(loads, contact_s, kept);
         if (!contact.near.empty()) {  // the stress is found at last, without what is known of it
             const StressSolver& factored = solver();  // whose making has times of its own
             const AddedTime time(ms.solve);

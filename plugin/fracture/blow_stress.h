@@ -47,9 +47,9 @@ struct UnitResponse {
 };
 
 /// Solves a body's stress under unit loads in any way, and keeps it. `contact` has the near field of what
-/// strikes, and no other loads yet.
+/// strikes, and no other loads yet; `contact_s`: how long what strikes presses at least.
 using StressOfLoads = std::function<Result<UnitResponse>(const std::vector<PointForce>& unit_loads,
-                                                         const ContactField& contact)>;
+                                                         const ContactField& contact, double contact_s)>;
 
 /// On what the forces of a blow are solved.
 struct SolvingGrid {

@@ -20,8 +20,8 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
                                 const FractureSettings& fracture) {
     const Result<CoarseModel> model = solid.makeCoarseModel();
     if (!model) return std::nullopt;
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField&) -> Result<UnitResponse> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&,
+                                    double) -> Result<UnitResponse> {
         const Result<double> energy = model.value().strainEnergy(loads);
         if (!energy) return Error{energy.error()};
         return UnitResponse{energy.value()};

@@ -108,8 +108,8 @@ class Answering {
 
     BlowForces forcesOf(const Blow& blow, ReducedModel::LocalSystem& kept) const {
         StageTimes times;
-        const StressOfLoads energy = [&](const std::vector<PointForce>& loads,
-                                         const ContactField&) -> Result<UnitResponse> {
+        const StressOfLoads energy = [&](const std::vector<PointForce>& loads, const ContactField&,
+                                         double) -> Result<UnitResponse> {
             if (reduced())
                 return UnitResponse{valueOrExit(reduced()->model.respond(loads, kept)).strain_energy_j};
             return UnitResponse{valueOrExit(valueOrExit(solid_.stressSolver())->strainEnergy(loads))};

@@ -20,14 +20,12 @@
 #include <vector>
 
 #include "benchmark/value_or_exit.h"
-#include "core/linear_algebra/cholesky_solver.h"
 #include "core/mlpg/reduced/reduced_stress.h"
-#include "core/mlpg/splines/spline_mass.h"
-#include "core/mlpg/splines/spline_problem.h"
 #include "core/numerics/pi.h"
 #include "core/stress/principal_stresses.h"
 #include "fracture/blow_damage.h"
 #include "fracture/blow_stress.h"
+#include "support/newmark.h"
 #include "support/shapes.h"
 
 namespace {
@@ -106,19 +104,16 @@ void addTimes(double factor, const StressField& other, StressField& sum) {
     add(other.points, sum.points);
 }
 
-/// What moves a body in time: K u + M u'' = f.
+/// A body under a contact, in time.
 class Transient {
   public:
     explicit Transient(const BreakableSolid& solid)
         : solid_(solid),
           problem_(valueOrExit(makeSplineProblem(valueOrExit(solid.discretisation()), solid.material(),
                                                  solid.settings().stress.basis, {}, {}))),
-          stiffness_(stiffnessOf(problem_)),
-          mass_(splineMass(problem_.parts(), *problem_.space)) {
-        for (double& value : mass_.values) value *= problem_.density_kg_m3;
-    }
+          newmark_(problem_) {}
 
-    int unknowns() const { return stiffness_.size; }
+    int unknowns() const { return newmark_.unknowns(); }
 
     /// The largest stress under that pulse of the force of `forces`, until one period after it.
     Largest largest(const BlowForces& forces, double period_s,
@@ -130,7 +125,7 @@ class Transient {
         // force.
         const double slow = 0.003 * 2 * pi / period_s;
         Eigen::VectorXd at_rest;
-        solve(*factored(slow * slow), unit, at_rest);
+        if (!valueOrExit(newmark_.shifted(slow * slow))->solve(unit, at_rest)) std::exit(1);
         // What the grid does not see of the contact follows the force at once.
         StressField unseen = valueOrExit(solver.solveContact(forces.contact));
         addTimes(-1, valueOrExit(solver.stressOfUnknowns(at_rest, forces.contact)), unseen);
@@ -139,17 +134,16 @@ class Transient {
         for (const SurfacePlace& place : forces.contact.places) places.push_back(place.position);
 
         Largest found;
-        Motion now{Eigen::VectorXd::Zero(unknowns()), Eigen::VectorXd::Zero(unknowns()),
-                   Eigen::VectorXd::Zero(unknowns()), 0};
+        Newmark::Motion now(unknowns());
         const double duration = forces.pulse.duration_s;
         const auto force = [&](double t) {
             return t < duration ? forces.pulse.peak_force_n * std::sin(pi * t / duration) : 0;
         };
         const auto go = [&](double step, double until) {
-            const auto system = factored(4 / (step * step));
+            const auto stepper = valueOrExit(newmark_.stepper(step));
             for (int i = 0; now.time_s < until; ++i) {
                 const double f = force(now.time_s + step);
-                advance(*system, step, f * unit, now);
+                if (!newmark_.advance(*stepper, step, f * unit, now)) std::exit(1);
                 if (i % 2) continue;
                 StressField stress = valueOrExit(solver.stressOfUnknowns(now.displacement, forces.contact));
                 addTimes(f, unseen, stress);
@@ -162,47 +156,9 @@ class Transient {
     }
 
   private:
-    struct Motion {
-        Eigen::VectorXd displacement, velocity, acceleration;
-        double time_s = 0;
-    };
-
-    /// K + shift M.
-    std::unique_ptr<SparseSolver> factored(double shift) const {
-        SparseMatrix sum = stiffness_;
-        for (int column = 0; column < sum.size; ++column)
-            for (int k = sum.starts[column]; k < sum.starts[column + 1]; ++k) {
-                const int row = sum.indices[k];
-                if (row % 3 != column % 3) continue;
-                const auto begin = mass_.indices.begin() + mass_.starts[column / 3];
-                const auto end = mass_.indices.begin() + mass_.starts[column / 3 + 1];
-                const auto at = std::lower_bound(begin, end, row / 3);
-                if (at != end && *at == row / 3)
-                    sum.values[k] += shift * mass_.values[at - mass_.indices.begin()];
-            }
-        return valueOrExit(factorCholesky(sum, 3));
-    }
-
-    static void solve(const SparseSolver& system, const Eigen::VectorXd& b, Eigen::VectorXd& x) {
-        if (!system.solve(b, x)) std::exit(1);
-    }
-
-    /// Newmark's method with the average acceleration, which adds and takes no energy.
-    void advance(const SparseSolver& system, double step, const Eigen::VectorXd& force, Motion& now) const {
-        const double a = 4 / (step * step), b = 4 / step;
-        const Eigen::VectorXd known = a * now.displacement + b * now.velocity + now.acceleration;
-        Eigen::VectorXd next;
-        solve(system, force + massProduct(mass_, known), next);
-        const Eigen::VectorXd acceleration = a * next - known;
-        now.velocity += step / 2 * (now.acceleration + acceleration);
-        now.acceleration = acceleration;
-        now.displacement = next;
-        now.time_s += step;
-    }
-
     const BreakableSolid& solid_;
     SplineProblem problem_;
-    SparseMatrix stiffness_, mass_;
+    Newmark newmark_;
 };
 
 void compare(const Body& body, const std::vector<Ball>& balls, int& within, int& all) {

@@ -45,8 +45,8 @@ double fullEnergy(const BreakableSolid& solid, const Blow& blow) {
 double coarseEnergy(const BreakableSolid& solid, const Blow& blow) {
     StageTimes ms;
     const Result<CoarseModel> model = solid.makeCoarseModel();
-    const StressOfLoads solve = [&](const std::vector<PointForce>& loads,
-                                    const ContactField&) -> Result<UnitResponse> {
+    const StressOfLoads solve = [&](const std::vector<PointForce>& loads, const ContactField&,
+                                    double) -> Result<UnitResponse> {
         return UnitResponse{model.value().strainEnergy(loads).value()};
     };
     return blowForces(solid, solid.settings().fracture.contact, blow, solve, {model.value().spacing(), false},

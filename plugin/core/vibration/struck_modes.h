@@ -13,6 +13,12 @@ struct StruckModes {
     /// The stress of the slowest modes over their amplitude at places where it may be largest, Pa / J^(1/2),
     /// #places x #slowest; none if no such places are known.
     Eigen::MatrixXd hot_pa = {};
+    /// The displacement of the last modes over their amplitude, if these are of the loads and not of the body
+    /// (addRitzVectors), m / J^(1/2), #unknowns x #such modes. Each stands for many modes that get out of
+    /// step, which damps it:
+    ///     a'' = w^2 (work F - a) - 2 ritz_damping w a'.
+    Eigen::MatrixXf ritz_vectors = {};
+    static constexpr double ritz_damping = 0.1;
 
     bool empty() const { return rates_rad_s.size() == 0; }
     double slowestPeriod() const;  ///< s; 0 if there are none

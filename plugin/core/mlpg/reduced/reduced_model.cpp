@@ -6,6 +6,8 @@
 #include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/dense_kernels.h"
 #include "core/mlpg/splines/b_spline.h"
+#include "core/mlpg/splines/particle_mass.h"
+#include "core/numerics/pi.h"
 
 namespace sherd {
 
@@ -176,16 +178,15 @@ Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loa
     return responseOf(solution.value(), kept);
 }
 
-Result<ReducedModel::Whole> ReducedModel::respondAsAWhole(const std::vector<PointForce>& loads,
-                                                          LocalSystem& kept) const {
+Result<double> ReducedModel::strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const {
     if (isDirect()) {
         const auto response = respond(loads, kept);
         if (!response) return Error{response.error()};
-        return Whole{response.value().strain_energy_j, struckModes(loads)};
+        return response.value().strain_energy_j;
     }
     const auto solution = solve(loads, kept);
     if (!solution) return Error{solution.error()};
-    return Whole{solution.value().strain_energy_j, struckModes(solution.value().work)};
+    return solution.value().strain_energy_j;
 }
 
 Result<ReducedResponse> ReducedModel::respond(const Eigen::VectorXd& forces,
@@ -213,8 +214,8 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
     clearHeld(*problem_, resultants);
     const Eigen::Matrix<double, 6, Eigen::Dynamic> accelerations =
         problem_->inertia.accelerationOf(resultants);
-    Eigen::VectorXf on_modes = workOnModes(forces);
-    Solution solution{on_modes, {}, 0, {}};
+    const Eigen::VectorXf on_modes = workOnModes(forces);
+    Solution solution{on_modes, {}, 0};
     std::vector<Eigen::VectorXf> on_blocks;  // E^T f
     for (const LocalSystem::Block& block : system.blocks) {
         Eigen::VectorXf own(block.size());
@@ -241,7 +242,6 @@ Result<ReducedModel::Solution> ReducedModel::solve(const Eigen::VectorXd& forces
         solution.strain_energy_j += 0.5 * double(on_blocks[b].dot(local));
         is_finite = is_finite && local.allFinite();
     }
-    solution.work = std::move(on_modes);
     if (!is_finite) return Error{"The reduced equations have no finite solution where the loads act."};
     return solution;
 }
@@ -261,23 +261,57 @@ Result<ReducedResponse> ReducedModel::respond(const std::vector<PointForce>& loa
     return respond(loads, none);
 }
 
-StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads) const {
-    if (vibrations_.rates_rad_s.size() == 0) return {};
-    const auto forces = forcesAt(*problem_, loads);
-    return forces ? struckModes(workOnModes(forces.value())) : StruckModes();
+Eigen::VectorXf ReducedModel::workOnVibrations(const Eigen::VectorXd& forces) const {
+    return vibrations_.shapes.transpose() * workOnModes(forces);
 }
 
-StruckModes ReducedModel::struckModes(const Eigen::VectorXf& work) const {
+StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads, double contact_s,
+                                      LocalSystem& kept) const {
     StruckModes struck;
     if (vibrations_.rates_rad_s.size() == 0) return struck;
+    const auto forces = forcesAt(*problem_, loads);
+    if (!forces) return struck;
     struck.rates_rad_s = vibrations_.rates_rad_s;
-    struck.work = (vibrations_.shapes.transpose() * work).array().cast<double>();
+    struck.work = workOnVibrations(forces.value()).array().cast<double>();
     struck.hot_pa = vibrations_.hot_pa.cast<double>();
+    // An oscillator this many times as fast as half a sine wave is within a sixth of its static answer.
+    constexpr double follows = 3;
+    if (contact_s * struck.rates_rad_s.maxCoeff() > follows * pi) return struck;
+    const bool is_ready = isDirect() || prepareAbout(local_.around(loads, most_local_), kept);
+    if (is_ready) addRitzVectors(beyondModes(forces.value(), struck, kept), struck);
     return struck;
+}
+
+BeyondModes ReducedModel::beyondModes(const Eigen::VectorXd& forces, const StruckModes& struck,
+                                      const LocalSystem& system) const {
+    const auto answer_to = [this, &system](const Eigen::VectorXd& to, const Eigen::VectorXf& work) {
+        const auto found = respond(to, system);
+        if (!found) return Eigen::VectorXd();
+        const Eigen::VectorXf known = modes_.displacement(vibrations_.shapes * work);
+        return Eigen::VectorXd((found.value().unknowns - known).cast<double>());
+    };
+    return {answer_to(forces, struck.work.matrix().cast<float>()),
+            [this, mass = ParticleMass(*problem_)](const Eigen::VectorXd& displacement) {
+                Eigen::VectorXd momentum = mass.times(displacement);
+                Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(momentum);
+                clearHeld(*problem_, resultants);
+                problem_->inertia.balance(momentum, resultants, problem_->motions);
+                return momentum;
+            },
+            [this, answer_to](const Eigen::VectorXd& momentum) {
+                return answer_to(momentum, workOnVibrations(momentum));
+            }};
 }
 
 Eigen::VectorXf ReducedModel::vibration(const Eigen::ArrayXd& amplitudes) const {
     return modes_.displacement(vibrations_.shapes * amplitudes.matrix().cast<float>());
+}
+
+Eigen::VectorXf ReducedModel::vibration(const StruckModes& struck, const Eigen::ArrayXd& amplitudes) const {
+    const Eigen::Index of_loads = struck.ritz_vectors.cols();
+    Eigen::VectorXf sum = vibration(amplitudes.head(amplitudes.size() - of_loads));
+    if (of_loads > 0) sum += struck.ritz_vectors * amplitudes.tail(of_loads).matrix().cast<float>();
+    return sum;
 }
 
 }  // namespace sherd

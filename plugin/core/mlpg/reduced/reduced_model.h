@@ -10,9 +10,9 @@
 #include "core/mlpg/reduced/local_functions.h"
 #include "core/mlpg/reduced/packed_stiffness.h"
 #include "core/mlpg/reduced/proper_modes.h"
+#include "core/mlpg/reduced/ritz_vectors.h"
 #include "core/mlpg/reduced/vibration_modes.h"
 #include "core/mlpg/splines/spline_problem.h"
-#include "core/vibration/struck_modes.h"
 
 namespace sherd {
 
@@ -76,21 +76,20 @@ class ReducedModel {
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads) const;
     /// The same, with what is kept of the loads before.
     Result<ReducedResponse> respond(const std::vector<PointForce>& loads, LocalSystem& kept) const;
-    /// What a unit of loads does to the body as a whole: its strain energy, J, and the vibrations.
-    struct Whole {
-        double strain_energy_j = 0;
-        StruckModes modes;
-    };
-    Result<Whole> respondAsAWhole(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    /// The strain energy alone, J.
+    Result<double> strainEnergy(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     /// The displacement under forces at the unknowns (N), with the functions of a system that was made for
     /// some loads.
     Result<ReducedResponse> respond(const Eigen::VectorXd& forces, const LocalSystem& system) const;
 
-    /// The vibrations under point forces; none if the forces are not on the solid, or nothing is known of its
-    /// vibrations.
-    StruckModes struckModes(const std::vector<PointForce>& loads) const;
-    /// The displacement of vibrations with these amplitudes (see StruckModes), #unknowns.
+    /// The vibrations under point forces of a contact that lasts `contact_s` at least: those of the body,
+    /// and if they are too slow for it, those of the loads (addRitzVectors). None if the forces are not on
+    /// the solid, or nothing is known of its vibrations.
+    StruckModes struckModes(const std::vector<PointForce>& loads, double contact_s, LocalSystem& kept) const;
+    /// The displacement of vibrations with these amplitudes, the first of StruckModes, #unknowns.
     Eigen::VectorXf vibration(const Eigen::ArrayXd& amplitudes) const;
+    /// Of all of them.
+    Eigen::VectorXf vibration(const StruckModes& struck, const Eigen::ArrayXd& amplitudes) const;
 
     const SplineProblem& problem() const { return *problem_; }
     /// See VibrationModes.
@@ -117,10 +116,11 @@ class ReducedModel {
         Eigen::VectorXf modes;               ///< c
         std::vector<Eigen::VectorXf> local;  ///< d, per block
         double strain_energy_j = 0;
-        Eigen::VectorXf work;  ///< V^T f
     };
     Eigen::VectorXf workOnModes(const Eigen::VectorXd& forces) const;
-    StruckModes struckModes(const Eigen::VectorXf& work) const;
+    Eigen::VectorXf workOnVibrations(const Eigen::VectorXd& forces) const;
+    BeyondModes beyondModes(const Eigen::VectorXd& forces, const StruckModes& struck,
+                            const LocalSystem& system) const;
     Result<Solution> solve(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     Result<Solution> solve(const Eigen::VectorXd& forces, const LocalSystem& system) const;
     ReducedResponse responseOf(const Solution& solution, const LocalSystem& system) const;

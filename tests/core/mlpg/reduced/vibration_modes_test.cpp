@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "core/linear_algebra/block_product.h"
 #include "core/mlpg/reduced/reduced_support.h"
 
@@ -36,7 +38,8 @@ TEST(VibrationModes, TogetherAnswerAsTheStaticModesDo) {
     const ReducedModel& model = rod().reduced.model;
     for (int i = 0; i < 10; ++i) {
         const auto loads = randomPush(*rod().solid, 0.02, random);
-        const StruckModes struck = model.struckModes(loads);
+        ReducedModel::LocalSystem none;
+        const StruckModes struck = model.struckModes(loads, std::numeric_limits<double>::infinity(), none);
         ASSERT_FALSE(struck.empty());
         const double energy = valueOf(model.respond(loads)).strain_energy_j;
         EXPECT_LT(struck.staticEnergy(), 1.001 * energy);
