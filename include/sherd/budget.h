@@ -28,7 +28,8 @@ enum class Priority {
 /// - blows on a whole body by fragments alone: as far as these go, and one at least where there is no such
 ///   crowd;
 /// - blows on a crowd of free whole bodies, more than `solves_per_step`, by what is 10 times as heavy as each
-///   of them: so many, the most urgent, unless something behind a body would stop what strikes it;
+///   of them, kinematic bodies among that: so many, the most urgent, unless something behind a body would
+///   stop what strikes it;
 /// - what an explosion does to whole and held bodies: all of it if these are no more than `solves_per_step`,
 ///   else one at least.
 ///

@@ -49,6 +49,19 @@ bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck, btSca
     return true;
 }
 
+/// Whether a body that moves and cannot break strikes it, each that does many times as heavy: kinematic ones
+/// are so.
+bool FractureWorld::Impl::isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const {
+    if (!lastsWhileItWaits(struck, times_as_heavy)) return false;
+    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
+        const btCollisionObject& partner = *struck.partners[p];
+        // Bodies of no mass are static ones, also those that are then made kinematic.
+        const bool moves = partner.isKinematicObject() || !partner.isStaticObject();
+        if (moves && !breakables_.of(partner) && struck.blow.isStruckBy(static_cast<int>(p))) return true;
+    }
+    return false;
+}
+
 /// Whether something that the body rests against pushes back at what runs into it: whole it would stop that.
 bool FractureWorld::Impl::isBacked(const StruckBreakable& struck) const {
     constexpr double back = -0.5;  // cosine
@@ -87,11 +100,11 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     const bool are_many = decided_now_ + (end - begin) > budget_.solves_per_step;
     const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
     const auto is_run_into = [&](std::size_t i) {
-        return are_many && !lasts(i) && lastsWhileItWaits(struck[i], than_each_of_a_crowd) &&
-               !isBacked(struck[i]);
+        return are_many && isRunInto(struck[i], than_each_of_a_crowd) && !isBacked(struck[i]);
     };
     const auto must_not_wait = [&](std::size_t i) {
-        if (!lasts(i)) return !is_run_into(i);
+        if (is_run_into(i)) return false;
+        if (!lasts(i)) return true;
         if (isStruckByFragmentsAlone(struck[i])) return false;
         // What stands under or behind the body that is struck breaks with it.
         return struck[i].blow.isSqueezed() ? !are_many : !is_crowd;

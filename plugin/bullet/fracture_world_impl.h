@@ -144,6 +144,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     /// Whole or broken, a body takes a few percent of the speed of what is so many times as heavy.
     static constexpr btScalar much_heavier = 50;
     bool lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const;
+    bool isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const;
     bool isBacked(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;

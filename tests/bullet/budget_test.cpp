@@ -358,14 +358,14 @@ TEST(Budget, NoEventNamesAStrikerThatIsGone) {
 
 /// Six plates that are struck in one step: by the floor, or by a ball of `ball_kg` each. How many broke in
 /// each step, from the first in which one broke.
-std::vector<int> breaksOfACrowd(btScalar ball_kg, bool on_floor = false) {
+std::vector<int> breaksOfACrowd(btScalar ball_kg, bool on_floor = false, double milliseconds = 1000) {
     const bool by_balls = ball_kg > 0;
     TestWorld scene;
     scene.addFloor();
     FractureWorld fracture(scene.world.get());
     Budget budget;
     budget.solves_per_step = 2;
-    budget.milliseconds_per_step = 1000;
+    budget.milliseconds_per_step = milliseconds;
     EXPECT_TRUE(fracture.setBudget(budget).ok());
     Settings settings = FallingPlate::brittle();
     settings.fracture.largest_generation = 1;
@@ -414,6 +414,49 @@ TEST(Budget, AHeavyBodyRunsIntoACrowdWithoutAStall) {
     const std::vector<int> backed = breaksOfACrowd(twenty_times_as_heavy_kg, true);
     ASSERT_FALSE(backed.empty());
     EXPECT_EQ(backed.front(), 6) << "whole they would stop it";
+}
+
+// Whatever they take: what is thrown whole and breaks in the air is seen.
+TEST(Budget, OfACrowdThatIsRunIntoAsManyBreakAtOnceAsAStepHasSolves) {
+    constexpr btScalar twenty_times_as_heavy_kg = 600, much_heavier_kg = 50000;
+    constexpr double no_room_ms = 1e-3;
+    for (const btScalar kg : {twenty_times_as_heavy_kg, much_heavier_kg}) {
+        const std::vector<int> broke = breaksOfACrowd(kg, false, no_room_ms);
+        ASSERT_FALSE(broke.empty());
+        EXPECT_EQ(broke.front(), 2) << kg << " kg";
+    }
+}
+
+TEST(Budget, AKinematicBodyRunsIntoACrowd) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.solves_per_step = 2;
+    budget.milliseconds_per_step = 8;
+    ASSERT_TRUE(fracture.setBudget(budget).ok());
+    const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
+                                                crumbly(), FallingPlate::brittle());
+    for (int i = 0; i < 6; ++i) {
+        BodyOptions options;
+        options.start = at(i, 0, 1);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    btBoxShape box(btVector3(4, 1, 0.1f));
+    btRigidBody platform(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &box));
+    platform.setCollisionFlags(platform.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    platform.setActivationState(DISABLE_DEACTIVATION);
+    platform.setWorldTransform(at(2.5f, 0, 0.5f));
+    scene.world->addRigidBody(&platform);
+    std::vector<double> waited_s;
+    for (int step = 0; step < 60; ++step) {
+        platform.setWorldTransform(at(2.5f, 0, 0.5f + 0.08f * step));
+        scene.step(1, 1.0 / 60);
+        for (const BlowEvent& event : fracture.takeEvents())
+            if (event.outcome == Outcome::broke && event.generation == 0) waited_s.push_back(event.waited_s);
+    }
+    scene.world->removeRigidBody(&platform);
+    ASSERT_EQ(waited_s.size(), 6u);
+    EXPECT_EQ(std::count(waited_s.begin(), waited_s.end(), 0.0), 2);
 }
 
 TEST(Budget, FunctionsOfTheAppAreCalledOnTheSteppingThread) {
