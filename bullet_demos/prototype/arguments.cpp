@@ -14,7 +14,10 @@ sherd::Result<Arguments> parseArguments(int argc, const char* const* argv) {
     app.add_option("--width", arguments.size.width, "Of the picture, pixels")->check(CLI::Range(64, 8192));
     app.add_option("--height", arguments.size.height, "Of the picture, pixels")->check(CLI::Range(64, 8192));
     app.add_flag("--off-screen", arguments.off_screen, "Open no window; needs --script-seconds");
-    app.add_option("--script-seconds", arguments.script_seconds, "Play so long without hands, then end")
+    app.add_option(
+           "--script-seconds", arguments.script_seconds,
+           "Play so long in the game's own time without hands, then end; it takes longer where pictures are "
+           "drawn slowly, as without a graphics card")
         ->check(CLI::Range(0.1, 86400.0));
     app.add_flag("--paced", arguments.paced, "The script keeps to real time");
     app.add_option("--screenshot", arguments.screenshot, "Write the script's last picture there (PNG)")

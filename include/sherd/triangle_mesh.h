@@ -35,10 +35,11 @@ struct TriangleMesh {
     std::vector<Vec3> colours;                 ///< V, red, green and blue from 0 to 1
 };
 
-/// A box about the origin, 12 triangles: how fine a body is sampled does not depend on its surface.
+/// A box about the origin, 12 triangles: how fine a body is sampled does not depend on its surface. Its sizes
+/// are to be positive.
 TriangleMesh boxMesh(const Vec3& size_m);
 
-/// An upright cylinder about the origin, with so many sides, 3 at least.
+/// An upright cylinder about the origin, with so many sides; fewer than 3 are 3.
 TriangleMesh cylinderMesh(double radius_m, double height_m, int sides = 32);
 
 /// Reads a Wavefront OBJ: `v` (with a colour, if three numbers from 0 to 1 follow the position), `vt`, `vn`,

@@ -76,8 +76,10 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
     if (const std::string size = sizeWarning(solid.value()->surface()); !size.empty())
         warnings.push_back(size);
     else if (kilograms > heaviest_usual_kg)
-        warnings.push_back("The body weighs " + std::to_string(std::lround(kilograms)) +
-                           " kg; if its file is not in metres, read it with a scale (Repair::scale).");
+        warnings.push_back(
+            "The body weighs " + std::to_string(std::lround(kilograms)) +
+            " kg; if its mesh or shape is not in metres, scale it (Repair::scale does while a file is "
+            "read).");
     for (std::string& unit : unitWarnings(material)) warnings.push_back(std::move(unit));
     return BreakableAsset(std::move(solid).value(),
                           std::make_shared<const RepairReport>(std::move(sound).value().report),

@@ -1,4 +1,6 @@
+#include <array>
 #include <string>
+#include <vector>
 
 #include "geometry/surface_checks.h"
 #include "geometry/surface_topology.h"
@@ -36,6 +38,18 @@ Status checkCount(const char* name, std::size_t count, std::size_t expected) {
                  std::to_string(expected) + " are needed; give all or none."};
 }
 
+/// Numbers at the corners of triangles.
+template <class Vector>
+Status checkCorners(const char* name, const std::vector<std::array<Vector, 3>>& corners) {
+    for (std::size_t t = 0; t < corners.size(); ++t)
+        for (const Vector& corner : corners[t])
+            if (!corner.allFinite())
+                return Error{
+                    std::string("The ") + name + " of triangle " + std::to_string(t) +
+                    " of the surface are not finite numbers; correct them, or leave the list empty."};
+    return success();
+}
+
 Status checkAttributes(const TriangleMesh& mesh) {
     const std::size_t triangles = mesh.triangles.size();
     if (Status s = checkCount("kinds", mesh.kinds.size(), triangles); !s) return s;
@@ -44,6 +58,8 @@ Status checkAttributes(const TriangleMesh& mesh) {
         return s;
     if (Status s = checkCount("normals", mesh.normals.size(), triangles); !s) return s;
     if (Status s = checkCount("material", mesh.material.size(), triangles); !s) return s;
+    if (Status s = checkCorners("texture coordinates", mesh.texture_coordinates); !s) return s;
+    if (Status s = checkCorners("normals", mesh.normals); !s) return s;
     for (const int material : mesh.material)
         if (material < 0 || material >= static_cast<int>(mesh.materials.size()))
             return Error{"A triangle of the surface names material " + std::to_string(material) + ", but " +

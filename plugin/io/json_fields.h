@@ -89,6 +89,16 @@ class FieldReader {
     std::vector<std::string> names_;
 };
 
+/// The keys of a struct's fields.
+template <class Struct>
+std::vector<std::string> keysOf(const Struct& described) {
+    std::vector<std::string> keys;
+    visitFields(described, [&](const Field& field, const auto&) {
+        if (field.in_file != InFile::never) keys.emplace_back(field.name);
+    });
+    return keys;
+}
+
 /// All fields of a struct that a file can give, in their order.
 template <class Struct>
 nlohmann::ordered_json jsonOf(const Struct& described) {

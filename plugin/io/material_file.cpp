@@ -42,12 +42,13 @@ Material called(const JsonEntry& entry, const Place& place, Missing missing) {
 Material describedBy(const JsonEntry& entry, const Place& place, Missing missing) {
     const bool complete = entry.has("like");
     Material material = complete ? called(entry["like"], place, missing) : Material();
+    // A key that is spelt wrongly is often one that is missing then.
+    std::vector<std::string> keys = keysOf(material);
+    keys.insert(keys.begin(), "like");
+    entry.allowOnly(keys);
     FieldReader reader(entry, complete ? Missing::any : missing,
                        ", or the material that gives it as \"like\"");
     visitFields(material, reader);
-    std::vector<std::string> keys = reader.names();
-    keys.insert(keys.begin(), "like");
-    entry.allowOnly(keys);
     const std::string fault = faultOf(material);
     if (!fault.empty()) throw BadEntry{entry.pathOf(fault) + "."};
     return material;

@@ -81,6 +81,22 @@ TEST(Asset, ColoursThatAreNoNumbersAreNamed) {
               "The colour of vertex 3 of the surface is not a finite number; correct it.");
 }
 
+TEST(Asset, CornersThatAreNoNumbersAreNamed) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    TriangleMesh mesh = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    mesh.normals.assign(mesh.triangles.size(), {Vec3::Zero(), Vec3::Zero(), Vec3::Zero()});
+    mesh.texture_coordinates.assign(mesh.triangles.size(), {Vec2::Zero(), Vec2::Zero(), Vec2::Zero()});
+    EXPECT_TRUE(BreakableAsset::fromMesh(mesh, Material::glass()).ok());
+    mesh.normals[5][2].x() = nan;
+    EXPECT_EQ(BreakableAsset::fromMesh(mesh, Material::glass()).error(),
+              "The normals of triangle 5 of the surface are not finite numbers; correct them, or leave the "
+              "list empty.");
+    mesh.texture_coordinates[7][0].y() = nan;
+    EXPECT_EQ(BreakableAsset::fromMesh(mesh, Material::glass()).error(),
+              "The texture coordinates of triangle 7 of the surface are not finite numbers; correct them, or "
+              "leave the list empty.");
+}
+
 // The foot is narrower than a particle spacing, by far. A push of 1 N along the upper edge stores what it
 // does in a clamped plate: between F^2 L^3 / (6 E I) of a beam and that times 1 - nu^2.
 TEST(Asset, ThinPanesAreHeldAtTheirFoot) {

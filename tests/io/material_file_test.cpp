@@ -99,6 +99,7 @@ TEST(MaterialFile, WhatIsWrongIsNamed) {
     expectError(R"({"like": "glas"})", "There is no material 'glas'");
     expectError(R"({"like": "glass", "density": 3})",
                 "density is not a key; choose one of: like, name, youngs_modulus_pa,");
+    expectError(R"({"tensile": 3})", "tensile is not a key; choose one of: like, name, youngs_modulus_pa,");
     expectError(R"({"density_kg_m3": 3})",
                 "youngs_modulus_pa is missing; give it, or the material that gives it as \"like\".");
     expectError(R"({"like": "glass", "poisson_ratio": "high"})",

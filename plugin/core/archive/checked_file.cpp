@@ -117,7 +117,7 @@ Result<CheckedContent> readChecked(const FileFormat& format, const std::string& 
     std::error_code trouble;
     if (std::filesystem::is_directory(path, trouble))
         return wrong(std::string("is a folder, not a ") + format.name);
-    if (!std::filesystem::exists(path, trouble)) return wrong("is missing");
+    if (!std::filesystem::exists(path, trouble)) return wrong("is missing: there is no file at that path");
     File file(std::fopen(path.c_str(), "rb"));
     const long size = file ? sizeOf(file.get()) : -1;
     if (size < 0) return wrong("cannot be opened");
