@@ -87,9 +87,10 @@ Result<BlowForces> squeezingForces(const BreakableSolid& solid, const ContactSet
     return forces;
 }
 
-/// How long a contact lasts on a body that does not give way, s.
+/// How long a contact lasts on a body that does not give way, s. Infinite where nothing is struck: that is no
+/// impact on vibrations.
 double shortestContact(const Impact& impact, double shortest_s) {
-    if (!(impact.hertz_force_n > 0)) return shortest_s;
+    if (!(impact.hertz_force_n > 0)) return std::numeric_limits<double>::infinity();
     return std::max(pulseDuration(impact.hertz_force_n, impact.mass_kg * impact.speed_m_s), shortest_s);
 }
 

@@ -8,7 +8,7 @@ namespace sherd {
 /// the strain energy a^2 / 2. Under a force F(t) with those loads each is an oscillator,
 ///     a'' = w^2 (work F - a).
 struct StruckModes {
-    Eigen::ArrayXd rates_rad_s;  ///< w, ascending
+    Eigen::ArrayXd rates_rad_s;  ///< w, ascending, and then those of the loads
     Eigen::ArrayXd work;         ///< of the loads on each mode of amplitude 1, J^(1/2) / N
     /// The stress of the slowest modes over their amplitude at places where it may be largest, Pa / J^(1/2),
     /// #places x #slowest; none if no such places are known.

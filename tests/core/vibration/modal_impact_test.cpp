@@ -38,6 +38,31 @@ TEST(Oscillators, FollowAHalfSinePulse) {
     }
 }
 
+// A step of force and free swinging after it, with d the damping: 1 - e^(-d w t) (cos(w' t) + d w / w' sin(w'
+// t)), w' = w sqrt(1 - d^2).
+TEST(Oscillators, OfLoadsAreDamped) {
+    StruckModes modes;
+    modes.rates_rad_s = Eigen::ArrayXd::Constant(2, 3);
+    modes.work = Eigen::ArrayXd::Constant(2, 2);
+    modes.ritz_vectors.resize(1, 1);  // of the second
+    const auto answer = [](double t, double damping) {
+        if (t <= 0) return 0.0;
+        const double slower = std::sqrt(1 - damping * damping), angle = 3 * slower * t;
+        return 2 * (1 - std::exp(-3 * damping * t) * (std::cos(angle) + damping / slower * std::sin(angle)));
+    };
+    Oscillators oscillators(modes);
+    oscillators.setStep(0.05);
+    for (int step = 1; step <= 100; ++step) {
+        oscillators.swing();
+        if (step <= 30) oscillators.push(1);
+        for (int mode = 0; mode < 2; ++mode) {
+            const double damping = mode == 0 ? 0 : StruckModes::ritz_damping;
+            EXPECT_NEAR(oscillators.amplitudes()[mode],
+                        answer(0.05 * step, damping) - answer(0.05 * (step - 30), damping), 1e-12);
+        }
+    }
+}
+
 const Impact impact{0.1, 2, 4000};
 
 TEST(ModalImpact, OnABodyThatIsStiffIsHertzs) {

@@ -274,7 +274,8 @@ StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads, doub
     struck.rates_rad_s = vibrations_.rates_rad_s;
     struck.work = workOnVibrations(forces.value()).array().cast<double>();
     struck.hot_pa = vibrations_.hot_pa.cast<double>();
-    // An oscillator this many times as fast as half a sine wave is within a sixth of its static answer.
+    // Half a sine wave makes those that are this many times as fast, all of a plate together, swing beyond
+    // their static answer by a seventh of what all between some rate and e times that strain the contact.
     constexpr double follows = 3;
     if (contact_s * struck.rates_rad_s.maxCoeff() > follows * pi) return struck;
     const bool is_ready = isDirect() || prepareAbout(local_.around(loads, most_local_), kept);

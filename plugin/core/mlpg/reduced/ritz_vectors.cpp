@@ -8,7 +8,8 @@ namespace sherd {
 namespace {
 
 constexpr int most = 2;
-constexpr double least_new = 1e-3;  // of a vector, by energy, that is not one of the others
+constexpr double least_new = 1e-3;     // of a vector, by energy, that is not one of the others
+constexpr double least_square = 1e-4;  // of the largest: what is faster by far is rounding
 
 /// Krylov vectors r_0, r_1 .. of K^-1 M, the first of them the static response, each times the square of a
 /// rate so that all are of one size, and the moments r_i^T M r_j, which depend on i + j alone.
@@ -52,11 +53,15 @@ void addRitzVectors(const BeyondModes& body, StruckModes& struck) {
         // So that the first diagonal is 1: the vectors differ in size, and little in direction.
         const Eigen::VectorXd scale = stiffness.diagonal().array().rsqrt();
         const Eigen::MatrixXd scaled = scale.asDiagonal() * stiffness * scale.asDiagonal();
-        if (!(Eigen::MatrixXd(scaled.llt().matrixL()).diagonal().minCoeff() > std::sqrt(least_new))) continue;
+        const Eigen::LLT<Eigen::MatrixXd> factor(scaled);
+        const bool are_new = factor.info() == Eigen::Success &&
+                             Eigen::MatrixXd(factor.matrixL()).diagonal().minCoeff() > std::sqrt(least_new);
+        if (!are_new) continue;
         const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
             scale.asDiagonal() * mass * scale.asDiagonal(), scaled);
         const Eigen::VectorXd squares = modes.eigenvalues().reverse();  // (rate / w)^2
-        if (modes.info() != Eigen::Success || !(squares.minCoeff() > 0)) continue;
+        if (modes.info() != Eigen::Success || !(squares.minCoeff() > least_square * squares.maxCoeff()))
+            continue;
         const Eigen::MatrixXd factors = scale.asDiagonal() * modes.eigenvectors().rowwise().reverse();
 
         const Eigen::Index known = struck.work.size();

@@ -21,7 +21,8 @@ struct BeyondModes {
 /// is driven by the inertia of r,
 ///     M w'' + K w = - M r F'',
 /// which is as smooth as r is large: so w is found in the space of K^-1 M r and K^-1 M K^-1 M r, and the
-/// steep stress below the load stays with r. The modes of that space match four moments of the spectrum that
+/// steep stress below the load stays with r. The known modes are taken to be the body's own: then neither K
+/// nor M joins them to what is left. The modes of that space match four moments of the spectrum that
 /// the loads have beyond the known modes. Adds fewer where these are all there is.
 void addRitzVectors(const BeyondModes& body, StruckModes& struck);
 

@@ -9,7 +9,7 @@ namespace sherd {
 
 namespace {
 
-/// Of what belongs to each particle.
+/// Of what belongs to each particle. A baked asset has no more of a cell's second moments than the diagonal.
 std::vector<Moments> particleMoments(const Discretisation& solid) {
     std::vector<Moments> moments(solid.particles.size());
     for (std::size_t i = 0; i < moments.size(); ++i) {
@@ -19,7 +19,8 @@ std::vector<Moments> particleMoments(const Discretisation& solid) {
     for (const IntegrationCell& cell : solid.cells) {
         Moments& all = moments[cell.particle];
         const Vec3 offset = cell.moments.centroid - all.centroid;
-        all.second += cell.moments.second + cell.moments.volume * offset * offset.transpose();
+        all.second += cell.moments.volume * offset * offset.transpose();
+        all.second.diagonal() += cell.moments.second.diagonal();
     }
     return moments;
 }

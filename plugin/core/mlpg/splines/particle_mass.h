@@ -9,7 +9,8 @@
 namespace sherd {
 
 /// The mass matrix of a solid whose cut cells have no moments any more, by a few points in the sub-domain of
-/// each particle that have its volume, its centroid and its second moments.
+/// each particle that have its volume, its centroid and its second moments, but for what these have off the
+/// diagonal inside a cell.
 class ParticleMass {
   public:
     explicit ParticleMass(const SplineProblem& problem);
