@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
 #include "bullet/torn_out.h"
 
@@ -49,17 +50,19 @@ bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck, btSca
     return true;
 }
 
-/// Whether a body that moves and cannot break strikes it, each that does many times as heavy: kinematic ones
-/// are so.
+/// Whether a body that cannot break runs into it, which is free and would not stop that: each that strikes it
+/// is many times as heavy, as kinematic ones are. A lift at rest runs into nothing.
 bool FractureWorld::Impl::isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const {
-    if (!lastsWhileItWaits(struck, times_as_heavy)) return false;
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        const btCollisionObject& partner = *struck.partners[p];
-        // Bodies of no mass are static ones, also those that are then made kinematic.
-        const bool moves = partner.isKinematicObject() || !partner.isStaticObject();
-        if (moves && !breakables_.of(partner) && struck.blow.isStruckBy(static_cast<int>(p))) return true;
-    }
-    return false;
+    constexpr double of_approach = 0.25;
+    if (!struck.breakable->isDynamic() || !lastsWhileItWaits(struck, times_as_heavy)) return false;
+    const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
+    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
+        if (!contact.strikes()) return false;
+        const btRigidBody* partner = btRigidBody::upcast(struck.partners[contact.partner]);
+        if (!partner || breakables_.of(*partner)) return false;
+        const btVector3 from_centre = toBullet(struck.position) - partner->getCenterOfMassPosition();
+        return partner->getVelocityInLocalPoint(from_centre).length() > of_approach * contact.approach_m_s;
+    });
 }
 
 /// Whether something that the body rests against pushes back at what runs into it: whole it would stop that.
