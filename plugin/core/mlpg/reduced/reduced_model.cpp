@@ -285,13 +285,14 @@ StruckModes ReducedModel::struckModes(const std::vector<PointForce>& loads, doub
 
 BeyondModes ReducedModel::beyondModes(const Eigen::VectorXd& forces, const StruckModes& struck,
                                       const LocalSystem& system) const {
-    const auto answer_to = [this, &system](const Eigen::VectorXd& to, const Eigen::VectorXf& work) {
-        const auto found = respond(to, system);
-        if (!found) return Eigen::VectorXd();
-        const Eigen::VectorXf known = modes_.displacement(vibrations_.shapes * work);
-        return Eigen::VectorXd((found.value().unknowns - known).cast<double>());
+    const auto beyond = [this](const ReducedResponse& response, const Eigen::VectorXf& work) {
+        return Eigen::VectorXd(
+            (response.unknowns - modes_.displacement(vibrations_.shapes * work)).cast<double>());
     };
-    return {answer_to(forces, struck.work.matrix().cast<float>()),
+    const auto unit = respond(forces, system);
+    if (!unit) return {};
+    return {beyond(unit.value(), struck.work.matrix().cast<float>()),
+            1 - struck.staticEnergy() / unit.value().strain_energy_j,
             [this, mass = ParticleMass(*problem_)](const Eigen::VectorXd& displacement) {
                 Eigen::VectorXd momentum = mass.times(displacement);
                 Eigen::Matrix<double, 6, Eigen::Dynamic> resultants = problem_->motions.resultants(momentum);
@@ -299,8 +300,9 @@ BeyondModes ReducedModel::beyondModes(const Eigen::VectorXd& forces, const Struc
                 problem_->inertia.balance(momentum, resultants, problem_->motions);
                 return momentum;
             },
-            [this, answer_to](const Eigen::VectorXd& momentum) {
-                return answer_to(momentum, workOnVibrations(momentum));
+            [this, beyond, &system](const Eigen::VectorXd& momentum) {
+                const auto response = respond(momentum, system);
+                return response ? beyond(response.value(), workOnVibrations(momentum)) : Eigen::VectorXd();
             }};
 }
 

@@ -41,6 +41,7 @@ void follow(const StruckModes& modes, double duration_s, int steps,
 struct Spectrum {
     StruckModes all;
     int known;
+    double energy_share = 0.1;
 
     Spectrum(int count, int known_count) : known(known_count) {
         all.rates_rad_s = Eigen::ArrayXd::LinSpaced(count, 1, count);
@@ -54,7 +55,7 @@ struct Spectrum {
             u.head(known).setZero();
             return Eigen::VectorXd(u);
         };
-        return {unknown(all.work / all.rates_rad_s), [](const Eigen::VectorXd& u) { return u; },
+        return {unknown(all.work / all.rates_rad_s), energy_share, [](const Eigen::VectorXd& u) { return u; },
                 [this, unknown](const Eigen::VectorXd& p) {
                     return unknown(p.array() / all.rates_rad_s.square());
                 }};
@@ -110,6 +111,25 @@ TEST(RitzVectors, OfFewModesAreTheseModes) {
     StruckModes modes = known.struck();
     addRitzVectors(known.beyond(), modes);
     EXPECT_EQ(modes.work.size(), 10);
+}
+
+TEST(RitzVectors, AreNotMadeOfRounding) {
+    Spectrum plate(1000, 20);
+    plate.energy_share = 1e-3;
+    StruckModes modes = plate.struck();
+    addRitzVectors(plate.beyond(), modes);
+    EXPECT_EQ(modes.work.size(), 20);
+}
+
+// Of a block the fastest known modes are not its own: they and the vectors would have to be solved together.
+TEST(RitzVectors, AreNotMadeWhereModesAreJoinedToThem) {
+    const BothSolutions both = bothSolutions(shapes::slab({0.3, 0.25, 0.2}, 1, 1, 1), 0.025);
+    const ReducedModel& model = both.reduced.model;
+    std::mt19937 random(3);
+    const auto loads = randomPush(*both.solid, 0.03, random);
+    ReducedModel::LocalSystem kept;
+    const double duration = pi / model.vibrations().rates_rad_s.maxCoeff();
+    EXPECT_EQ(model.struckModes(loads, duration, kept).ritz_vectors.cols(), 0);
 }
 
 // Against Newmark's method on the same grid, with the mass matrix and no modes. The cells of an oblique wall
