@@ -57,7 +57,8 @@ bool FractureWorld::Impl::isRunInto(const StruckBreakable& struck, btScalar time
     if (!struck.breakable->isDynamic() || !lastsWhileItWaits(struck, times_as_heavy)) return false;
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
-        if (!contact.strikes()) return false;
+        const bool is_of_app = contact.partner >= static_cast<int>(struck.partners.size());
+        if (!contact.strikes() || is_of_app) return false;
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[contact.partner]);
         if (!partner || breakables_.of(*partner)) return false;
         const btVector3 from_centre = toBullet(struck.position) - partner->getCenterOfMassPosition();
