@@ -30,7 +30,7 @@ struct Krylov {
     }
 };
 
-/// As many vectors as there are. One more than `most`.
+/// As many vectors as there are, up to one more than `most`.
 Krylov krylovOf(const BeyondModes& body, double rate_rad_s) {
     Krylov krylov;
     Eigen::VectorXd next = body.response;

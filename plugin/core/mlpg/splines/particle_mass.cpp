@@ -1,7 +1,6 @@
 #include "core/mlpg/splines/particle_mass.h"
 
 #include <Eigen/Eigenvalues>
-#include <cmath>
 
 #include "core/mlpg/splines/b_spline.h"
 
