@@ -155,7 +155,7 @@ Result<BlowForces> blowForces(const BreakableSolid& solid, const ContactSettings
     // Finer grids around the contacts see the near field themselves.
     const StressSettings& stress = solid.settings().stress;
     if (grid.near_fields && stress.trial_function == TrialFunction::spline && !stress.resample_contacts)
-        forces.contact = timed(ms.loads, [&] { return contactField(body, patches); });
+        forces.contact = timed(ms.loads, [&] { return contactField(body, patches, grid.spacing_m); });
     SupportAnswer answer;
     std::vector<Foundation> foundations;
     if (solid.isAnchored())  // its supports are part of the stress problem

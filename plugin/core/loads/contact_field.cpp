@@ -1,11 +1,14 @@
 #include "core/loads/contact_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
 #include <numeric>
+#include <set>
 
+#include "core/loads/near_remainder.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
 
@@ -125,59 +128,43 @@ Lie lieOf(const SurfaceTree& surface, const ContactDisc& disc) {
     return lie;
 }
 
-/// A piece of the surface that belongs to those about a disc.
-struct ClosePiece {
-    Vec3 centre, area;
-    double share;
-};
-
-std::vector<ClosePiece> piecesAbout(const SurfaceTree& surface, const NearField& near, std::size_t disc) {
-    constexpr double size = 0.25;  // of a radius
-    const ContactDisc& about = near.discs()[disc];
-    std::vector<ClosePiece> pieces;
-    for (const PieceNearby& piece : surfaceAround(surface, about.centre, close_reach * about.radius,
-                                                  about.radius, size * about.radius)) {
-        const double share = near.closeShare(piece.centre, disc);
-        if (share * piece.area.squaredNorm() > 0) pieces.push_back({piece.centre, piece.area, share});
+/// Places under a patch, as close as its tension may change on a round surface.
+void addParts(const ContactPatch& patch, std::vector<SurfacePlace>& places) {
+    constexpr double length = 0.12;  // of a cube, in radii
+    constexpr double facing = 2;     // steps of a normal's component
+    std::set<std::array<long, 6>> taken;
+    for (const PatchPart& part : patch.parts) {
+        std::array<long, 6> cube;
+        for (int d = 0; d < 3; ++d) {
+            cube[d] = std::lround((part.centre[d] - patch.spot.point[d]) / (length * patch.radius_m));
+            cube[3 + d] = std::lround(facing * part.normal[d]);
+        }
+        if (taken.insert(cube).second) places.push_back({part.centre, part.normal});
     }
-    return pieces;
 }
 
-/// t - sigma n about the discs.
-std::vector<PointForce> closeRemainder(const SurfaceTree& surface, const NearField& near) {
-    std::vector<ClosePiece> pieces;
-    for (std::size_t i = 0; i < near.discs().size(); ++i) {
-        const auto own = piecesAbout(surface, near, i);
-        pieces.insert(pieces.end(), own.begin(), own.end());
-    }
-    const auto count = static_cast<Eigen::Index>(pieces.size());
-    SurfacePieces rows{RowsOf3(count, 3), RowsOf3(count, 3)};
-    for (Eigen::Index i = 0; i < count; ++i) {
-        rows.places.row(i) = pieces[i].centre;
-        rows.areas.row(i) = pieces[i].area;
-    }
-    const RowsOf3 of_stress = near.forcesOn(rows);
-    std::vector<PointForce> forces;
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const auto& [centre, vector, share] = pieces[i];
-        const double area = vector.norm();
-        const Vec3 force = area * near.tractionAt(centre, vector / area) - of_stress.row(i).transpose();
-        forces.push_back({centre, share * force});
-    }
-    return forces;
-}
-
-/// The place opposite a disc: there a thin wall is bent most.
-void addOpposite(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places) {
+/// The place opposite a disc, where a thin wall is bent most, and the disc there.
+void addOpposite(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places,
+                 std::vector<ContactDisc>& opposites) {
     const SurfaceSpot spot = wayOut(tree, disc.centre + 0.1 * disc.radius * disc.inward, disc.inward);
-    if (spot.triangle >= 0)
-        places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
+    if (spot.triangle < 0) return;
+    places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
+    opposites.push_back(oppositeOf(disc, spot.point));
+}
+
+/// Adds to the place opposite a disc what the grid misses of the remainder on that face.
+void addUnresolvedOpposite(const SurfaceTree& surface, const NearField& near, const ContactDisc& opposite,
+                           const RemainderGrid& grid, SurfacePlace& place) {
+    constexpr double thick = 2;  // spacings: the grid knows what a wall that thick does
+    if (opposite.radius > thick * grid.spacing_m) return;
+    std::vector<SurfacePlace> places{place};
+    addUnresolved(oppositeRemainder(surface, near, opposite), opposite, grid, places);
+    place = places.front();
 }
 
 /// Places where friction is small and the surface is pulled most round a disc, as far as they are on it.
 void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places) {
     constexpr int angles = 20;
-    constexpr double shallow = 0.12, deep = 0.25;  // below the plane, in radii: as on a plane, and no more so
     const Vec3 slide = disc.traction_pa - disc.inward * disc.inward.dot(disc.traction_pa);
     const Vec3 a = slide.norm() > 0 ? Vec3(-slide.normalized()) : Vec3(disc.inward.unitOrthogonal());
     const Vec3 b = disc.inward.cross(a);
@@ -190,10 +177,6 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
             const Vec3 normal = areaVector(cornersOf(tree.surface(), spot.triangle)).normalized();
             if (normal.dot(disc.inward) >= -least_facing) continue;
             places.push_back({spot.point, normal});
-            if (disc.hollow) continue;
-            const double depth = (spot.point - x).norm() / disc.radius;
-            const double share = std::clamp((deep - depth) / (deep - shallow), 0.0, 1.0);
-            places.back().near_at += share * (x - spot.point);
         }
 }
 
@@ -241,7 +224,8 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
     return discs;
 }
 
-ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches) {
+ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches,
+                          double spacing_m) {
     const std::vector<char> hardest = hardestOf(patches);
     ContactField field;
     std::vector<ContactDisc> discs;
@@ -250,18 +234,25 @@ ContactField contactField(const ContactBody& body, const std::vector<ContactPatc
         const auto own = hardest[i] ? contactDiscs(body.surface, patch) : std::vector<ContactDisc>();
         discs.insert(discs.end(), own.begin(), own.end());
         if (!own.empty()) {
-            for (const PatchPart& part : patch.parts) field.places.push_back({part.centre, part.normal});
+            addParts(patch, field.places);
             continue;
         }
         const auto forces = spreadForce(patch.parts, patch.spot, patch.force);
         field.others.insert(field.others.end(), forces.begin(), forces.end());
     }
-    for (const ContactDisc& disc : discs) {
-        addRim(body.surface, disc, field.places);
-        addOpposite(body.surface, disc, field.places);
-    }
     field.near = NearField(discs, body.material.poisson_ratio);
-    field.close = closeRemainder(body.surface, field.near);
+    for (const ContactDisc& disc : discs) addRim(body.surface, disc, field.places);
+    const std::size_t first_opposite = field.places.size();
+    std::vector<ContactDisc> opposites;
+    for (const ContactDisc& disc : discs) addOpposite(body.surface, disc, field.places, opposites);
+    const RemainderGrid grid{spacing_m, body.material.poisson_ratio};
+    for (std::size_t i = 0; i < discs.size(); ++i) {
+        const std::vector<RemainderPiece> close = closeRemainder(body.surface, field.near, i);
+        for (const RemainderPiece& piece : close) field.close.push_back({piece.centre, piece.force});
+        addUnresolved(close, discs[i], grid, field.places);
+    }
+    for (std::size_t i = 0; i < opposites.size(); ++i)
+        addUnresolvedOpposite(body.surface, field.near, opposites[i], grid, field.places[first_opposite + i]);
     return field;
 }
 

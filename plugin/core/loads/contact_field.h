@@ -18,7 +18,9 @@ std::vector<ContactDisc> contactDiscs(const SurfaceTree& surface, const ContactP
 
 /// Contacts as discs on the planes of the surface under them: there the body is nearly a half-space, less
 /// what is missing of it. A contact that hangs over an edge is the part of a disc that is on the body, and
-/// one more disc on each further face that it presses on. Contacts that are none stay loads.
-ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches);
+/// one more disc on each further face that it presses on. Contacts that are none stay loads. `spacing_m`: of
+/// the grid on which the rest is solved.
+ContactField contactField(const ContactBody& body, const std::vector<ContactPatch>& patches,
+                          double spacing_m);
 
 }  // namespace sherd

@@ -57,14 +57,10 @@ constexpr double close_reach = 4;
 
 /// A place of the surface where a contact's stress may be largest.
 struct SurfacePlace {
-    SurfacePlace(const Vec3& its_position, const Vec3& its_normal)
-        : position(its_position), normal(its_normal), near_at(its_position) {}
-
-    Vec3 position;  ///< m
-    Vec3 normal;    ///< outward
-    /// Where the near field is read for it, m: around a contact on a round surface on the disc's plane. The
-    /// tension there is in a skin that is thinner than the sag.
-    Vec3 near_at;
+    Vec3 position = Vec3::Zero();  ///< m
+    Vec3 normal = Vec3::Zero();    ///< outward
+    /// What no grid has of the stress there, Pa: see addUnresolved.
+    SymmetricTensor unresolved = SymmetricTensor::Zero();
 };
 
 /// What contacts press on a body with, the part that a grid is too coarse for told apart.

@@ -18,7 +18,8 @@ ContactField pressed(const TriangleMesh& mesh, const Vec3& at, const Vec3& push,
     const Material material = Material::stone();
     const ContactBody body{tree, material, {}, 0.1, 0.2};
     const SurfaceSpot spot = nearestSurfacePoint(tree, at, push);
-    return contactField(body, {{spot, push, push, radius, partsOfPatch(tree, spot, push, radius, 0.18)}});
+    return contactField(body, {{spot, push, push, radius, partsOfPatch(tree, spot, push, radius, 0.18)}},
+                        0.5 * radius);
 }
 
 Vec3 totalOf(const ContactDisc& disc) {

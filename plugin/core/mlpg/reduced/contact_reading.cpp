@@ -12,7 +12,7 @@ ContactReading::ContactReading(const SplineProblem& problem, const ReadingPoints
         const GridPoint where = locate(solid, place.position);
         const int nearest = where.part < 0 ? -1 : points.nearestTo(where);
         if (nearest >= 0)
-            places_.push_back({place.position, place.near_at, place.normal.cast<float>(), where, nearest});
+            places_.push_back({place.position, place.normal.cast<float>(), where, nearest, place.unresolved});
     }
     std::stable_sort(places_.begin(), places_.end(),
                      [](const Place& a, const Place& b) { return a.where.part < b.where.part; });

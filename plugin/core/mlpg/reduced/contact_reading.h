@@ -16,10 +16,10 @@ class ContactReading {
     /// A place of the contact field that lies in the solid.
     struct Place {
         Vec3 position = Vec3::Zero();                      ///< m
-        Vec3 near_at = Vec3::Zero();                       ///< where the near field is read for it, m
         Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< outward, unit
         GridPoint where;
-        int nearest = 0;  ///< reading point, whose strength counts there
+        int nearest = 0;                                       ///< reading point, whose strength counts there
+        SymmetricTensor unresolved = SymmetricTensor::Zero();  ///< see SurfacePlace
     };
 
     ContactReading(const SplineProblem& problem, const ReadingPoints& points, const ContactField& contact);

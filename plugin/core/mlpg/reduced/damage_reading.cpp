@@ -123,7 +123,7 @@ class DamageReading::Reader {
                     continue;
                 const ReadingPoint& point = of_.points_.points[first + l];
                 const Vec3 x = ReadingPoints::position(of_.problem_->parts(), part, point);
-                wait(l, {x, x, point.normal, first + l, wanted});
+                wait(l, {x, point.normal, first + l, wanted, SymmetricTensor::Zero()});
             }
         }
     }
@@ -142,7 +142,7 @@ class DamageReading::Reader {
             readGradients(part, count);
             for (int l = 0; l < count; ++l, ++first) {
                 const ContactReading::Place& place = places[first];
-                wait(l, {place.position, place.near_at, place.normal, place.nearest, near_to_failure});
+                wait(l, {place.position, place.normal, place.nearest, near_to_failure, place.unresolved});
             }
         }
     }
@@ -152,7 +152,9 @@ class DamageReading::Reader {
         StressLanes stress;
         PlaceLanes::Lane smallest, largest;
         stressOf(of_.problem_->elasticity, waiting_.gradient, stress);
-        contact_.addNearStress(waiting_.near_at, stress);
+        contact_.addNearStress(waiting_.at, stress);
+        for (int i = 0; i < 6; ++i)
+            for (int l = 0; l < PlaceLanes::count; ++l) stress.s[i][l] += waiting_.unresolved.s[i][l];
         applyTraction(waiting_.surface, of_.problem_->elasticity, stress);
         boundPrincipal(stress, smallest, largest);
         for (int l = 0; l < waiting_.count; ++l)
@@ -171,18 +173,20 @@ class DamageReading::Reader {
     double tension() const { return tension_; }
 
   private:
-    /// Where the stress is read. `near_at`: for the near field; `normal`: of the surface there, or zero;
-    /// `point`: whose strength and particle count there.
+    /// Where the stress is read. `normal`: of the surface there, or zero; `point`: whose strength and
+    /// particle count there; `unresolved`: see SurfacePlace.
     struct Spot {
-        Vec3 x, near_at;
+        Vec3 x;
         Eigen::Vector3f normal;
         int point;
         double wanted;
+        SymmetricTensor unresolved;
     };
 
     struct Waiting {
         int count = 0;
-        PlaceLanes near_at = {};
+        PlaceLanes at = {};
+        StressLanes unresolved = {};
         PlaceLanes::Lane gradient[3][3] = {};
         SurfaceLanes surface = {};
         int point[PlaceLanes::count];
@@ -224,11 +228,12 @@ class DamageReading::Reader {
         const Vec3 traction =
             is_known ? contact_.tractionAt(spot.x, normal.normalized()) : Vec3(Vec3::Zero());
         for (int i = 0; i < 3; ++i) {
-            waiting_.near_at.x[i][to] = spot.near_at[i];
+            waiting_.at.x[i][to] = spot.x[i];
             waiting_.surface.normal[i][to] = normal[i];
             waiting_.surface.traction_pa[i][to] = traction[i];
             for (int d = 0; d < 3; ++d) waiting_.gradient[i][d][to] = gradients_.gradient[i][d][lane];
         }
+        for (int i = 0; i < 6; ++i) waiting_.unresolved.s[i][to] = spot.unresolved[i];
         waiting_.point[to] = spot.point;
         waiting_.wanted[to] = spot.wanted;
         if (waiting_.count == PlaceLanes::count) finish();

@@ -166,7 +166,9 @@ Result<StressField> SplineSolver::stressOfUnknowns(const Eigen::VectorXd& unknow
         return Error{"The unknowns are those of another stress problem."};
     StressField field;
     readStress(problem_, samples_, problem_.fieldOf(unknowns), {}, positionsOf(contact.places), field);
-    addNearField(*problem_.solid, {{}, contact.places, contact.others}, problem_.elasticity, field);
+    ContactField clear{{}, contact.places, contact.others};  // of tractions
+    for (SurfacePlace& place : clear.places) place.unresolved.setZero();
+    addNearField(*problem_.solid, clear, problem_.elasticity, field);
     return finiteOrError(std::move(field));
 }
 

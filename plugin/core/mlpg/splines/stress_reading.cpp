@@ -47,18 +47,19 @@ void readStress(const SplineProblem& problem, const std::vector<GridPoint>& samp
 void addNearField(const Discretisation& solid, const ContactField& contact, const Elasticity& elasticity,
                   StressField& field) {
     const LoadedPlaces loaded(contact.others, solid.spacing);
-    const auto add = [&](const Vec3& x, const Vec3& near_at, const Vec3& normal, SymmetricTensor& stress) {
-        stress += toSymmetricTensor(contact.near.stressAt(near_at));
+    const auto add = [&](const Vec3& x, const Vec3& normal, SymmetricTensor& stress) {
+        stress += toSymmetricTensor(contact.near.stressAt(x));
         if (!normal.isZero() && !loaded.isNear(x))
             stress = withTraction(stress, normal, contact.near.tractionAt(x, normal), elasticity);
     };
     for (size_t i = 0; i < field.particles.size(); ++i)
-        add(solid.particles[i].position, solid.particles[i].position, Vec3::Zero(), field.particles[i]);
+        add(solid.particles[i].position, Vec3::Zero(), field.particles[i]);
     for (size_t q = 0; q < field.surface.size(); ++q)
-        add(solid.surface_points[q].position, solid.surface_points[q].position,
-            solid.surface_points[q].normal, field.surface[q]);
-    for (size_t i = 0; i < field.points.size(); ++i)
-        add(contact.places[i].position, contact.places[i].near_at, contact.places[i].normal, field.points[i]);
+        add(solid.surface_points[q].position, solid.surface_points[q].normal, field.surface[q]);
+    for (size_t i = 0; i < field.points.size(); ++i) {
+        field.points[i] += contact.places[i].unresolved;
+        add(contact.places[i].position, contact.places[i].normal, field.points[i]);
+    }
 }
 
 }  // namespace sherd
