@@ -68,8 +68,23 @@ add_option() {
   in_turn cmake "$@" "$build" >"$build/configure.log" 2>&1 || die "$(cat "$build/configure.log")"$'\n'"CMake could not configure $build (see above)."
 }
 
+# tell_progress: of what ninja prints, how far it is, once a minute, and what the compiler says.
+tell_progress() {
+  local line percent told=$SECONDS
+  while IFS= read -r line; do
+    case $line in
+      'ninja: no work to do.' | 'ninja: Entering directory '*) ;;
+      '['*'%] '*)
+        percent=${line#[}
+        if ((SECONDS - told >= 60)); then say "built $((${percent%%%*})) %" && told=$SECONDS; fi
+        ;;
+      *) printf '%s\n' "$line" >&2 ;;
+    esac
+  done
+}
+
 # build_targets [TARGET ...]: prints what the compiler says only when it fails, and ninja's own line on a terminal; elsewhere
-# a line that it builds, once that takes longer than a look at what is there.
+# a line that it builds, once that takes longer than a look at what is there, and then how far it is.
 build_targets() {
   local notice= status=0
   if [ ! -t 2 ]; then
@@ -80,7 +95,7 @@ build_targets() {
     notice=$!
   fi
   if [ "$notice" ]; then
-    { in_turn ninja -C "$build" --quiet "$@" 2>&1 | sed -u '/^ninja: no work to do\.$/d' >&2; } || status=$?
+    NINJA_STATUS='[%p] ' in_turn ninja -C "$build" "$@" 2>&1 | tell_progress || status=$?
   else
     in_turn ninja -C "$build" "$@" >&2 || status=$?
   fi
