@@ -6,10 +6,12 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <optional>
 #include <set>
 
 #include "core/loads/near_remainder.h"
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/pi.h"
 
 namespace sherd {
@@ -143,23 +145,19 @@ void addParts(const ContactPatch& patch, std::vector<SurfacePlace>& places) {
     }
 }
 
-/// The place opposite a disc, where a thin wall is bent most, and the disc there.
-void addOpposite(const SurfaceTree& tree, const ContactDisc& disc, std::vector<SurfacePlace>& places,
-                 std::vector<ContactDisc>& opposites) {
-    const SurfaceSpot spot = wayOut(tree, disc.centre + 0.1 * disc.radius * disc.inward, disc.inward);
-    if (spot.triangle < 0) return;
-    places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
-    opposites.push_back(oppositeOf(disc, spot.point));
-}
+/// The disc opposite another one, and the number of its place.
+struct Opposite {
+    ContactDisc disc;
+    std::size_t place = 0;
+};
 
-/// Adds to the place opposite a disc what the grid misses of the remainder on that face.
-void addUnresolvedOpposite(const SurfaceTree& surface, const NearField& near, const ContactDisc& opposite,
-                           const RemainderGrid& grid, SurfacePlace& place) {
-    constexpr double thick = 2;  // spacings: the grid knows what a wall that thick does
-    if (opposite.radius > thick * grid.spacing_m) return;
-    std::vector<SurfacePlace> places{place};
-    addUnresolved(oppositeRemainder(surface, near, opposite), opposite, grid, places);
-    place = places.front();
+/// Adds the place opposite a disc, if there is one: there a thin wall is bent most.
+std::optional<Opposite> addOpposite(const SurfaceTree& tree, const ContactDisc& disc,
+                                    std::vector<SurfacePlace>& places) {
+    const SurfaceSpot spot = wayOut(tree, disc.centre + 0.1 * disc.radius * disc.inward, disc.inward);
+    if (spot.triangle < 0) return {};
+    places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
+    return Opposite{oppositeOf(disc, spot.point), places.size() - 1};
 }
 
 /// Places where friction is small and the surface is pulled most round a disc, as far as they are on it.
@@ -178,6 +176,32 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
             if (normal.dot(disc.inward) >= -least_facing) continue;
             places.push_back({spot.point, normal});
         }
+}
+
+/// Adds what the near field leaves close to its discs, and at the places what the grid misses of that and of
+/// what it leaves opposite the discs.
+void addRemainder(const SurfaceTree& surface, const std::vector<std::optional<Opposite>>& opposites,
+                  const RemainderGrid& grid, ContactField& field) {
+    constexpr double thick = 2;  // spacings: the grid knows what a wall that thick does
+    struct Part {
+        std::vector<RemainderPiece> close;
+        std::vector<SymmetricTensor> missed;  ///< at all places
+    };
+    std::vector<Part> parts(opposites.size());
+    forEachChunk(static_cast<int>(parts.size()), [&](int i) {
+        Part& part = parts[i];
+        part.close = closeRemainder(surface, field.near, i);
+        part.missed = unresolvedAt(field.places, part.close, field.near.discs()[i], grid);
+        if (!opposites[i] || opposites[i]->disc.radius > thick * grid.spacing_m) return;
+        const auto [disc, place] = *opposites[i];
+        part.missed[place] +=
+            unresolvedAt({field.places[place]}, oppositeRemainder(surface, field.near, disc), disc, grid)
+                .front();
+    });
+    for (const Part& part : parts) {
+        for (const RemainderPiece& piece : part.close) field.close.push_back({piece.centre, piece.force});
+        for (std::size_t i = 0; i < field.places.size(); ++i) field.places[i].unresolved += part.missed[i];
+    }
 }
 
 /// Which patches are to have a near field, the hardest ones: each disc's field is added to that of all
@@ -242,17 +266,9 @@ ContactField contactField(const ContactBody& body, const std::vector<ContactPatc
     }
     field.near = NearField(discs, body.material.poisson_ratio);
     for (const ContactDisc& disc : discs) addRim(body.surface, disc, field.places);
-    const std::size_t first_opposite = field.places.size();
-    std::vector<ContactDisc> opposites;
-    for (const ContactDisc& disc : discs) addOpposite(body.surface, disc, field.places, opposites);
-    const RemainderGrid grid{spacing_m, body.material.poisson_ratio};
-    for (std::size_t i = 0; i < discs.size(); ++i) {
-        const std::vector<RemainderPiece> close = closeRemainder(body.surface, field.near, i);
-        for (const RemainderPiece& piece : close) field.close.push_back({piece.centre, piece.force});
-        addUnresolved(close, discs[i], grid, field.places);
-    }
-    for (std::size_t i = 0; i < opposites.size(); ++i)
-        addUnresolvedOpposite(body.surface, field.near, opposites[i], grid, field.places[first_opposite + i]);
+    std::vector<std::optional<Opposite>> opposites;
+    for (const ContactDisc& disc : discs) opposites.push_back(addOpposite(body.surface, disc, field.places));
+    addRemainder(body.surface, opposites, {spacing_m, body.material.poisson_ratio}, field);
     return field;
 }
 

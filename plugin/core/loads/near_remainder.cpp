@@ -101,14 +101,20 @@ NearField discsOn(const std::vector<RemainderPiece>& pieces, const std::vector<d
 
 /// Makes the forces such that discs of those radii together leave nothing of them. On a plane they are right
 /// at once; else each disc also leaves something on the others, whose planes are others. Clearing that once
-/// leaves half of the error on a lip as round as its contact is wide, so what changes is taken twice.
+/// leaves half of the error on a lip as round as its contact is wide, so what changes is taken twice. Where
+/// more would change than there is, as between faces that lie opposite each other, nothing is.
 void balance(std::vector<RemainderPiece>& pieces, const std::vector<double>& radii, double poisson_ratio) {
     const NearField first = discsOn(pieces, radii, poisson_ratio);
     const RowsOf3 of_stress = forcesOn(pieces, first);
     std::vector<Vec3> changes;
-    for (std::size_t i = 0; i < pieces.size(); ++i)
+    double change = 0, whole = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
         changes.push_back(pressureOn(pieces[i], first.discs()) -
                           of_stress.row(static_cast<Eigen::Index>(i)).transpose());
+        change += changes[i].norm();
+        whole += pieces[i].force.norm();
+    }
+    if (change > whole) return;
     for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].force += 2 * changes[i];
 }
 
@@ -142,8 +148,9 @@ ContactDisc oppositeOf(const ContactDisc& disc, const Vec3& there) {
     return {there, -disc.inward, depth, -smaller * smaller * disc.traction_pa, false};
 }
 
-void addUnresolved(const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
-                   const RemainderGrid& grid, std::vector<SurfacePlace>& places) {
+std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& places,
+                                          const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
+                                          const RemainderGrid& grid) {
     constexpr double finely = 0.3, coarsely = 1;  // merged, in radii
     constexpr double overlap = 2;                 // of discs, so that side by side they press evenly
     constexpr double faint = 0.015;               // of the disc's own traction: leaves nothing
@@ -160,28 +167,31 @@ void addUnresolved(const std::vector<RemainderPiece>& pieces, const ContactDisc&
         missed.push_back(piece);
         radii.push_back(radius);
     }
-    if (missed.empty()) return;
+    std::vector<SymmetricTensor> unresolved(places.size(), SymmetricTensor::Zero());
+    if (missed.empty()) return unresolved;
     balance(missed, radii, grid.poisson_ratio);
     const NearField own = discsOn(missed, radii, grid.poisson_ratio);
     std::vector<ContactDisc> wide_discs;
     for (const RemainderPiece& piece : merged(missed, disc, coarsely))
         wide_discs.push_back(pressedOn(piece, wide));
     const NearField seen(wide_discs, grid.poisson_ratio);
-    std::vector<SurfacePlace*> near_by;
-    for (SurfacePlace& place : places)
-        if ((place.position - disc.centre).norm() < reach) near_by.push_back(&place);
+    std::vector<std::size_t> near_by;
+    for (std::size_t i = 0; i < places.size(); ++i)
+        if ((places[i].position - disc.centre).norm() < reach) near_by.push_back(i);
     constexpr std::size_t lanes = PlaceLanes::count;
     for (std::size_t first = 0; first < near_by.size(); first += lanes) {
         const std::size_t count = std::min(lanes, near_by.size() - first);
         PlaceLanes at;
         for (std::size_t l = 0; l < lanes; ++l)
-            for (int d = 0; d < 3; ++d) at.x[d][l] = near_by[first + std::min(l, count - 1)]->position[d];
+            for (int d = 0; d < 3; ++d)
+                at.x[d][l] = places[near_by[first + std::min(l, count - 1)]].position[d];
         StressLanes more = {}, less = {};
         own.addStressAt(at, more);
         seen.addStressAt(at, less);
         for (std::size_t l = 0; l < count; ++l)
-            near_by[first + l]->unresolved += more.at(static_cast<int>(l)) - less.at(static_cast<int>(l));
+            unresolved[near_by[first + l]] = more.at(static_cast<int>(l)) - less.at(static_cast<int>(l));
     }
+    return unresolved;
 }
 
 }  // namespace sherd

@@ -33,10 +33,11 @@ struct RemainderGrid {
     double poisson_ratio = 0;
 };
 
-/// Adds to places what the grid misses of the stress that a remainder makes right where it acts, about a
-/// disc. A piece presses on a disc of its own size on its own plane, and the grid sees a disc that is as
-/// wide as a cell: the difference of these two fields balances itself, and ends within a few cells.
-void addUnresolved(const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
-                   const RemainderGrid& grid, std::vector<SurfacePlace>& places);
+/// What the grid misses at places, Pa, of the stress that a remainder makes right where it acts, about a
+/// disc. A piece presses on a disc of its own size on its own plane, and the grid sees a disc that is as wide
+/// as a cell: the difference of these two fields balances itself, and ends within a few cells.
+std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& places,
+                                          const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
+                                          const RemainderGrid& grid);
 
 }  // namespace sherd

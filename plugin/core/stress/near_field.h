@@ -59,7 +59,7 @@ constexpr double close_reach = 4;
 struct SurfacePlace {
     Vec3 position = Vec3::Zero();  ///< m
     Vec3 normal = Vec3::Zero();    ///< outward
-    /// What no grid has of the stress there, Pa: see addUnresolved.
+    /// What no grid has of the stress there, Pa: see unresolvedAt.
     SymmetricTensor unresolved = SymmetricTensor::Zero();
 };
 
