@@ -154,7 +154,7 @@ struct Opposite {
 /// Adds the place opposite a disc, if there is one: there a thin wall is bent most.
 std::optional<Opposite> addOpposite(const SurfaceTree& tree, const ContactDisc& disc,
                                     std::vector<SurfacePlace>& places) {
-    const SurfaceSpot spot = wayOut(tree, disc.centre + 0.1 * disc.radius * disc.inward, disc.inward);
+    const SurfaceSpot spot = wayOut(tree, disc.centre + 1e-3 * disc.radius * disc.inward, disc.inward);
     if (spot.triangle < 0) return {};
     places.push_back({spot.point, areaVector(cornersOf(tree.surface(), spot.triangle)).normalized()});
     return Opposite{oppositeOf(disc, spot.point), places.size() - 1};
@@ -182,7 +182,7 @@ void addRim(const SurfaceTree& tree, const ContactDisc& disc, std::vector<Surfac
 /// what it leaves opposite the discs.
 void addRemainder(const SurfaceTree& surface, const std::vector<std::optional<Opposite>>& opposites,
                   const RemainderGrid& grid, ContactField& field) {
-    constexpr double thick = 2;  // spacings: the grid knows what a wall that thick does
+    constexpr double thin = 1.5, thick = 2.5;  // spacings: the grid knows what thick walls do
     struct Part {
         std::vector<RemainderPiece> close;
         std::vector<SymmetricTensor> missed;  ///< at all places
@@ -192,11 +192,14 @@ void addRemainder(const SurfaceTree& surface, const std::vector<std::optional<Op
         Part& part = parts[i];
         part.close = closeRemainder(surface, field.near, i);
         part.missed = unresolvedAt(field.places, part.close, field.near.discs()[i], grid);
-        if (!opposites[i] || opposites[i]->disc.radius > thick * grid.spacing_m) return;
+        if (!opposites[i]) return;
         const auto [disc, place] = *opposites[i];
-        part.missed[place] +=
-            unresolvedAt({field.places[place]}, oppositeRemainder(surface, field.near, disc), disc, grid)
-                .front();
+        const double share = std::clamp((thick - disc.radius / grid.spacing_m) / (thick - thin), 0.0, 1.0);
+        if (share > 0)
+            part.missed[place] +=
+                share *
+                unresolvedAt({field.places[place]}, oppositeRemainder(surface, field.near, disc), disc, grid)
+                    .front();
     });
     for (const Part& part : parts) {
         for (const RemainderPiece& piece : part.close) field.close.push_back({piece.centre, piece.force});

@@ -15,7 +15,7 @@ namespace {
 constexpr double piece_length = 0.25;  // of a radius
 
 RemainderPiece shareOf(const PieceNearby& piece, double share) {
-    return {piece.centre, share * piece.area, share * piece.area.norm(), Vec3::Zero()};
+    return {piece.centre, piece.area, piece.area.norm(), share, Vec3::Zero()};
 }
 
 /// The pieces of the surface that belong to those about a disc.
@@ -41,26 +41,44 @@ RowsOf3 forcesOn(const std::vector<RemainderPiece>& pieces, const NearField& nea
     return near.forcesOn(rows);
 }
 
-/// Takes the near field's forces from those on the pieces.
+/// Takes the near field's forces from those on the pieces, and leaves each its share.
 void clear(const NearField& near, std::vector<RemainderPiece>& pieces) {
     const RowsOf3 of_stress = forcesOn(pieces, near);
     for (std::size_t i = 0; i < pieces.size(); ++i)
-        pieces[i].force -= of_stress.row(static_cast<Eigen::Index>(i)).transpose();
+        pieces[i].force = pieces[i].share * (pieces[i].force - of_stress.row(Eigen::Index(i)).transpose());
 }
 
-/// Pieces that face alike in one cube, as one: a mesh may be far finer than is needed. The cubes are larger
-/// further away from the disc; `length`: of their edges next to it, in radii.
-std::vector<RemainderPiece> merged(const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
-                                   double length) {
-    constexpr double facing = 2;  // steps of a normal's component
+/// A disc's own axes, as rows.
+Mat3 axesOf(const ContactDisc& disc) {
+    const Vec3 along = disc.inward.unitOrthogonal();
+    Mat3 axes;
+    axes << along.transpose(), disc.inward.cross(along).transpose(), disc.inward.transpose();
+    return axes;
+}
+
+/// A piece on the disc that stands for it.
+struct PressedDisc {
+    RemainderPiece piece;
+    double radius = 0;  ///< m
+};
+
+/// Pieces that face alike in one cube, as one: a mesh may be far finer than is needed, and rough. `length`:
+/// of the cubes' edges, in radii of the disc; with `grow` they are as much larger as they are further away.
+std::vector<PressedDisc> merged(const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
+                                double length, bool grow) {
+    constexpr double overlap = 2;  // of discs, so that side by side they press evenly
+    constexpr double facing = 2;   // steps of a normal's component
+    constexpr double least = 0.6;  // of a cube's edge: slivers are not to press on points
+    const Mat3 axes = axesOf(disc);
     std::map<std::array<long, 7>, RemainderPiece> cubes;
     for (const RemainderPiece& piece : pieces) {
-        const Vec3 offset = (piece.centre - disc.centre) / disc.radius;
-        const int level = std::max(0, std::ilogb(offset.squaredNorm()));
+        const Vec3 offset = axes * (piece.centre - disc.centre) / disc.radius;
+        const Vec3 outward = axes * piece.area / piece.size_m2;
+        const int level = grow ? std::max(0, std::ilogb(offset.norm())) : 0;
         std::array<long, 7> cube{level};
         for (int d = 0; d < 3; ++d) {
             cube[1 + d] = std::lround(std::ldexp(offset[d] / length, -level));
-            cube[4 + d] = std::lround(facing * piece.area[d] / piece.size_m2);
+            cube[4 + d] = std::lround(facing * outward[d]);
         }
         RemainderPiece& sum = cubes[cube];
         sum.centre += piece.size_m2 * piece.centre;
@@ -68,10 +86,12 @@ std::vector<RemainderPiece> merged(const std::vector<RemainderPiece>& pieces, co
         sum.size_m2 += piece.size_m2;
         sum.force += piece.force;
     }
-    std::vector<RemainderPiece> found;
+    std::vector<PressedDisc> found;
     for (auto& [cube, sum] : cubes) {
         sum.centre /= sum.size_m2;
-        if (sum.area.norm() > 0) found.push_back(sum);
+        const double edge = std::ldexp(length * disc.radius, static_cast<int>(cube[0]));
+        const double radius = std::max(overlap * std::sqrt(sum.size_m2 / pi), least * edge);
+        if (sum.area.norm() > 0) found.push_back({sum, radius});
     }
     return found;
 }
@@ -82,40 +102,55 @@ ContactDisc pressedOn(const RemainderPiece& piece, double radius) {
     return {piece.centre, -piece.area.normalized(), radius, piece.force / whole, false};
 }
 
-/// What discs, one on each piece, press on the pieces that they cover.
+NearField discsOn(const std::vector<PressedDisc>& pressed, double poisson_ratio) {
+    std::vector<ContactDisc> discs;
+    for (const PressedDisc& one : pressed) discs.push_back(pressedOn(one.piece, one.radius));
+    return NearField(discs, poisson_ratio);
+}
+
+/// What discs press on a piece that they cover.
 Vec3 pressureOn(const RemainderPiece& piece, const std::vector<ContactDisc>& discs) {
     constexpr double facing = 0.5;  // cosine
     const Vec3 outward = piece.area.normalized();
     Vec3 sum = Vec3::Zero();
     for (const ContactDisc& disc : discs)
-        if (outward.dot(disc.inward) < -facing) sum += disc.tractionAt(piece.centre);
+        if (outward.dot(disc.inward) < -facing &&
+            std::abs((piece.centre - disc.centre).dot(disc.inward)) < largest_sag * disc.radius)
+            sum += disc.tractionAt(piece.centre);
     return piece.size_m2 * sum;
 }
 
-NearField discsOn(const std::vector<RemainderPiece>& pieces, const std::vector<double>& radii,
-                  double poisson_ratio) {
-    std::vector<ContactDisc> discs;
-    for (std::size_t i = 0; i < pieces.size(); ++i) discs.push_back(pressedOn(pieces[i], radii[i]));
-    return NearField(discs, poisson_ratio);
-}
-
-/// Makes the forces such that discs of those radii together leave nothing of them. On a plane they are right
-/// at once; else each disc also leaves something on the others, whose planes are others. Clearing that once
-/// leaves half of the error on a lip as round as its contact is wide, so what changes is taken twice. Where
-/// more would change than there is, as between faces that lie opposite each other, nothing is.
-void balance(std::vector<RemainderPiece>& pieces, const std::vector<double>& radii, double poisson_ratio) {
-    const NearField first = discsOn(pieces, radii, poisson_ratio);
-    const RowsOf3 of_stress = forcesOn(pieces, first);
+/// Makes the forces such that the discs together leave nothing of them. On a plane they are right at once;
+/// else each disc also leaves something on the others, whose planes are others. Clearing that once leaves
+/// half of the error on a lip as round as its contact is wide, so what changes is taken twice; less where as
+/// much would change as there is. What lies behind, maybe across air, takes no part.
+void balance(std::vector<PressedDisc>& pressed, const ContactDisc& about, double poisson_ratio) {
+    constexpr double deepest = 2;        // radii
+    constexpr double facing_back = 0.2;  // cosine
+    constexpr double all = 0.6, none = 1;
+    std::vector<PressedDisc*> before;
+    std::vector<PressedDisc> own;
+    std::vector<RemainderPiece> pieces;
+    for (PressedDisc& one : pressed) {
+        const double depth = (one.piece.centre - about.centre).dot(about.inward);
+        if (depth > deepest * about.radius || one.piece.area.normalized().dot(about.inward) > facing_back)
+            continue;
+        before.push_back(&one);
+        own.push_back(one);
+        pieces.push_back(one.piece);
+    }
+    const NearField near = discsOn(own, poisson_ratio);
+    const RowsOf3 of_stress = forcesOn(pieces, near);
     std::vector<Vec3> changes;
     double change = 0, whole = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        changes.push_back(pressureOn(pieces[i], first.discs()) -
-                          of_stress.row(static_cast<Eigen::Index>(i)).transpose());
+        changes.push_back(pressureOn(pieces[i], near.discs()) - of_stress.row(Eigen::Index(i)).transpose());
         change += changes[i].norm();
         whole += pieces[i].force.norm();
     }
-    if (change > whole) return;
-    for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].force += 2 * changes[i];
+    if (!(whole > 0)) return;
+    const double factor = 2 * std::clamp((none - change / whole) / (none - all), 0.0, 1.0);
+    for (std::size_t i = 0; i < pieces.size(); ++i) before[i]->piece.force += factor * changes[i];
 }
 
 }  // namespace
@@ -151,30 +186,30 @@ ContactDisc oppositeOf(const ContactDisc& disc, const Vec3& there) {
 std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& places,
                                           const std::vector<RemainderPiece>& pieces, const ContactDisc& disc,
                                           const RemainderGrid& grid) {
-    constexpr double finely = 0.3, coarsely = 1;  // merged, in radii
-    constexpr double overlap = 2;                 // of discs, so that side by side they press evenly
-    constexpr double faint = 0.015;               // of the disc's own traction: leaves nothing
-    // How wide a grid of quadratic splines spreads a force, in spacings. With 1 to 1.6 the largest stress of
-    // blows on a cup is within 11 to 12 % of finite elements in nine of ten.
-    constexpr double blur = 1.3;
+    constexpr double finely = 2.0 / 7, coarsely = 1;  // merged, in radii; cubes end at the rim
+    constexpr double blurred = 0.5;                   // of the wide discs, that the coarse pieces are at most
+    constexpr double faint = 0.015;                   // of the disc's own traction: leaves nothing
+    // How wide a grid of quadratic splines spreads a force, in spacings: with 1 to 2 the errors on a cup are
+    // alike.
+    constexpr double blur = 1.5;
     constexpr double ends = 2;  // widths beyond the pieces
     const double wide = blur * grid.spacing_m, reach = close_reach * disc.radius + ends * wide;
-    std::vector<RemainderPiece> missed;
-    std::vector<double> radii;
-    for (const RemainderPiece& piece : merged(pieces, disc, finely)) {
-        const double radius = overlap * std::sqrt(piece.size_m2 / pi);
-        if (radius >= wide || piece.force.norm() < faint * disc.traction_pa.norm() * piece.size_m2) continue;
-        missed.push_back(piece);
-        radii.push_back(radius);
+    std::vector<PressedDisc> missed;
+    std::vector<RemainderPiece> seen_pieces;
+    for (const PressedDisc& one : merged(pieces, disc, finely, true)) {
+        const double least_n = faint * disc.traction_pa.norm() * one.piece.size_m2;
+        if (one.radius >= wide || one.piece.force.norm() < least_n) continue;
+        missed.push_back(one);
     }
     std::vector<SymmetricTensor> unresolved(places.size(), SymmetricTensor::Zero());
     if (missed.empty()) return unresolved;
-    balance(missed, radii, grid.poisson_ratio);
-    const NearField own = discsOn(missed, radii, grid.poisson_ratio);
-    std::vector<ContactDisc> wide_discs;
-    for (const RemainderPiece& piece : merged(missed, disc, coarsely))
-        wide_discs.push_back(pressedOn(piece, wide));
-    const NearField seen(wide_discs, grid.poisson_ratio);
+    balance(missed, disc, grid.poisson_ratio);
+    const NearField own = discsOn(missed, grid.poisson_ratio);
+    for (const PressedDisc& one : missed) seen_pieces.push_back(one.piece);
+    const double coarse = std::max(finely, std::min(coarsely, blurred * wide / disc.radius));
+    std::vector<PressedDisc> seen_discs = merged(seen_pieces, disc, coarse, false);
+    for (PressedDisc& one : seen_discs) one.radius = wide;
+    const NearField seen = discsOn(seen_discs, grid.poisson_ratio);
     std::vector<std::size_t> near_by;
     for (std::size_t i = 0; i < places.size(); ++i)
         if ((places[i].position - disc.centre).norm() < reach) near_by.push_back(i);

@@ -12,7 +12,8 @@ struct RemainderPiece {
     Vec3 centre = Vec3::Zero();  ///< m
     Vec3 area = Vec3::Zero();    ///< m^2, outward
     double size_m2 = 0;          ///< of that; of pieces that were merged the sum of their own
-    Vec3 force = Vec3::Zero();   ///< (t - sigma n) A, N; t: the tractions of the discs
+    double share = 1;            ///< of what is left there that belongs to the piece
+    Vec3 force = Vec3::Zero();   ///< its share of (t - sigma n) A, N; t: the tractions of the discs
 };
 
 /// What the near field leaves close to one of its discs (NearField::closeShare).

@@ -46,6 +46,8 @@ TEST(NearRemainder, IsMissedByCoarseGridsOnly) {
     };
     EXPECT_GT(missed(0.02), 0.05);
     EXPECT_NEAR(missed(0.04), missed(0.02), 0.2 * missed(0.02)) << "both see next to nothing";
+    for (const double spacing : {0.02, 0.012, 0.008, 0.005, 0.003, 0.002})
+        EXPECT_LT(missed(spacing), missed(1.5 * spacing)) << spacing;
     EXPECT_LT(missed(0.001), 1e-12) << "cells of a tenth of the contact see all";
 }
 
@@ -61,19 +63,34 @@ TEST(NearRemainder, DoesNotDependOnHowFineTheMeshIs) {
     EXPECT_NEAR(fine, coarse, 0.2 * coarse);
 }
 
-// A lip is missed the same wherever the body lies and however large it is.
+// A ball is missed the same wherever it lies, however it is turned and however large it is.
 TEST(NearRemainder, IsThatOfTheShapeAlone) {
-    const auto missed = [&](double scale, const Vec3& shift) {
-        TriangleMesh ball = shapes::icosphere(0.05 * scale, 4);
-        for (Vec3& vertex : ball.vertices) vertex += shift;
-        const Missed found =
-            missedAt(ball, Vec3(0, 0, 0.05 * scale) + shift, -Vec3::UnitZ(), 0.01 * scale, 0.02 * scale);
+    const auto missed = [&](double scale, const Mat3& turn, const Vec3& shift) {
+        const Vec3 top = turn * Vec3::UnitZ();
+        const TriangleMesh ball = shapes::moved(shapes::icosphere(0.05 * scale, 5), turn, shift);
+        const Missed found = missedAt(ball, 0.05 * scale * top + shift, -top, 0.01 * scale, 0.02 * scale);
         return found.largest_pa / found.traction_pa;
     };
-    const double own = missed(1, Vec3::Zero());
-    EXPECT_NEAR(missed(1000, Vec3::Zero()), own, 1e-6 * own);
-    EXPECT_NEAR(missed(0.001, Vec3::Zero()), own, 1e-6 * own);
-    EXPECT_NEAR(missed(1, Vec3(0.3, -0.2, 0.7)), own, 1e-6 * own);
+    const Mat3 as_it_is = Mat3::Identity();
+    const double own = missed(1, as_it_is, Vec3::Zero());
+    EXPECT_NEAR(missed(1000, as_it_is, Vec3::Zero()), own, 1e-6 * own);
+    EXPECT_NEAR(missed(0.001, as_it_is, Vec3::Zero()), own, 1e-6 * own);
+    EXPECT_NEAR(missed(1, as_it_is, Vec3(0.3, -0.2, 0.7)), own, 1e-3 * own);
+    for (const double angle :
+         {0.3, 0.9, 2.0}) {  // its own axes turn with it but for the one it has by chance
+        const Mat3 turn = Eigen::AngleAxisd(angle, Vec3(1, 2, 0.5).normalized()).toRotationMatrix();
+        EXPECT_NEAR(missed(1, turn, Vec3::Zero()), own, 0.15 * own) << angle;
+    }
+}
+
+// Two walls, 0.2 of the contact apart: nothing is heard of the second one across the air.
+TEST(NearRemainder, KnowsNothingOfAnotherWall) {
+    const TriangleMesh wall = shapes::box(Vec3(-0.05, -0.05, -0.001), Vec3(0.05, 0.05, 0), 20, 20, 1);
+    const TriangleMesh two = shapes::joined(wall, shapes::translated(wall, Vec3(0, 0, -0.0012)));
+    const Missed alone = missedAt(wall, Vec3::Zero(), -Vec3::UnitZ(), 0.001, 0.004),
+                 with = missedAt(two, Vec3::Zero(), -Vec3::UnitZ(), 0.001, 0.004);
+    EXPECT_GT(alone.largest_pa, 0.1 * alone.traction_pa);
+    EXPECT_NEAR(with.largest_pa, alone.largest_pa, 0.25 * alone.largest_pa);
 }
 
 }  // namespace
