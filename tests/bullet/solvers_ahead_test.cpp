@@ -82,7 +82,7 @@ TEST(SolversAhead, AreFactoredBeforeTheNextBlow) {
     ASSERT_EQ(pane.breaks.size(), 1u);
     ASSERT_TRUE(pane.waitForFactors(2));
     EXPECT_EQ(pane.fracture.counts().solved(), 1) << "no blow has needed these";
-    pane.throwBall(0.4f, 0.3f, 2);
+    pane.throwBall(0.4f, 0.1f, 2);
     ASSERT_GE(pane.breaks.size(), 2u);
     EXPECT_EQ(pane.breaks[1].ms.factor, 0);
     EXPECT_EQ(pane.breaks[1].ms.coarse, 0);

@@ -91,7 +91,7 @@ TEST(TornOut, WhatIsNotInTheWayStaysInTheFrame) {
 
 TEST(TornOut, TheEventHasThePieceThatItWasFree) {
     Window window;
-    window.throwCrate(300, 1, 8);
+    window.throwCrate(300, 0.9, 8);
     int torn = 0;
     for (const BlowEvent& event : breaksIn(window.fly(60))) {
         if (event.level != Level::gate) continue;
