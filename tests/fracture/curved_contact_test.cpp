@@ -118,8 +118,7 @@ TEST_F(CurvedContact, HasANearFieldThatIsAsFiniteElementsHaveIt) {
 }
 
 // On a ball five times as large the disc's rim lies a tenth of its radius below its middle: what presses
-// straight down there pulls far less at the rim than on a plane, and the plane's own field has the wrong
-// sign.
+// straight down there pulls less at the rim than on a plane.
 TEST_F(CurvedContact, OnABallIsAsFinerGridsHaveIt) {
     constexpr double ball_radius = 0.05, radius = 0.01;
     const auto solidAt = [&](const Settings& settings) {

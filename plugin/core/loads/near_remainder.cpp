@@ -195,7 +195,6 @@ std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& place
     constexpr double ends = 2;  // widths beyond the pieces
     const double wide = blur * grid.spacing_m, reach = close_reach * disc.radius + ends * wide;
     std::vector<PressedDisc> missed;
-    std::vector<RemainderPiece> seen_pieces;
     for (const PressedDisc& one : merged(pieces, disc, finely, true)) {
         const double least_n = faint * disc.traction_pa.norm() * one.piece.size_m2;
         if (one.radius >= wide || one.piece.force.norm() < least_n) continue;
@@ -205,6 +204,7 @@ std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& place
     if (missed.empty()) return unresolved;
     balance(missed, disc, grid.poisson_ratio);
     const NearField own = discsOn(missed, grid.poisson_ratio);
+    std::vector<RemainderPiece> seen_pieces;
     for (const PressedDisc& one : missed) seen_pieces.push_back(one.piece);
     const double coarse = std::max(finely, std::min(coarsely, blurred * wide / disc.radius));
     std::vector<PressedDisc> seen_discs = merged(seen_pieces, disc, coarse, false);
