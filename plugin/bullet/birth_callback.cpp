@@ -2,6 +2,7 @@
 
 #include <exception>
 
+#include "bullet/step_phase.h"
 #include "fracture/add_sentence.h"
 
 namespace sherd {
@@ -32,8 +33,9 @@ void callAndPlace(const FragmentCallback& callback, FragmentBirth& birth) {
 
 }  // namespace
 
-void announceBirth(const FragmentCallback& callback, const Breakable& parent, Breakable& fragment,
-                   BlowEvent& event) {
+void announceBirth(btDiscreteDynamicsWorld& world, const FragmentCallback& callback, const Breakable& parent,
+                   Breakable& fragment, BlowEvent& event) {
+    const NoStepMeanwhile guard(world);
     FragmentBirth birth{*fragment.body, fragment.asset,        *parent.body,        event,
                         fragment.name,  fragment.filter.group, fragment.filter.mask};
     const std::string rest = "; the fragment entered the world as it was by then.";

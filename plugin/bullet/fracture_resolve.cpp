@@ -169,7 +169,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces), !broken.breaks_later);
     for (Breakable* fragment : born) {
         const auto callback = on_fragment_;  // which may set another one
-        if (*callback && !released_) announceBirth(*callback, parent, *fragment, event);
+        if (*callback && !released_) announceBirth(world_, *callback, parent, *fragment, event);
         event.fragments.push_back(fragment->body);
     }
     RemovedJoints joints = removeFromWorld(world_, parent);

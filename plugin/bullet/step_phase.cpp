@@ -2,6 +2,9 @@
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
+#include <stdexcept>
+#include <utility>
+
 #include "bullet/world_internals.h"
 
 namespace sherd {
@@ -29,6 +32,22 @@ InsideStep::InsideStep(btDiscreteDynamicsWorld& world)
 
 InsideStep::~InsideStep() {
     world_.getDispatchInfo().m_stepCount = before_;
+}
+
+namespace {
+
+void refuseStep(btDynamicsWorld*, btScalar) {
+    throw std::logic_error("stepSimulation must not be called inside a step");
+}
+
+}  // namespace
+
+NoStepMeanwhile::NoStepMeanwhile(btDiscreteDynamicsWorld& world)
+    : world_(world), of_the_app_(std::exchange(WorldInternals::beforeSteps(world), &refuseStep)) {}
+
+NoStepMeanwhile::~NoStepMeanwhile() {
+    btInternalTickCallback& now = WorldInternals::beforeSteps(world_);
+    if (now == &refuseStep) now = of_the_app_;  // else the app has set another one meanwhile
 }
 
 IntegrationHook::IntegrationHook(btDiscreteDynamicsWorld& world, IntegrationListener& listener)

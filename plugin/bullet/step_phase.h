@@ -1,6 +1,7 @@
 #pragma once
 
 #include <BulletDynamics/Dynamics/btActionInterface.h>
+#include <BulletDynamics/Dynamics/btDynamicsWorld.h>
 #include <LinearMath/btIDebugDraw.h>
 
 class btDiscreteDynamicsWorld;
@@ -25,6 +26,20 @@ class InsideStep {
   private:
     btDiscreteDynamicsWorld& world_;
     int before_;
+};
+
+/// While one lives, `stepSimulation` throws a std::logic_error before it has moved anything: Bullet does not
+/// stand a step inside a step.
+class NoStepMeanwhile {
+  public:
+    explicit NoStepMeanwhile(btDiscreteDynamicsWorld& world);
+    ~NoStepMeanwhile();
+    NoStepMeanwhile(const NoStepMeanwhile&) = delete;
+    NoStepMeanwhile& operator=(const NoStepMeanwhile&) = delete;
+
+  private:
+    btDiscreteDynamicsWorld& world_;
+    btInternalTickCallback of_the_app_;
 };
 
 /// Told when the bodies of a step stand at their new places, before any action of the app's.

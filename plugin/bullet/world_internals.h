@@ -16,6 +16,9 @@ class WorldInternals : private btDiscreteDynamicsWorld {
     static btAlignedObjectArray<btPersistentManifold*>& predictiveManifolds(btDiscreteDynamicsWorld& world) {
         return world.*(&WorldInternals::m_predictiveManifolds);
     }
+    static btInternalTickCallback& beforeSteps(btDiscreteDynamicsWorld& world) {
+        return world.*(&WorldInternals::m_internalPreTickCallback);
+    }
     static btAlignedObjectArray<btActionInterface*>& actions(btDiscreteDynamicsWorld& world) {
         return world.*(&WorldInternals::m_actions);
     }

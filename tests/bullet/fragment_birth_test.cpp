@@ -128,6 +128,22 @@ TEST(FragmentBirth, CallsFromTheCallbackAreAnsweredAsInsideAStep) {
     EXPECT_EQ(test.fracture.takeEvents().size(), 1u);
 }
 
+TEST(FragmentBirth, AStepFromTheCallbackIsRefused) {
+    BreakingPlate test;
+    int ticks = 0;
+    test.scene.world->setInternalTickCallback(
+        [](btDynamicsWorld* w, btScalar) { ++*static_cast<int*>(w->getWorldUserInfo()); }, &ticks, true);
+    test.fracture.onFragment([&](FragmentBirth&) { test.scene.step(1); });
+    const BlowEvent event = stepUntilBreak(test.scene, test.fracture);
+    ASSERT_EQ(event.outcome, Outcome::broke);
+    EXPECT_NE(event.message.find("stepSimulation must not be called inside a step"), std::string::npos)
+        << event.message;
+    for (const btRigidBody* fragment : event.fragments) EXPECT_TRUE(inWorld(test.scene, fragment));
+    ticks = 0;
+    test.scene.step(3);
+    EXPECT_EQ(ticks, 3) << "the app's own callback is back";
+}
+
 TEST(FragmentBirth, ACallbackMayEndItself) {
     BreakingPlate test;
     const std::vector<int> captured(1000, 7);
