@@ -114,7 +114,8 @@ Vec3 pressureOn(const RemainderPiece& piece, const std::vector<ContactDisc>& dis
     const Vec3 outward = piece.area.normalized();
     Vec3 sum = Vec3::Zero();
     for (const ContactDisc& disc : discs)
-        if (outward.dot(disc.inward) < -facing &&
+        if ((piece.centre - disc.centre).squaredNorm() < disc.radius * disc.radius &&
+            outward.dot(disc.inward) < -facing &&
             std::abs((piece.centre - disc.centre).dot(disc.inward)) < largest_sag * disc.radius)
             sum += disc.tractionAt(piece.centre);
     return piece.size_m2 * sum;

@@ -45,7 +45,7 @@ Mat3 DiscField::behind(double x, double y, double z) const {
     using namespace under_disc;
     const double s = x * x + y * y;
     const auto angle_of = [](Complex a) { return std::atan2(a.im, a.re); };
-    const Potentials h = s + z * z < far * far ? underDisc(s, z, angle_of) : underPoint(s, z);
+    const Potentials h = s + z * z < far * far ? underDisc(s, z, angle_of) : underFarDisc(s, z);
     const LocalStress local = stressUnder(h, traction_, x, y, z);
     Mat3 stress;
     stress << local.xx, local.xy, local.zx, local.xy, local.yy, local.yz, local.zx, local.yz, local.zz;

@@ -68,13 +68,13 @@ SHERD_INLINED double squaredDistance(const LocalLanes& at, const Lane& depth, in
     return at.x[lane] * at.x[lane] + at.y[lane] * at.y[lane] + depth[lane] * depth[lane];
 }
 
-/// Where all lanes are so far away that the disc is a point.
+/// Where all lanes are so far away that the disc is hardly more than a point.
 SHERD_WIDE_VECTORS
 void stressFarBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
     const DiscField::Traction traction = of;
     for (int l = 0; l < lane_count; ++l) {
         const double x = at.x[l], y = at.y[l], z = depth[l];
-        putInLane(under_disc::stressUnder(under_disc::underPoint(x * x + y * y, z), traction, x, y, z), l,
+        putInLane(under_disc::stressUnder(under_disc::underFarDisc(x * x + y * y, z), traction, x, y, z), l,
                   stress);
     }
 }
@@ -88,7 +88,7 @@ void stressAnywhereBehind(const LocalLanes& at, const Lane& depth, const DiscFie
         const double x = at.x[l], y = at.y[l], z = depth[l], s = x * x + y * y;
         const auto angle_of = [](Complex a) { return pi / 2 - arcTangent(a.re / a.im); };
         const bool is_close = squaredDistance(at, depth, l) < far * far;
-        const Potentials h = either(is_close, underDisc(s, z, angle_of), underPoint(s, z));
+        const Potentials h = either(is_close, underDisc(s, z, angle_of), underFarDisc(s, z));
         putInLane(stressUnder(h, traction, x, y, z), l, stress);
     }
 }

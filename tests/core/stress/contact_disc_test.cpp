@@ -65,6 +65,25 @@ TEST(ContactDisc, IsTheSumOfItsPointForces) {
     }
 }
 
+// Three radii away the closed form gives way to that of a point that is a little wide.
+TEST(ContactDisc, IsAsSmoothWhereItIsTakenForAPoint) {
+    double largest = 0;
+    for (const Vec3& traction : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0.3, -0.7, 0.4)})
+        for (const double poisson_ratio : {0.0, 0.22, 0.4})
+            for (int polar = 0; polar <= 18; ++polar)
+                for (const double azimuth : {0.1, 0.8, 1.5}) {
+                    const DiscField field(unitDisc(traction), poisson_ratio);
+                    const double t = polar * pi / 36;
+                    const Vec3 way(std::sin(t) * std::cos(azimuth), std::sin(t) * std::sin(azimuth),
+                                   std::cos(t));
+                    const Mat3 inside = field.stressAt(2.9999 * way), outside = field.stressAt(3.0001 * way);
+                    // Where the field of a point is least it is a few percent of that in other directions.
+                    const double size = std::max(inside.norm(), 0.2 / 9 * traction.norm());
+                    largest = std::max(largest, (outside - inside).norm() / size);
+                }
+    EXPECT_LT(largest, 0.015);
+}
+
 // Outside of a pressure that is even all round, the surface is pulled as by a point force (Johnson, 3.4): by
 // (1 - 2 nu) F / (2 pi r^2), as much across as it is pressed along.
 TEST(ContactDisc, OutsideAPressureTheSurfaceIsPulledAsByAPointForce) {
