@@ -58,7 +58,7 @@ class BreakableAsset {
     /// Bodies made of it are static (see BreakableOptions::supports). It is sampled and prepared apart from
     /// this asset, once for all bodies and assets that hold it on the same supports: what one call returned
     /// is what the next one returns, for as long as somebody keeps it. The error says which support touches
-    /// no surface, or that they hold the body by no more than a line.
+    /// no surface, that one of them holds all of it, or that they hold the body by no more than a line.
     Result<BreakableAsset> anchored(const std::vector<SurfaceRegion>& supports) const;
 
     /// Samples the solid and makes what answers blows in milliseconds, now: a reduced model of its stress,

@@ -49,10 +49,11 @@ Result<int> explode(FractureWorld& world, const Explosion& explosion);
 /// end of its solver, and inside a FragmentCallback: `add` and `makeBreakable` are refused, `remove` and
 /// `applyBlow` wait for the end of the step, `takeEvents` gives the events of earlier steps, everything else
 /// works as always; `stepSimulation` must not be called (from a FragmentCallback it throws std::logic_error,
-/// which becomes a sentence of the event). A body that is removed while it breaks is removed
-/// with all its fragments. Bullet's tick callbacks and actions are outside. A callback that throws out of
-/// `stepSimulation` leaves the world inside the step, until the next one is complete; a FractureWorld that is
-/// destroyed before leaves its bodies and its solver in the world until then, or until that is destroyed.
+/// which becomes a sentence of the event, and gravity acts once more in the step under way). A body that is
+/// removed while it breaks is removed with all its fragments. Bullet's tick callbacks and actions are
+/// outside. A callback that throws out of `stepSimulation` leaves the world inside the step, until the next
+/// one is complete; a FractureWorld that is destroyed before leaves its bodies and its solver in the world
+/// until then, or until that is destroyed.
 ///
 /// Bullet does not tell that it is busy elsewhere. From callbacks of what the app calls itself
 /// (`performDiscreteCollisionDetection`, `contactTest`, `rayTest`, `convexSweepTest`, `debugDrawWorld`) only

@@ -15,6 +15,10 @@ namespace {
 // is over.
 constexpr int inside = 0, between = 1;
 
+void refuseStep(btDynamicsWorld*, btScalar) {
+    throw std::logic_error("stepSimulation must not be called from a FragmentCallback");
+}
+
 }  // namespace
 
 bool isInsideStep(const btDiscreteDynamicsWorld& world) {
@@ -33,14 +37,6 @@ InsideStep::InsideStep(btDiscreteDynamicsWorld& world)
 InsideStep::~InsideStep() {
     world_.getDispatchInfo().m_stepCount = before_;
 }
-
-namespace {
-
-void refuseStep(btDynamicsWorld*, btScalar) {
-    throw std::logic_error("stepSimulation must not be called inside a step");
-}
-
-}  // namespace
 
 NoStepMeanwhile::NoStepMeanwhile(btDiscreteDynamicsWorld& world)
     : world_(world), of_the_app_(std::exchange(WorldInternals::beforeSteps(world), &refuseStep)) {}

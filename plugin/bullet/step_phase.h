@@ -28,8 +28,10 @@ class InsideStep {
     int before_;
 };
 
-/// While one lives, `stepSimulation` throws a std::logic_error before it has moved anything: Bullet does not
-/// stand a step inside a step.
+/// While one lives, `stepSimulation` throws a std::logic_error before it moves anything, unless the app sets
+/// another tick callback meanwhile: Bullet cannot bear a step that begins inside another. Gravity, which
+/// Bullet has added by then, acts once more in the step under way; a call that is too short for a step of its
+/// own passes.
 class NoStepMeanwhile {
   public:
     explicit NoStepMeanwhile(btDiscreteDynamicsWorld& world);

@@ -5,9 +5,6 @@
 #include <sstream>
 #include <utility>
 
-#include "core/loads/region_checks.h"
-#include "core/loads/surface_region.h"
-#include "core/numerics/mesh_measures.h"
 #include "core/numerics/thread_priority.h"
 #include "fracture/baked_asset.h"
 #include "fracture/breakable_solid.h"
@@ -106,20 +103,18 @@ Result<BreakableAsset> BreakableAsset::load(const std::string& path) {
 }
 
 Result<BreakableAsset> BreakableAsset::anchored(const std::vector<SurfaceRegion>& supports) const {
-    constexpr double nearly_all = 0.999;
     if (supports.empty())
         return Error{"no support was given to hold the body on; name parts of its surface (SurfaceRegion)"};
-    if (const auto points = pointsOfSupports(surface(), supports, solid_->spacing()); !points)
-        return Error{points.error()};
+    const auto points = pointsOfSupports(surface(), supports, solid_->spacing());
+    if (!points) return Error{points.error()};
     if (supportsThatHold(surface(), supports, solid_->spacing(), solid_->wallThickness()).empty())
         return Error{
             "the supports hold the body by no more than a line or a point, about which it can turn; give "
             "them more of its surface"};
-    for (const SurfaceRegion& support : supports)
-        if (spreadOf(surface(), support).area_m2() > nearly_all * surfaceArea(surface()))
-            return Error{"nothing can come loose of the body, since " + describe(support) +
-                         " holds all of its surface; name the parts by which it is held, in m and in the "
-                         "coordinates of its mesh"};
+    if (const SurfaceRegion* support = supportThatHoldsAll(surface(), supports, points.value()))
+        return Error{"nothing can come loose of the body, since " + describe(*support) +
+                     " holds all of its surface; name the parts by which it is held, in m and in the "
+                     "coordinates of its mesh"};
     return BreakableAsset(solid_->anchoredTogether(supports), repairs_, warnings_);
 }
 

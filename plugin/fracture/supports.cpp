@@ -38,6 +38,21 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
     return supports;
 }
 
+const SurfaceRegion* supportThatHoldsAll(const TriangleMesh& surface,
+                                         const std::vector<SurfaceRegion>& regions,
+                                         const std::vector<SupportPoint>& points) {
+    constexpr double nearly = 0.999, quadrature = 0.99;
+    const double most_m2 = nearly * surfaceArea(surface);
+    double together_m2 = 0;
+    for (const SupportPoint& point : points) together_m2 += point.area_m2;
+    if (together_m2 < quadrature * most_m2) return nullptr;  // as nearly always, and at once
+    const TriangleMesh original = withoutCrackFaces(surface);
+    const auto all = std::find_if(regions.begin(), regions.end(), [&](const SurfaceRegion& region) {
+        return spreadOf(original, region).area_m2() > most_m2;
+    });
+    return all == regions.end() ? nullptr : &*all;
+}
+
 std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,
                                             const std::vector<SurfaceRegion>& regions, double spacing_m,
                                             double wall_thickness_m) {

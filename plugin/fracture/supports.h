@@ -16,6 +16,12 @@ Result<std::vector<SupportPoint>> pointsOfSupports(const TriangleMesh& surface,
                                                    const std::vector<SurfaceRegion>& regions,
                                                    double spacing_m);
 
+/// The region that holds all of a surface by itself, so that nothing could come loose; nullptr if there is
+/// none. `points`: those of the regions.
+const SurfaceRegion* supportThatHoldsAll(const TriangleMesh& surface,
+                                         const std::vector<SurfaceRegion>& regions,
+                                         const std::vector<SupportPoint>& points);
+
 /// Those regions that hold a piece of a broken body; none if together they leave it free to turn.
 /// `spacing_m`: between its particles; regions that touch less than a particle's face hold nothing.
 std::vector<SurfaceRegion> supportsThatHold(const TriangleMesh& piece,

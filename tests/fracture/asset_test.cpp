@@ -123,7 +123,7 @@ TEST(Asset, ThinPanesAreHeldAtTheirFoot) {
     }
 }
 
-TEST(Asset, SupportsThatHoldAllOfTheSurfaceAreRefused) {
+TEST(Asset, ASupportThatHoldsAllOfTheSurfaceIsRefused) {
     const BreakableAsset block =
         BreakableAsset::fromMesh(shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1)), Material::plaster()).value();
     const auto held = block.anchored({BoxRegion{{-2, -2, 0}, {2, 2, 0}}, BoxRegion{{-1, -1, -1}, {2, 2, 2}}});
@@ -133,6 +133,14 @@ TEST(Asset, SupportsThatHoldAllOfTheSurfaceAreRefused) {
         "nothing can come loose of the body, since the box from (-1, -1, -1) m to (2, 2, 2) m holds all "
         "of its surface; name the parts by which it is held, in m and in the coordinates of its mesh");
     EXPECT_TRUE(block.anchored({BoxRegion{{-1, -1, -1}, {2, 2, 0.99}}}).ok()) << "one face is free";
+    TriangleMesh piece = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    piece.kinds.assign(piece.triangles.size(), SurfaceKind::original);
+    piece.kinds.front() = SurfaceKind::crack;
+    EXPECT_TRUE(BreakableAsset::fromMesh(piece, Material::plaster())
+                    .value()
+                    .anchored({BoxRegion{{-1, -1, -1}, {2, 2, 2}}})
+                    .ok())
+        << "crack faces are held by nothing";
 }
 
 TEST(Asset, BodiesThatAreHeldAlikeShareWhatIsMadeOnce) {

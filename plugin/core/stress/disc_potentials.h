@@ -103,8 +103,8 @@ SHERD_INLINED Potentials underDisc(double s, double z, const AngleOf& angleOf) {
     return p;
 }
 
-/// The same far away. There the mean over the disc is that of its point force and what the disc's width adds,
-/// H_k = h_k + <r^2> / 4 (d_x^2 + d_y^2) h_k = h_k - h_(k-2) / 14, since h_k is harmonic.
+/// The same far away. There a disc is a point force, and a second term for its width, which follows from
+/// <r^2> = 2/7, and from h_k being harmonic: H_k = h_k + <r^2> / 4 (d_x^2 + d_y^2) h_k = h_k - h_(k-2) / 14.
 SHERD_INLINED Potentials underFarDisc(double s, double z) {
     constexpr double width = 1.0 / 14;
     const double q2 = 1 / (s + z * z), q = std::sqrt(q2), e = 1 / (1 / q + z);  // de = -e^2 q, dq = -q^3
@@ -124,8 +124,8 @@ SHERD_INLINED Potentials underFarDisc(double s, double z) {
     return p;
 }
 
-/// From there on a disc is a point that is a little wide, to 1.2 % (tests/core/stress/contact_disc_test); and
-/// much farther out the closed form of a disc loses digits.
+/// From there on a disc is taken for a point that is a little wide, to 1.2 % of a point's stress there, 5e-4
+/// of the traction (tests/core/stress/contact_disc_test). Much farther out the closed form loses digits.
 constexpr double far = 3;  // radii
 
 /// Stress behind the plane on the disc's own axes, lengths in radii.

@@ -66,7 +66,7 @@ TEST(ContactDisc, IsTheSumOfItsPointForces) {
 }
 
 // Three radii away the closed form gives way to that of a point that is a little wide.
-TEST(ContactDisc, IsAsSmoothWhereItIsTakenForAPoint) {
+TEST(ContactDisc, HardlyJumpsWhereItIsTakenForAPoint) {
     double largest = 0;
     for (const Vec3& traction : {Vec3(0, 0, 1), Vec3(1, 0, 0), Vec3(0.3, -0.7, 0.4)})
         for (const double poisson_ratio : {0.0, 0.22, 0.4})
@@ -81,7 +81,7 @@ TEST(ContactDisc, IsAsSmoothWhereItIsTakenForAPoint) {
                     const double size = std::max(inside.norm(), 0.2 / 9 * traction.norm());
                     largest = std::max(largest, (outside - inside).norm() / size);
                 }
-    EXPECT_LT(largest, 0.015);
+    EXPECT_LT(largest, 0.0125);
 }
 
 // Outside of a pressure that is even all round, the surface is pulled as by a point force (Johnson, 3.4): by
