@@ -76,8 +76,8 @@ TEST(NearRemainder, IsThatOfTheShapeAlone) {
     EXPECT_NEAR(missed(1000, as_it_is, Vec3::Zero()), own, 1e-6 * own);
     EXPECT_NEAR(missed(0.001, as_it_is, Vec3::Zero()), own, 1e-6 * own);
     EXPECT_NEAR(missed(1, as_it_is, Vec3(0.3, -0.2, 0.7)), own, 1e-3 * own);
-    for (const double angle :
-         {0.3, 0.9, 2.0}) {  // its own axes turn with it but for the one it has by chance
+    // The axes of its cubes turn with it, but for one that is chosen by chance.
+    for (const double angle : {0.3, 0.9, 2.0}) {
         const Mat3 turn = Eigen::AngleAxisd(angle, Vec3(1, 2, 0.5).normalized()).toRotationMatrix();
         EXPECT_NEAR(missed(1, turn, Vec3::Zero()), own, 0.15 * own) << angle;
     }
