@@ -35,7 +35,10 @@ void setUp(OwnedBody& owned, const btTransform& body_from_asset, const BodyOptio
 }  // namespace
 
 FractureWorld::Impl::Impl(btDiscreteDynamicsWorld& world)
-    : world_(world), decorator_(world, *this), integration_hook_(world, *this) {
+    : world_(world),
+      piece_contacts_(*world.getDispatcher()),
+      decorator_(world, *this),
+      integration_hook_(world, *this) {
     if (decorator_.isFirst()) markBetweenSteps(world_);  // otherwise the others have kept account
 }
 

@@ -16,6 +16,7 @@
 #include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/piece_contacts.h"
 #include "bullet/roles.h"
 #include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
@@ -202,6 +203,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void removeNow(const Removal& removal);
 
     btDiscreteDynamicsWorld& world_;
+    PieceContacts piece_contacts_;
     BreakableRegistry breakables_;
     ShapeStore shapes_;
     AssetStore assets_;

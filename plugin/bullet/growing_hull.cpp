@@ -305,6 +305,22 @@ std::vector<int> GrowingHull::vertices() const {
     return found;
 }
 
+std::vector<HullTriangle> GrowingHull::triangles() const {
+    std::vector<int> place(faces_.size(), -1);
+    int count = 0;
+    for (std::size_t f = 0; f < faces_.size(); ++f)
+        if (faces_[f].is_there) place[f] = count++;
+    std::vector<HullTriangle> triangles;
+    triangles.reserve(count);
+    for (const Face& face : faces_) {
+        if (!face.is_there) continue;
+        HullTriangle triangle{face.corners, {}, face.normal.cast<double>()};
+        for (int i = 0; i < 3; ++i) triangle.neighbours[i] = place[face.neighbours[i]];
+        triangles.push_back(triangle);
+    }
+    return triangles;
+}
+
 double GrowingHull::volume() const {
     double six_volumes = 0;
     for (const Face& face : faces_)

@@ -99,6 +99,7 @@ Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& ro
       time_step_s_(world.getSolverInfo().m_timeStep),
       time_s_(time_s),
       dispatcher_(static_cast<btCollisionDispatcher*>(world.getDispatcher())->getCollisionConfiguration()),
+      piece_contacts_(dispatcher_),
       world_(&dispatcher_, &broadphase_, &solver_, nullptr),
       decorator_(world_, *this) {
     dispatcher_.setDispatcherFlags(

@@ -14,6 +14,7 @@
 #include "bullet/contact_collector.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/piece_contacts.h"
 #include "bullet/roles.h"
 #include "bullet/solver_decorator.h"
 
@@ -71,6 +72,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     std::unordered_map<const Breakable*, Breakable*> original_breakable_of_;              // the same
     btDbvtBroadphase broadphase_;
     btCollisionDispatcher dispatcher_;
+    PieceContacts piece_contacts_;
     btSequentialImpulseConstraintSolver solver_;
     btDiscreteDynamicsWorld world_;
     SolverDecorator decorator_;

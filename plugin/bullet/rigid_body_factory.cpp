@@ -7,10 +7,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
+#include <limits>
 
 #include "bullet/conversions.h"
 #include "bullet/convex_decomposition.h"
 #include "bullet/convex_hull.h"
+#include "bullet/piece_hull.h"
 
 namespace sherd {
 
@@ -60,9 +62,23 @@ TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_as
     return result;
 }
 
+void addSides(const ConvexHull& hull, btConvexPolyhedron& sides) {
+    for (const Vec3& vertex : hull.vertices) sides.m_vertices.push_back(toBullet(vertex));
+    for (const FlatSide& side : hull.sides) {
+        btFace& face = sides.m_faces.expand();
+        double height = -std::numeric_limits<double>::infinity();
+        for (const int corner : side.corners) {
+            face.m_indices.push_back(corner);
+            height = std::max(height, side.normal.dot(hull.vertices[corner]));
+        }
+        for (int axis = 0; axis < 3; ++axis) face.m_plane[axis] = static_cast<btScalar>(side.normal[axis]);
+        face.m_plane[3] = static_cast<btScalar>(-height);
+    }
+}
+
 /// The margin lies outside the vertices, so half of what lies outside the hull goes into it.
 std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull) {
-    auto shape = std::make_unique<btConvexHullShape>();
+    auto shape = std::make_unique<PieceHull>();
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : hull.vertices) {
         box.extend(vertex);
@@ -71,6 +87,7 @@ std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull) {
     const double wanted = std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2;
     shape->setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
     shape->recalcLocalAabb();
+    addSides(hull, shape->sides);
     return shape;
 }
 

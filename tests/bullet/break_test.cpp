@@ -289,7 +289,7 @@ int breaksOfPieces(bool shoot, double same_blow_s) {
     const auto asset = BreakableAsset::fromMesh(shapes::box(Vec3(-0.3, -0.3, -0.03), Vec3(0.3, 0.3, 0.03)),
                                                 crumbly(), settings);
     EXPECT_TRUE(fracture.add(asset.value(), at(0, 0, 0)).ok());
-    scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -12));
+    scene.addBall(20, 0.1, btVector3(0.1f, 0.05f, 0.2f), btVector3(0, 0, -12));
     const BlowEvent first = stepUntilBreak(scene, fracture);
     EXPECT_EQ(first.outcome, broke) << first.message;
     if (first.outcome != broke) return 0;

@@ -86,7 +86,7 @@ TEST(SolversAhead, AreFactoredBeforeTheNextBlow) {
     ASSERT_GE(pane.breaks.size(), 2u);
     EXPECT_EQ(pane.breaks[1].ms.factor, 0);
     EXPECT_EQ(pane.breaks[1].ms.coarse, 0);
-    EXPECT_EQ(pane.fracture.counts().foreseen, 2);
+    EXPECT_GE(pane.fracture.counts().foreseen, 2);
 }
 
 TEST(SolversAhead, NoMoreThanTheBudgetHas) {
