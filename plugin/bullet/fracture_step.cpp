@@ -110,8 +110,8 @@ void FractureWorld::Impl::prepareSolve() {
     if (!any_breakable_) return;
     timed(ms.overlaps, [&] {
         birth_overlaps_.applyAllowances(world_);
-        if (!breakables_.anyFragmentInWorld()) return;
         steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
+        if (!breakables_.anyFragmentInWorld()) return;
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] {

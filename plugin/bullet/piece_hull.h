@@ -5,9 +5,8 @@
 
 namespace sherd {
 
-/// A hull that was made here, of a whole body or of a fragment: PieceContacts finds what it touches. Its
-/// sides are not Bullet's polyhedral features: with these, other algorithms of Bullet's leave the margins
-/// out.
+/// A hull of a fragment: PieceContacts finds what it touches. Its sides are not Bullet's polyhedral features:
+/// with these, other algorithms of Bullet's leave the margins out.
 class PieceHull final : public btConvexHullShape {
   public:
     /// Faces with vertices and planes. What only Bullet's test of all separating axes reads, the edges and an

@@ -77,16 +77,25 @@ void addSides(const ConvexHull& hull, btConvexPolyhedron& sides) {
 }
 
 /// The margin lies outside the vertices, so half of what lies outside the hull goes into it.
-std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull) {
-    auto shape = std::make_unique<PieceHull>();
+void addPoints(const ConvexHull& hull, btConvexHullShape& shape) {
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : hull.vertices) {
         box.extend(vertex);
-        shape->addPoint(toBullet(vertex), false);
+        shape.addPoint(toBullet(vertex), false);
     }
     const double wanted = std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2;
-    shape->setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
-    shape->recalcLocalAabb();
+    shape.setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
+    shape.recalcLocalAabb();
+}
+
+std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull, bool of_fragment) {
+    if (!of_fragment) {
+        auto shape = std::make_unique<btConvexHullShape>();
+        addPoints(hull, *shape);
+        return shape;
+    }
+    auto shape = std::make_unique<PieceHull>();
+    addPoints(hull, *shape);
     addSides(hull, shape->sides);
     return shape;
 }
@@ -110,10 +119,10 @@ DecompositionLimits limitsOf(const ShapeChoice& wanted, double spacing_m) {
 }
 
 /// Hulls that are not flat; no shape if all are. One alone is no compound, unless convex parts are asked for.
-OwnedShape shapeOf(const std::vector<ConvexHull>& hulls, bool always_compound) {
+OwnedShape shapeOf(const std::vector<ConvexHull>& hulls, bool of_fragment, bool always_compound) {
     OwnedShape owned;
     for (const ConvexHull& hull : hulls)
-        if (isSolid(hull)) owned.children.push_back(hullShape(hull));
+        if (isSolid(hull)) owned.children.push_back(hullShape(hull, of_fragment));
     if (owned.children.size() == 1 && !always_compound) {
         owned.shape = std::move(owned.children.front());
         owned.children.clear();
@@ -172,11 +181,12 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
     if (wanted.kind != CollisionShape::convex_parts) owned.shape = boxOf(surface, solid);
     if (owned.shape) return owned;
     const DecompositionLimits limits = limitsOf(wanted, solid.spacing());
-    owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits),
+    owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits), solid.isFragment(),
                     wanted.kind == CollisionShape::convex_parts);
     if (owned.shape) return owned;
     if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
-    owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m));
+    owned.shape =
+        hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m), solid.isFragment());
     return owned;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bullet/body_travel.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_surface.h"
 #include "bullet/missed_vertices.h"
@@ -19,17 +20,38 @@ namespace {
 constexpr btScalar fastest_push_m_s = btScalar(0.05);  // the solver adds its work to the energy
 constexpr btScalar largest_reach = btScalar(0.5);      // of the fragment's radius
 constexpr btScalar same_place = btScalar(0.01);        // of the breaking threshold
+constexpr btScalar coming_down = btScalar(0.05);       // of a whole body's radius
 // Of the height that a body falls by in a step: what a base is uneven by.
 constexpr btScalar even = btScalar(0.125);
 
-/// A fragment that moves, on something that does not; nullptr for other pairs.
-const Breakable* fragmentOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables) {
+/// Whether a whole body may be in the ground after a step by more than it stands out of it by rounding. One
+/// that lies on the ground is Bullet's, as are shapes of the app's.
+bool comesDown(const Breakable& whole, btScalar time_step_s) {
+    const btRigidBody& body = *whole.body;
+    const btScalar radius = radiusAboutOrigin(body);
+    const btScalar speed = body.getLinearVelocity().length() + radius * body.getAngularVelocity().length();
+    return whole.ownedHere() && speed * time_step_s > coming_down * radius;
+}
+
+/// What moves on something that does not, and is held up where its vertices are; nullptr for other pairs.
+const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
+                                  btScalar time_step_s) {
     const bool is_b = manifold.getBody0()->isStaticObject();
     if (is_b == manifold.getBody1()->isStaticObject()) return nullptr;
     const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
     if (!moving.isActive()) return nullptr;
     const Breakable* breakable = breakables.of(moving);
-    return breakable && breakable->isFragment() ? breakable : nullptr;
+    if (!breakable) return nullptr;
+    return breakable->isFragment() || comesDown(*breakable, time_step_s) ? breakable : nullptr;
+}
+
+/// A world of bodies at rest has many contacts, none of which need be looked at.
+bool anyIsSteadied(const BreakableRegistry& breakables, btScalar time_step_s) {
+    const auto& all = breakables.all();
+    return std::any_of(all.begin(), all.end(), [&](const auto& breakable) {
+        return breakable->in_world && breakable->body->isActive() &&
+               (breakable->isFragment() || comesDown(*breakable, time_step_s));
+    });
 }
 
 btScalar radiusOf(const btRigidBody& body) {
@@ -104,17 +126,17 @@ void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContac
     }
 }
 
-void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& piece, btPersistentManifold& manifold) {
-    const btRigidBody& fragment = *piece.body;
-    const btScalar time_step_s = world.getSolverInfo().m_timeStep, radius = radiusOf(fragment);
-    const btScalar speed =
-        fragment.getLinearVelocity().length() + radius * fragment.getAngularVelocity().length();
-    const btScalar fall = fragment.getGravity().length() * time_step_s * time_step_s;
-    // Without gravity a fragment may be held by other forces.
+void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
+                   btPersistentManifold& manifold) {
+    const btRigidBody& body = *breakable.body;
+    const btScalar time_step_s = world.getSolverInfo().m_timeStep, radius = radiusOf(body);
+    const btScalar speed = body.getLinearVelocity().length() + radius * body.getAngularVelocity().length();
+    const btScalar fall = body.getGravity().length() * time_step_s * time_step_s;
+    // Without gravity a body may be held by other forces.
     const btScalar least = same_place * manifold.getContactBreakingThreshold();
     const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
-    const btVector3 inside = fragment.getWorldTransform() * piece.inner_ball.centre;
-    if (!standOnEvenGround(world, manifold, &fragment == manifold.getBody0(), inside, reach,
+    const btVector3 inside = body.getWorldTransform() * breakable.inner_ball.centre;
+    if (!standOnEvenGround(world, manifold, &body == manifold.getBody0(), inside, reach,
                            std::max(even * fall, least)))
         addMissedVertices(manifold, reach);
 }
@@ -124,6 +146,7 @@ void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& piece, btPer
 void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                     const std::function<bool(const btCollisionObject&)>& is_concerned) {
     const btContactSolverInfo& info = world.getSolverInfo();
+    if (!anyIsSteadied(breakables, info.m_timeStep)) return;
     const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
     const std::vector<const btPersistentManifold*> foreseen = predictiveContacts(world);
     btDispatcher& dispatcher = *world.getDispatcher();
@@ -132,10 +155,10 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
         if (!is_concerned(*manifold.getBody0()) && !is_concerned(*manifold.getBody1())) continue;
-        const Breakable* fragment = fragmentOnGround(manifold, breakables);
-        if (!fragment || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
+        const Breakable* body = steadiedOnGround(manifold, breakables, info.m_timeStep);
+        if (!body || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
         if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
-            standOnGround(world, *fragment, manifold);
+            standOnGround(world, *body, manifold);
     }
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
