@@ -4,16 +4,14 @@
 
 #include <vector>
 
-#include "bullet/flat_sides.h"
 #include "bullet/growing_hull.h"
 
 namespace sherd {
 
 /// A convex polyhedron.
 struct ConvexHull {
-    std::vector<Vec3> vertices;   ///< m
-    std::vector<FlatSide> sides;  ///< between vertices; none of points in a plane
-    double volume = 0;            ///< m^3; 0 for points in a plane
+    std::vector<Vec3> vertices;  ///< m
+    double volume = 0;           ///< m^3; 0 for points in a plane
     double outside = 0;  ///< how far some of the points that it is the hull of may lie outside it, about, m
 };
 

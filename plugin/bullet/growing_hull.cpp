@@ -269,8 +269,11 @@ void GrowingHull::growTo(int most_vertices, double tolerance_m) {
     points_.which.resize(x_.size());
     std::iota(points_.which.begin(), points_.which.end(), 0);
     new_faces_.clear();
-    for (std::size_t f = 0; f < faces_.size(); ++f)
+    for (std::size_t f = 0; f < faces_.size(); ++f) {
+        faces_[f].first = faces_[f].furthest = -1;  // with points that could not be added
+        faces_[f].distance = 0;
         if (faces_[f].is_there) new_faces_.push_back(static_cast<int>(f));
+    }
     shareOut();
     addUpTo(most_vertices);
 }
@@ -303,22 +306,6 @@ std::vector<int> GrowingHull::vertices() const {
     }
     std::sort(found.begin(), found.end());
     return found;
-}
-
-std::vector<HullTriangle> GrowingHull::triangles() const {
-    std::vector<int> place(faces_.size(), -1);
-    int count = 0;
-    for (std::size_t f = 0; f < faces_.size(); ++f)
-        if (faces_[f].is_there) place[f] = count++;
-    std::vector<HullTriangle> triangles;
-    triangles.reserve(count);
-    for (const Face& face : faces_) {
-        if (!face.is_there) continue;
-        HullTriangle triangle{face.corners, {}, face.normal.cast<double>()};
-        for (int i = 0; i < 3; ++i) triangle.neighbours[i] = place[face.neighbours[i]];
-        triangles.push_back(triangle);
-    }
-    return triangles;
 }
 
 double GrowingHull::volume() const {

@@ -5,8 +5,6 @@
 #include <array>
 #include <vector>
 
-#include "bullet/flat_sides.h"
-
 namespace sherd {
 
 /// A convex hull that grows by the point that is furthest outside it (quickhull, Barber et al. 1996): its
@@ -24,8 +22,6 @@ class GrowingHull {
 
     /// Which of the points are vertices, ascending.
     std::vector<int> vertices() const;
-    /// Of all the points that were added.
-    std::vector<HullTriangle> triangles() const;
     double volume() const;   ///< m^3
     double outside() const;  ///< how far a point lies outside; 0 up to the tolerance, m
 

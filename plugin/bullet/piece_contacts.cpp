@@ -6,7 +6,6 @@
 #include <BulletCollision/CollisionDispatch/btCollisionDispatcher.h>
 #include <BulletCollision/CollisionDispatch/btCollisionObjectWrapper.h>
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
-#include <BulletCollision/CollisionShapes/btConvexPolyhedron.h>
 #include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkPairDetector.h>
@@ -14,10 +13,12 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <mutex>
 #include <utility>
 #include <vector>
 
-#include "bullet/facing_sides.h"
 #include "bullet/piece_hull.h"
 
 namespace sherd {
@@ -25,8 +26,10 @@ namespace sherd {
 namespace {
 
 // Radii, in units. That of the smaller body, of which Bullet's tolerances are then 1e-5; and what that of the
-// larger is at most: its rounding in single precision stays below these tolerances.
+// larger is at most, of which single precision rounds by as much.
 constexpr btScalar small = 10, largest = 1000;
+
+constexpr btScalar large_m = btScalar(0.1);  // radius from which on Bullet misses no contact
 
 // Faster pairs are Bullet's: what it misses of them it finds a step or two later, and with all of it found a
 // chain of breaks depends twice as much on the rate of the steps, since debris runs further ahead.
@@ -46,21 +49,34 @@ btScalar unitsPerMetre(btScalar radius_a, btScalar radius_b) {
     return std::max(std::min(small / smaller, largest / larger), btScalar(1));
 }
 
-/// The last contact that is found.
-struct Nearest final : btDiscreteCollisionDetectorInterface::Result {
-    void setShapeIdentifiersA(int, int) override {}
-    void setShapeIdentifiersB(int, int) override {}
-    void addContactPoint(const btVector3& normal_on_b, const btVector3& point, btScalar depth) override {
-        normal = normal_on_b;
-        on_b = point;
-        distance = depth;
+/// Back into metres.
+class InMetres final : public btDiscreteCollisionDetectorInterface::Result {
+  public:
+    InMetres(btManifoldResult& result, btScalar units_per_m, const btVector3& origin)
+        : result_(result), units_per_m_(units_per_m), origin_(origin) {}
+    void setShapeIdentifiersA(int part, int index) override { result_.setShapeIdentifiersA(part, index); }
+    void setShapeIdentifiersB(int part, int index) override { result_.setShapeIdentifiersB(part, index); }
+    void addContactPoint(const btVector3& normal_on_b, const btVector3& on_b, btScalar distance) override {
+        result_.addContactPoint(normal_on_b, on_b / units_per_m_ + origin_, distance / units_per_m_);
     }
-    btVector3 normal{0, 0, 0}, on_b{0, 0, 0};  // the normal on B
-    btScalar distance = BT_LARGE_FLOAT;
+
+  private:
+    btManifoldResult& result_;
+    const btScalar units_per_m_;
+    const btVector3& origin_;
 };
 
 const PieceHull* pieceHull(const btCollisionObjectWrapper& body) {
-    return dynamic_cast<const PieceHull*>(body.getCollisionShape());
+    return PieceHull::of(*body.getCollisionShape());
+}
+
+/// Whether one of two convex shapes is a piece, and the smaller one is small.
+bool isFoundHere(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
+    if (!pieceHull(a) && !pieceHull(b)) return false;
+    const auto radius = [](const btCollisionObjectWrapper& body) {
+        return radiusOf(static_cast<const btConvexShape&>(*body.getCollisionShape()));
+    };
+    return std::min(radius(a), radius(b)) < large_m;
 }
 
 /// How fast points of the two may meet, m/s. What is no rigid body counts as one that stands.
@@ -78,22 +94,14 @@ btScalar meetingSpeed(const btCollisionObject& a, const btCollisionObject& b) {
     return meeting.length() + turning;
 }
 
-/// As btConvexConvexAlgorithm, in other units and with all contacts of two sides at once.
+/// As btConvexConvexAlgorithm, in other units.
 class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
   public:
     PieceAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* a,
                    const btCollisionObjectWrapper* b, btCollisionAlgorithmCreateFunc& usual)
-        : btActivatingCollisionAlgorithm(info, a, b), manifold_(info.m_manifold), usual_function_(usual) {
-        const btCollisionObject *of_a = a->getCollisionObject(), *of_b = b->getCollisionObject();
-        if (manifold_ || !m_dispatcher->needsCollision(of_a, of_b)) return;
-        manifold_ = m_dispatcher->getNewManifold(of_a, of_b);
-        owns_manifold_ = true;
-    }
+        : btActivatingCollisionAlgorithm(info, a, b), manifold_(info.m_manifold), usual_function_(usual) {}
     ~PieceAlgorithm() override {
-        if (usual_) {
-            usual_->~btCollisionAlgorithm();
-            m_dispatcher->freeCollisionAlgorithm(usual_);
-        }
+        dropUsual();
         if (owns_manifold_) m_dispatcher->releaseManifold(manifold_);
     }
     PieceAlgorithm(const PieceAlgorithm&) = delete;
@@ -101,12 +109,18 @@ class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
 
     void processCollision(const btCollisionObjectWrapper* a, const btCollisionObjectWrapper* b,
                           const btDispatcherInfo& info, btManifoldResult* result) override {
-        if (!manifold_) return;
+        const btCollisionObject *of_a = a->getCollisionObject(), *of_b = b->getCollisionObject();
+        if (!manifold_) {
+            manifold_ = m_dispatcher->getNewManifold(of_a, of_b);
+            owns_manifold_ = true;
+        }
         result->setPersistentManifold(manifold_);
-        if (meetingSpeed(*a->getCollisionObject(), *b->getCollisionObject()) > slow_m_s)
+        if (meetingSpeed(*of_a, *of_b) > slow_m_s) {
             usual(*a, *b).processCollision(a, b, info, result);
-        else
-            addContacts(*a, *b, info, *result);
+        } else {
+            dropUsual();
+            addContact(*a, *b, info, *result);
+        }
         if (owns_manifold_) result->refreshContactPoints();
     }
     btScalar calculateTimeOfImpact(btCollisionObject*, btCollisionObject*, const btDispatcherInfo&,
@@ -129,13 +143,21 @@ class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
         return *usual_;
     }
 
+    /// With the contacts of one that does not use the manifold that it is given.
+    void dropUsual() {
+        if (!usual_) return;
+        usual_->~btCollisionAlgorithm();
+        m_dispatcher->freeCollisionAlgorithm(usual_);
+        usual_ = nullptr;
+    }
+
     static const btConvexShape& shapeOf(const btCollisionObjectWrapper& body) {
         return static_cast<const btConvexShape&>(*body.getCollisionShape());
     }
 
-    /// Where the bodies are nearest, in metres; far away if that is further than `furthest`, m.
-    Nearest nearestOf(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b, btScalar furthest,
-                      const btDispatcherInfo& info) const {
+    /// The one where the bodies are nearest, if that is near enough: a step finds one contact.
+    void addContact(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
+                    const btDispatcherInfo& info, btManifoldResult& result) const {
         const btConvexShape &of_a = shapeOf(a), &of_b = shapeOf(b);
         const btScalar units_per_m = unitsPerMetre(radiusOf(of_a), radiusOf(of_b));
         const btUniformScalingShape large_a(const_cast<btConvexShape*>(&of_a), units_per_m),
@@ -145,36 +167,15 @@ class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
         input.m_transformA = btTransform(a.getWorldTransform().getBasis());
         input.m_transformB = btTransform(b.getWorldTransform().getBasis(),
                                          units_per_m * (b.getWorldTransform().getOrigin() - origin));
-        const btScalar between_cores = units_per_m * (of_a.getMargin() + of_b.getMargin() + furthest);
-        input.m_maximumDistanceSquared = between_cores * between_cores;
+        const btScalar furthest =
+            units_per_m * (of_a.getMargin() + of_b.getMargin() + manifold_->getContactBreakingThreshold() +
+                           result.m_closestPointDistanceThreshold);
+        input.m_maximumDistanceSquared = furthest * furthest;
         btVoronoiSimplexSolver simplex;
         btGjkEpaPenetrationDepthSolver penetration_depth;
         btGjkPairDetector detector(&large_a, &large_b, &simplex, &penetration_depth);
-        Nearest nearest;
-        detector.getClosestPoints(input, nearest, info.m_debugDraw);
-        if (nearest.distance == BT_LARGE_FLOAT) return nearest;
-        nearest.on_b = nearest.on_b / units_per_m + origin;
-        nearest.distance /= units_per_m;
-        return nearest;
-    }
-
-    /// Where the bodies are nearest is all that GJK finds in a step. It stands for all of a side that
-    /// touches, so it is left out if corners of that are as near.
-    void addContacts(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
-                     const btDispatcherInfo& info, btManifoldResult& result) const {
-        constexpr btScalar as_near = btScalar(0.1);  // of how far contacts may be off
-        const btScalar furthest =
-            manifold_->getContactBreakingThreshold() + result.m_closestPointDistanceThreshold;
-        const Nearest nearest = nearestOf(a, b, furthest, info);
-        if (nearest.distance > furthest) return;
-        const PieceHull *piece_a = pieceHull(a), *piece_b = pieceHull(b);
-        btScalar of_sides = BT_LARGE_FLOAT;
-        if (piece_a && piece_b)
-            of_sides = addContactsOfSides({piece_a->sides, a.getWorldTransform(), piece_a->getMargin()},
-                                          {piece_b->sides, b.getWorldTransform(), piece_b->getMargin()},
-                                          nearest.normal, nearest.distance, furthest, result);
-        if (of_sides > nearest.distance + as_near * furthest)
-            result.addContactPoint(nearest.normal, nearest.on_b, nearest.distance);
+        InMetres in_metres(result, units_per_m, origin);
+        detector.getClosestPoints(input, in_metres, info.m_debugDraw);
     }
 
     btPersistentManifold* manifold_;
@@ -200,22 +201,20 @@ class DispatcherInternals : private btCollisionDispatcher {
 
 class PieceContacts::Entry final : public btCollisionAlgorithmCreateFunc {
   public:
-    Entry(Table& table, btCollisionAlgorithmCreateFunc* usual, int a, int b)
-        : table(table), usual(usual), a(a), b(b) {}
+    Entry(btCollisionAlgorithmCreateFunc& usual, int a, int b) : usual(usual), a(a), b(b) {}
     btCollisionAlgorithm* CreateCollisionAlgorithm(btCollisionAlgorithmConstructionInfo& info,
                                                    const btCollisionObjectWrapper* of_a,
                                                    const btCollisionObjectWrapper* of_b) override {
-        if (!pieceHull(*of_a) && !pieceHull(*of_b)) return usual->CreateCollisionAlgorithm(info, of_a, of_b);
+        if (!isFoundHere(*of_a, *of_b)) return usual.CreateCollisionAlgorithm(info, of_a, of_b);
         void* memory = info.m_dispatcher1->allocateCollisionAlgorithm(sizeof(PieceAlgorithm));
-        return new (memory) PieceAlgorithm(info, of_a, of_b, *usual);
+        return new (memory) PieceAlgorithm(info, of_a, of_b, usual);
     }
 
-    Table& table;
-    btCollisionAlgorithmCreateFunc* usual;
+    btCollisionAlgorithmCreateFunc& usual;
     const int a, b;  // types of shapes
 };
 
-class PieceContacts::Table : public std::enable_shared_from_this<Table> {
+class PieceContacts::Table {
   public:
     explicit Table(btCollisionDispatcher& dispatcher) : dispatcher_(dispatcher) {
         constexpr int hull = CONVEX_HULL_SHAPE_PROXYTYPE;
@@ -227,22 +226,27 @@ class PieceContacts::Table : public std::enable_shared_from_this<Table> {
     ~Table() {
         for (const auto& entry : entries_)
             if (DispatcherInternals::entry(dispatcher_, entry->a, entry->b) == entry.get())
-                dispatcher_.registerCollisionCreateFunc(entry->a, entry->b, entry->usual);
+                dispatcher_.registerCollisionCreateFunc(entry->a, entry->b, &entry->usual);
     }
     Table(const Table&) = delete;
     Table& operator=(const Table&) = delete;
 
+    /// The one that the dispatcher has, or a new one.
     static std::shared_ptr<Table> of(btCollisionDispatcher& dispatcher) {
-        constexpr int hull = CONVEX_HULL_SHAPE_PROXYTYPE;
-        if (auto* entry = dynamic_cast<Entry*>(DispatcherInternals::entry(dispatcher, hull, hull)))
-            return entry->table.shared_from_this();
-        return std::make_shared<Table>(dispatcher);
+        static std::mutex mutex;
+        static std::map<const btCollisionDispatcher*, std::weak_ptr<Table>> tables;  // for look-up only
+        const std::lock_guard lock(mutex);
+        for (auto it = tables.begin(); it != tables.end();)
+            it = it->second.expired() ? tables.erase(it) : std::next(it);
+        std::weak_ptr<Table>& known = tables[&dispatcher];
+        std::shared_ptr<Table> table = known.lock();
+        if (!table) known = table = std::make_shared<Table>(dispatcher);
+        return table;
     }
 
   private:
     void add(int a, int b) {
-        entries_.push_back(
-            std::make_unique<Entry>(*this, DispatcherInternals::entry(dispatcher_, a, b), a, b));
+        entries_.push_back(std::make_unique<Entry>(*DispatcherInternals::entry(dispatcher_, a, b), a, b));
         dispatcher_.registerCollisionCreateFunc(a, b, entries_.back().get());
     }
 

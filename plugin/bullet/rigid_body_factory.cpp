@@ -7,7 +7,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <cmath>
-#include <limits>
 
 #include "bullet/conversions.h"
 #include "bullet/convex_decomposition.h"
@@ -62,41 +61,21 @@ TriangleMesh placed(const TriangleMesh& surface, const btTransform& body_from_as
     return result;
 }
 
-void addSides(const ConvexHull& hull, btConvexPolyhedron& sides) {
-    for (const Vec3& vertex : hull.vertices) sides.m_vertices.push_back(toBullet(vertex));
-    for (const FlatSide& side : hull.sides) {
-        btFace& face = sides.m_faces.expand();
-        double height = -std::numeric_limits<double>::infinity();
-        for (const int corner : side.corners) {
-            face.m_indices.push_back(corner);
-            height = std::max(height, side.normal.dot(hull.vertices[corner]));
-        }
-        for (int axis = 0; axis < 3; ++axis) face.m_plane[axis] = static_cast<btScalar>(side.normal[axis]);
-        face.m_plane[3] = static_cast<btScalar>(-height);
-    }
-}
-
 /// The margin lies outside the vertices, so half of what lies outside the hull goes into it.
-void addPoints(const ConvexHull& hull, btConvexHullShape& shape) {
+std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull, bool of_fragment) {
+    std::unique_ptr<btConvexHullShape> shape;
+    if (of_fragment)
+        shape = std::make_unique<PieceHull>();
+    else
+        shape = std::make_unique<btConvexHullShape>();
     Eigen::AlignedBox3d box;
     for (const Vec3& vertex : hull.vertices) {
         box.extend(vertex);
-        shape.addPoint(toBullet(vertex), false);
+        shape->addPoint(toBullet(vertex), false);
     }
     const double wanted = std::max(margin_share * box.sizes().minCoeff(), hull.outside) / 2;
-    shape.setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
-    shape.recalcLocalAabb();
-}
-
-std::unique_ptr<btCollisionShape> hullShape(const ConvexHull& hull, bool of_fragment) {
-    if (!of_fragment) {
-        auto shape = std::make_unique<btConvexHullShape>();
-        addPoints(hull, *shape);
-        return shape;
-    }
-    auto shape = std::make_unique<PieceHull>();
-    addPoints(hull, *shape);
-    addSides(hull, shape->sides);
+    shape->setMargin(static_cast<btScalar>(std::max(wanted, least_margin * box.diagonal().norm())));
+    shape->recalcLocalAabb();
     return shape;
 }
 

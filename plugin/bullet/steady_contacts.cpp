@@ -24,13 +24,19 @@ constexpr btScalar coming_down = btScalar(0.05);       // of a whole body's radi
 // Of the height that a body falls by in a step: what a base is uneven by.
 constexpr btScalar even = btScalar(0.125);
 
-/// Whether a whole body may be in the ground after a step by more than it stands out of it by rounding. One
-/// that lies on the ground is Bullet's, as are shapes of the app's.
+/// Whether a whole body may sink into solid ground in a step. One that lies there is Bullet's, as are shapes
+/// of the app's; and through ground that is a surface none comes (ground_contact).
 bool comesDown(const Breakable& whole, btScalar time_step_s) {
     const btRigidBody& body = *whole.body;
     const btScalar radius = radiusAboutOrigin(body);
     const btScalar speed = body.getLinearVelocity().length() + radius * body.getAngularVelocity().length();
     return whole.ownedHere() && speed * time_step_s > coming_down * radius;
+}
+
+/// Whether it is static and has an inside, out of which Bullet pushes along one way; triangles push to the
+/// side that less of a body is on.
+bool isSolidGround(const btCollisionObject& object) {
+    return object.isStaticObject() && !isGroundSurface(object);
 }
 
 /// What moves on something that does not, and is held up where its vertices are; nullptr for other pairs.
@@ -41,8 +47,9 @@ const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const Br
     const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
     if (!moving.isActive()) return nullptr;
     const Breakable* breakable = breakables.of(moving);
-    if (!breakable) return nullptr;
-    return breakable->isFragment() || comesDown(*breakable, time_step_s) ? breakable : nullptr;
+    if (!breakable || breakable->isFragment()) return breakable;
+    const bool is_solid = isSolidGround(is_b ? *manifold.getBody0() : *manifold.getBody1());
+    return is_solid && comesDown(*breakable, time_step_s) ? breakable : nullptr;
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.
@@ -108,12 +115,6 @@ bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
     return false;
 }
 
-/// Whether it is static and has an inside, out of which Bullet pushes along one way; triangles push to the
-/// side that less of a body is on.
-bool isSolidGround(const btCollisionObject& object) {
-    return object.isStaticObject() && !isGroundSurface(object);
-}
-
 /// What is so deep in solid ground that the solver moves it out without making it any faster is left as it
 /// is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or fall through.
 void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info) {
@@ -123,6 +124,23 @@ void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContac
         const bool is_moved_out = info.m_splitImpulse && is_on_ground &&
                                   point.getDistance() <= info.m_splitImpulsePenetrationThreshold;
         if (!is_moved_out) point.setDistance(std::max(point.getDistance(), -deepest));
+    }
+}
+
+/// The solver begins with the impulses of the step before. Those of an impact are of no use after it: where
+/// many bodies touch, it does not get rid of them in its iterations, and what is left makes bodies faster.
+void forgetImpacts(btPersistentManifold& manifold, btScalar time_step_s) {
+    constexpr btScalar weights = 10;  // of both bodies, in a step
+    btScalar weight = 0;
+    for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
+        const btRigidBody* body = btRigidBody::upcast(object);
+        if (body && body->getInvMass() > 0) weight += body->getGravity().length() / body->getInvMass();
+    }
+    if (!(weight > 0)) return;
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        btManifoldPoint& point = manifold.getContactPoint(p);
+        if (point.m_appliedImpulse > weights * weight * time_step_s)
+            point.m_appliedImpulse = point.m_appliedImpulseLateral1 = point.m_appliedImpulseLateral2 = 0;
     }
 }
 
@@ -165,6 +183,8 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         if (isDeeperThan(deepest, manifold) &&
             (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1())))
             limitDepth(manifold, deepest, info);
+        if (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1()))
+            forgetImpacts(manifold, info.m_timeStep);
     }
 }
 

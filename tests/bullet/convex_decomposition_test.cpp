@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "bullet/convex_hull.h"
 #include "bullet/cut_tree.h"
 #include "bullet/growing_hull.h"
@@ -65,6 +67,21 @@ TEST(GrowingHull, HasTheCornersOfABoxOnly) {
         EXPECT_EQ(hull.vertices().size(), 8u);
         EXPECT_NEAR(hull.volume(), 6, 1e-5);
         EXPECT_EQ(hull.outside(), 0);
+    }
+}
+
+/// Strips as thick as rounding, turned out of the axes: some of their points can not be added.
+TEST(GrowingHull, OfPointsThatAreAlmostFlatEnds) {
+    std::mt19937 random(1);
+    std::uniform_real_distribution<double> any(-1, 1);
+    for (int strip = 0; strip < 2000; ++strip) {
+        const Eigen::Quaterniond turn(any(random), any(random), any(random), any(random));
+        std::vector<Vec3> points;
+        for (int p = 0; p < 40; ++p)
+            points.push_back(turn.normalized() * Vec3(any(random), 0.01 * any(random), 1e-4 * any(random)));
+        GrowingHull hull(points);
+        hull.growTo(96, 0);
+        ASSERT_LE(hull.vertices().size(), points.size());
     }
 }
 

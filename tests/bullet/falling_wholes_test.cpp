@@ -17,7 +17,7 @@ TriangleMesh tile(double size) {
     return mesh;
 }
 
-enum class Ground { box, plane, triangles };
+enum class Ground { box, plane };
 
 class FallingWholes : public testing::TestWithParam<Ground> {
   protected:
@@ -27,17 +27,8 @@ class FallingWholes : public testing::TestWithParam<Ground> {
         if (GetParam() == Ground::plane)
             scene_.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
                            btVector3(0, 0, 0));
-        if (GetParam() != Ground::triangles) return;
-        for (int i = -10; i < 10; ++i)
-            for (int j = -10; j < 10; ++j) {
-                const btVector3 a(btScalar(i) / 2, btScalar(j) / 2, 0), x(0.5f, 0, 0), y(0, 0.5f, 0);
-                triangles_.addTriangle(a, a + x, a + x + y);
-                triangles_.addTriangle(a, a + x + y, a + y);
-            }
-        scene_.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0, btVector3(0, 0, 0));
     }
 
-    btTriangleMesh triangles_;
     TestWorld scene_;
 };
 
@@ -71,7 +62,6 @@ TEST_P(FallingWholes, DoNotSinkAt60StepsASecond) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(OnGround, FallingWholes,
-                         testing::Values(Ground::box, Ground::plane, Ground::triangles));
+INSTANTIATE_TEST_SUITE_P(OnGround, FallingWholes, testing::Values(Ground::box, Ground::plane));
 
 }  // namespace
