@@ -56,8 +56,8 @@ const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const Br
 bool anyIsSteadied(const BreakableRegistry& breakables, btScalar time_step_s) {
     const auto& all = breakables.all();
     return std::any_of(all.begin(), all.end(), [&](const auto& breakable) {
-        return breakable->in_world && breakable->body->isActive() &&
-               (breakable->isFragment() || comesDown(*breakable, time_step_s));
+        return breakable->in_world && (breakable->isFragment() ||
+                                       (breakable->body->isActive() && comesDown(*breakable, time_step_s)));
     });
 }
 
