@@ -27,10 +27,14 @@ constexpr btScalar even = btScalar(0.125);
 /// Whether a whole body may sink into solid ground in a step. One that lies there is Bullet's, as are shapes
 /// of the app's; and through ground that is a surface none comes (ground_contact).
 bool comesDown(const Breakable& whole, btScalar time_step_s) {
+    constexpr btScalar resting_m_s = btScalar(0.01), resting_1_s = btScalar(0.1);  // as most bodies do
+    if (!whole.ownedHere()) return false;
     const btRigidBody& body = *whole.body;
+    const btVector3 &velocity = body.getLinearVelocity(), &turning = body.getAngularVelocity();
+    if (velocity.length2() < resting_m_s * resting_m_s && turning.length2() < resting_1_s * resting_1_s)
+        return false;
     const btScalar radius = radiusAboutOrigin(body);
-    const btScalar speed = body.getLinearVelocity().length() + radius * body.getAngularVelocity().length();
-    return whole.ownedHere() && speed * time_step_s > coming_down * radius;
+    return (velocity.length() + radius * turning.length()) * time_step_s > coming_down * radius;
 }
 
 /// Whether it is static and has an inside, out of which Bullet pushes along one way; triangles push to the
