@@ -38,12 +38,16 @@ void expectAllMeasured(const Times& times) {
 TEST(Times, EveryStageHasATimer) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
+    Budget nothing_ahead;
+    nothing_ahead.foresight_s = 0;
+    ASSERT_TRUE(fracture.setBudget(nothing_ahead).ok());
     ASSERT_TRUE(fracture.add(checkedPlate(), at(0, 0, 0)).ok());
     scene.addBall(2, 0.1, btVector3(0, 0, 0.2f), btVector3(0, 0, -8));
     const BlowEvent first = stepUntilBreak(scene, fracture);
     ASSERT_EQ(first.outcome, Outcome::broke) << first.message;
     EXPECT_EQ(first.ms.sample, 0) << "a body is sampled when it is added";
     EXPECT_GT(first.ms.factor, 0) << "nobody has prepared it";
+    ASSERT_TRUE(fracture.setBudget({}).ok());
 
     const auto whole = fracture.bodies();
     pushMiddle(fracture, whole.front(), 50);
