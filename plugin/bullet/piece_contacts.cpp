@@ -35,16 +35,16 @@ constexpr btScalar large_m = btScalar(0.1);  // radius from which on Bullet miss
 // chain of breaks depends twice as much on the rate of the steps, since debris runs further ahead.
 constexpr btScalar slow_m_s = 1;
 
-btScalar radiusOf(const btConvexShape& shape) {
+btScalar radiusOf(const btCollisionObjectWrapper& body) {
     btVector3 centre;
     btScalar radius;
-    shape.getBoundingSphere(centre, radius);
+    body.getCollisionShape()->getBoundingSphere(centre, radius);
     return radius;
 }
 
 /// In metres where one of the two is too large for it.
-btScalar unitsPerMetre(btScalar radius_a, btScalar radius_b) {
-    const btScalar smaller = std::min(radius_a, radius_b), larger = std::max(radius_a, radius_b);
+btScalar unitsPerMetre(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
+    const auto [smaller, larger] = std::minmax({radiusOf(a), radiusOf(b)});
     if (!(smaller > 0)) return 1;
     return std::max(std::min(small / smaller, largest / larger), btScalar(1));
 }
@@ -66,17 +66,13 @@ class InMetres final : public btDiscreteCollisionDetectorInterface::Result {
     const btVector3& origin_;
 };
 
-const PieceHull* pieceHull(const btCollisionObjectWrapper& body) {
-    return PieceHull::of(*body.getCollisionShape());
+bool isPiece(const btCollisionObjectWrapper& body) {
+    return PieceHull::is(*body.getCollisionShape());
 }
 
 /// Whether one of two convex shapes is a piece, and the smaller one is small.
 bool isFoundHere(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b) {
-    if (!pieceHull(a) && !pieceHull(b)) return false;
-    const auto radius = [](const btCollisionObjectWrapper& body) {
-        return radiusOf(static_cast<const btConvexShape&>(*body.getCollisionShape()));
-    };
-    return std::min(radius(a), radius(b)) < large_m;
+    return (isPiece(a) || isPiece(b)) && std::min(radiusOf(a), radiusOf(b)) < large_m;
 }
 
 /// How fast points of the two may meet, m/s. What is no rigid body counts as one that stands.
@@ -99,7 +95,10 @@ class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
   public:
     PieceAlgorithm(const btCollisionAlgorithmConstructionInfo& info, const btCollisionObjectWrapper* a,
                    const btCollisionObjectWrapper* b, btCollisionAlgorithmCreateFunc& usual)
-        : btActivatingCollisionAlgorithm(info, a, b), manifold_(info.m_manifold), usual_function_(usual) {}
+        : btActivatingCollisionAlgorithm(info, a, b),
+          manifold_(info.m_manifold),
+          usual_function_(usual),
+          units_per_m_(unitsPerMetre(*a, *b)) {}
     ~PieceAlgorithm() override {
         dropUsual();
         if (owns_manifold_) m_dispatcher->releaseManifold(manifold_);
@@ -159,28 +158,28 @@ class PieceAlgorithm final : public btActivatingCollisionAlgorithm {
     void addContact(const btCollisionObjectWrapper& a, const btCollisionObjectWrapper& b,
                     const btDispatcherInfo& info, btManifoldResult& result) const {
         const btConvexShape &of_a = shapeOf(a), &of_b = shapeOf(b);
-        const btScalar units_per_m = unitsPerMetre(radiusOf(of_a), radiusOf(of_b));
-        const btUniformScalingShape large_a(const_cast<btConvexShape*>(&of_a), units_per_m),
-            large_b(const_cast<btConvexShape*>(&of_b), units_per_m);
+        const btUniformScalingShape large_a(const_cast<btConvexShape*>(&of_a), units_per_m_),
+            large_b(const_cast<btConvexShape*>(&of_b), units_per_m_);
         const btVector3 origin = a.getWorldTransform().getOrigin();
         btGjkPairDetector::ClosestPointInput input;
         input.m_transformA = btTransform(a.getWorldTransform().getBasis());
         input.m_transformB = btTransform(b.getWorldTransform().getBasis(),
-                                         units_per_m * (b.getWorldTransform().getOrigin() - origin));
+                                         units_per_m_ * (b.getWorldTransform().getOrigin() - origin));
         const btScalar furthest =
-            units_per_m * (of_a.getMargin() + of_b.getMargin() + manifold_->getContactBreakingThreshold() +
-                           result.m_closestPointDistanceThreshold);
+            units_per_m_ * (of_a.getMargin() + of_b.getMargin() + manifold_->getContactBreakingThreshold() +
+                            result.m_closestPointDistanceThreshold);
         input.m_maximumDistanceSquared = furthest * furthest;
         btVoronoiSimplexSolver simplex;
         btGjkEpaPenetrationDepthSolver penetration_depth;
         btGjkPairDetector detector(&large_a, &large_b, &simplex, &penetration_depth);
-        InMetres in_metres(result, units_per_m, origin);
+        InMetres in_metres(result, units_per_m_, origin);
         detector.getClosestPoints(input, in_metres, info.m_debugDraw);
     }
 
     btPersistentManifold* manifold_;
     btCollisionAlgorithmCreateFunc& usual_function_;
     btCollisionAlgorithm* usual_ = nullptr;
+    const btScalar units_per_m_;
     bool owns_manifold_ = false;
 };
 

@@ -87,13 +87,12 @@ TEST(PieceContacts, CrossedEdgesTouchOnce) {
     const PieceContacts contacts(*scene.dispatcher);
     btRigidBody* lower = scene.addBody(slabHull(0.02f), 1, btVector3(0, 0, 0));
     btRigidBody* upper = scene.addBody(slabHull(0.02f), 1, btVector3(0, 0, 0.03f));
-    const btScalar quarter = SIMD_HALF_PI / 2;
     // Each stands on an edge of its large side.
     const btVector3 corner(0.01f, 0, 0.002f);
     const btScalar reach = corner.length(), lean = std::atan2(corner.x(), corner.z());
     lower->setWorldTransform(btTransform(btQuaternion(btVector3(0, 1, 0), -lean), btVector3(0, 0, 0)));
     upper->setWorldTransform(btTransform(
-        btQuaternion(btVector3(0, 0, 1), 2 * quarter) * btQuaternion(btVector3(0, 1, 0), SIMD_PI - lean),
+        btQuaternion(btVector3(0, 0, 1), SIMD_HALF_PI) * btQuaternion(btVector3(0, 1, 0), SIMD_PI - lean),
         btVector3(0, 0, 2 * reach)));
     scene.world->performDiscreteCollisionDetection();
     ASSERT_EQ(scene.dispatcher->getNumManifolds(), 1);
