@@ -40,10 +40,32 @@ btVector3 wayBack(const GroundPoint& crossed, const btVector3& from, const btVec
     return crossed.normal * (btClamped(before, least_height * radius, radius) - after);
 }
 
-void shiftBy(btRigidBody& body, const btVector3& shift) {
-    btTransform place = body.getWorldTransform();
-    place.getOrigin() += shift;
-    body.setCenterOfMassTransform(place);
+/// The velocity to be added to what is set back: on its way into the ground gravity has made it faster than
+/// it was where it is set back to.
+btVector3 slowedBy(const btVector3& shift, const btVector3& velocity, const btVector3& gravity) {
+    const btVector3 back = shift.normalized();
+    const btScalar into = -velocity.dot(back), gained = -2 * gravity.dot(shift);
+    if (!(into > 0) || !(gained > 0)) return btVector3(0, 0, 0);
+    return (into - btSqrt(std::max(btScalar(0), into * into - gained))) * back;
+}
+
+/// Sets bodies back as one.
+void setBack(const std::vector<btRigidBody*>& bodies, const btVector3& shift) {
+    btVector3 momentum(0, 0, 0), weight(0, 0, 0);
+    btScalar mass = 0;
+    for (const btRigidBody* body : bodies) {
+        const btScalar own = 1 / body->getInvMass();
+        mass += own;
+        momentum += own * body->getLinearVelocity();
+        weight += own * body->getGravity();
+    }
+    const btVector3 slowed = slowedBy(shift, momentum / mass, weight / mass);
+    for (btRigidBody* body : bodies) {
+        btTransform place = body->getWorldTransform();
+        place.getOrigin() += shift;
+        body->setCenterOfMassTransform(place);
+        body->setLinearVelocity(body->getLinearVelocity() + slowed);
+    }
 }
 
 /// What holds a body up that is in the ground: its ball, if that touches it, or the vertices that are in
@@ -117,7 +139,7 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
     const auto crossed = groundBetween(world, *fragment.body, from, to);
     if (!crossed) return;
     const btVector3 back = wayBack(*crossed, from, to, ball.radius);
-    if (!groundBetween(world, *fragment.body, from, to + back)) return shiftBy(*fragment.body, back);
+    if (!groundBetween(world, *fragment.body, from, to + back)) return setBack({fragment.body}, back);
     // It is between two walls and stays where it was. With its speed it would get faster there from step to
     // step.
     fragment.body->setCenterOfMassTransform(fragment.way.from);
@@ -198,8 +220,11 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
     const btScalar radius = radiusAboutOrigin(*whole.body);
     if (travel(whole.way.to, whole.body->getWorldTransform(), radius) > deepest_birth * radius) return;
-    for (const auto& fragment : fragments)
+    std::vector<btRigidBody*> bodies;
+    for (const auto& fragment : fragments) {
         if (!fragment->isDynamic()) return;  // what is held stays where it is, and what it carries with it
+        bodies.push_back(fragment->body);
+    }
     btVector3 shift(0, 0, 0);
     for (int round = 0; round < most_shifts; ++round) {
         btVector3 furthest(0, 0, 0);
@@ -210,8 +235,7 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
         if (furthest.isZero()) break;
         shift += furthest;
     }
-    if (shift.isZero()) return;
-    for (const auto& fragment : fragments) shiftBy(*fragment->body, shift);
+    if (!shift.isZero()) setBack(bodies, shift);
 }
 
 void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies) {

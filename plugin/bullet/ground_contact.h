@@ -16,7 +16,8 @@ namespace sherd {
 /// ground: a body that breaks there has moved into it in the steps before. A ball inside a body tells its
 /// side:
 /// - what breaks is set back until the centre of no fragment's ball is beyond the ground, as seen from where
-///   the body was clear of it a moment ago, or else a step ago, or from its own ball;
+///   the body was clear of it a moment ago, or else a step ago, or from its own ball; its fragments lose what
+///   gravity has made it faster by on the way that they are set back;
 /// - contacts that push a body to the other side are left out; the ball of a fragment touches the ground as
 ///   well, with a contact that knows the side, and what no other contact holds stands on the vertices that
 ///   are in the ground;

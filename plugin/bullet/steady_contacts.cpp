@@ -24,8 +24,8 @@ constexpr btScalar coming_down = btScalar(0.05);       // of a whole body's radi
 // Of the height that a body falls by in a step: what a base is uneven by.
 constexpr btScalar even = btScalar(0.125);
 
-/// Whether a whole body may sink into solid ground in a step. One that lies there is Bullet's, as are shapes
-/// of the app's; and through ground that is a surface none comes (ground_contact).
+/// Whether a whole body may sink into the ground in a step. One that lies there is Bullet's, as are shapes of
+/// the app's.
 bool comesDown(const Breakable& whole, btScalar time_step_s) {
     constexpr btScalar resting_m_s = btScalar(0.01), resting_1_s = btScalar(0.1);  // as most bodies do
     if (!whole.ownedHere()) return false;
@@ -51,9 +51,8 @@ const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const Br
     const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
     if (!moving.isActive()) return nullptr;
     const Breakable* breakable = breakables.of(moving);
-    if (!breakable || breakable->isFragment()) return breakable;
-    const bool is_solid = isSolidGround(is_b ? *manifold.getBody0() : *manifold.getBody1());
-    return is_solid && comesDown(*breakable, time_step_s) ? breakable : nullptr;
+    const bool is_steadied = breakable && (breakable->isFragment() || comesDown(*breakable, time_step_s));
+    return is_steadied ? breakable : nullptr;
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.

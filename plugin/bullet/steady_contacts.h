@@ -9,7 +9,7 @@ class btDiscreteDynamicsWorld;
 namespace sherd {
 
 /// Makes the contacts of fragments such that they come to rest, and those of whole bodies with shapes of
-/// Sherd's that fall or tumble such that they do not sink into boxes and planes. Splinters are small for what
+/// Sherd's that fall or tumble such that they do not sink into the ground. Splinters are small for what
 /// they move in a step. Bullet finds one vertex of a hull a step, when it is in the floor already, and takes
 /// a fifth of the depth back in each, as a velocity that stays: a splinter that rocks on its vertices is
 /// thrown up again and again, and one that has flown into the floor by more than its own size spins. So

@@ -161,7 +161,7 @@ TEST_P(Drops, NoFragmentFallsThroughTheGround) {
             scene.step(1, 1.0 / drop_case.hz);
             const double now = energy(fracture.bodies());
             // By what a fragment that is in the ground comes out of it, and rounding.
-            EXPECT_LT(now, most + 0.01 * std::abs(most)) << "step " << i;
+            EXPECT_LT(now, most + 0.001 * std::abs(most)) << "step " << i;
             most = std::max(most, now);
         }
         EXPECT_GE(fracture.bodies().size(), 4u);
