@@ -208,16 +208,23 @@ void addRemainder(const SurfaceTree& surface, const std::vector<std::optional<Op
 }
 
 /// Which patches are to have a near field, the hardest ones: each disc's field is added to that of all
-/// others.
+/// others. Where one presses a body to pieces, those do nothing that press fifty times less.
 std::vector<char> hardestOf(const std::vector<ContactPatch>& patches) {
     constexpr std::size_t most = 8;
+    constexpr double faint = 0.02;  // of the largest traction
     std::vector<std::size_t> order(patches.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
         return patches[a].force.squaredNorm() > patches[b].force.squaredNorm();
     });
+    const auto traction = [](const ContactPatch& patch) {
+        return patch.force.norm() / (patch.radius_m * patch.radius_m);
+    };
+    double largest = 0;
+    for (const ContactPatch& patch : patches) largest = std::max(largest, traction(patch));
     std::vector<char> hardest(patches.size(), 0);
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i) hardest[order[i]] = 1;
+    for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
+        hardest[order[i]] = traction(patches[order[i]]) >= faint * largest;
     return hardest;
 }
 

@@ -13,19 +13,41 @@ Vec3 ContactDisc::tractionAt(const Vec3& x) const {
     return contactProfile((offset.squaredNorm() - depth * depth) / (radius * radius)) * traction_pa;
 }
 
+namespace {
+
+/// Of A^T local A, `axes` being A.
+DiscField::Turning turningOf(const Mat3& axes) {
+    constexpr int rows[6] = {0, 1, 2, 0, 1, 2}, columns[6] = {0, 1, 2, 1, 2, 0};
+    DiscField::Turning turning;
+    for (int i = 0; i < 6; ++i) {
+        const Vec3 p = axes.col(rows[i]), q = axes.col(columns[i]);
+        turning[i] = {p[0] * q[0],
+                      p[1] * q[1],
+                      p[2] * q[2],
+                      p[0] * q[1] + p[1] * q[0],
+                      p[1] * q[2] + p[2] * q[1],
+                      p[2] * q[0] + p[0] * q[2]};
+    }
+    return turning;
+}
+
+}  // namespace
+
 DiscField::DiscField(const ContactDisc& disc, double poisson_ratio)
-    : centre_(disc.centre), radius_(disc.radius), hollow_(disc.hollow), traction_{poisson_ratio, 0, 0} {
+    : centre_(disc.centre), hollow_(disc.hollow), traction_{poisson_ratio, 0, 0} {
     traction_.inward_pa = disc.traction_pa.dot(disc.inward);
     Vec3 along = disc.traction_pa - traction_.inward_pa * disc.inward;
     traction_.along_pa = along.norm();
     along = traction_.along_pa > 1e-12 * disc.traction_pa.norm() ? Vec3(along / traction_.along_pa)
                                                                  : Vec3(disc.inward.unitOrthogonal());
     axes_ << along.transpose(), disc.inward.cross(along).transpose(), disc.inward.transpose();
+    axes_in_radii_ = axes_ / disc.radius;
+    turning_ = turningOf(axes_);
 }
 
 Mat3 DiscField::stressAt(const Vec3& place) const {
     using namespace under_disc;
-    const Vec3 local = axes_ * (place - centre_) / radius_;
+    const Vec3 local = axes_in_radii_ * (place - centre_);
     const double height = -local.z();
     if (!(height > on_plane)) return turned(behind(local.x(), local.y(), std::max(local.z(), 0.0)));
     // Much higher up is another part of the body, that the field says nothing of.

@@ -3,6 +3,7 @@
 #include <sherd/types.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/stress/stress_lanes.h"
@@ -48,6 +49,8 @@ class DiscField {
         double nu;
         double along_pa, inward_pa;  ///< its parts
     };
+    /// Of each component of the stress in the world, what it has of those on the disc's axes.
+    using Turning = std::array<std::array<double, 6>, 6>;
 
   private:
     /// In radii and on the disc's own axes, z >= 0.
@@ -55,8 +58,9 @@ class DiscField {
     Mat3 turned(const Mat3& local) const;
 
     Vec3 centre_;
-    Mat3 axes_;  ///< rows: along the tangential traction, across it, inward
-    double radius_;
+    Mat3 axes_;           ///< rows: along the tangential traction, across it, inward
+    Mat3 axes_in_radii_;  ///< the same over the radius
+    Turning turning_;
     bool hollow_;
     Traction traction_;
 };

@@ -14,28 +14,31 @@ using Lane = PlaceLanes::Lane;
 struct LocalLanes {
     Lane x, y, depth;  ///< depth 0 before the plane
     Lane height;       ///< before the plane, else 0
-    Lane share;        ///< of the field that counts there
 };
 
 SHERD_WIDE_VECTORS
-void toLocal(const PlaceLanes& at, const Vec3& centre, const Mat3& axes, double radius, LocalLanes& local) {
+void toLocal(const PlaceLanes& at, const Vec3& centre, const Mat3& axes_in_radii, LocalLanes& local) {
     // Copies, which what is written cannot change.
     const double c[3] = {centre[0], centre[1], centre[2]};
     double a[9];
-    std::copy_n(axes.data(), 9, a);  // column by column
+    std::copy_n(axes_in_radii.data(), 9, a);  // column by column
     for (int l = 0; l < lane_count; ++l) {
         const double u = at.x[0][l] - c[0], v = at.x[1][l] - c[1], w = at.x[2][l] - c[2];
-        const double x = (a[0] * u + a[3] * v + a[6] * w) / radius;
-        const double y = (a[1] * u + a[4] * v + a[7] * w) / radius;
-        const double z = (a[2] * u + a[5] * v + a[8] * w) / radius;
-        const double distance = std::sqrt(x * x + y * y + z * z);
-        const bool is_before = -z > under_disc::on_plane;
-        const double share = under_disc::shareBefore(-z / (distance > 1 ? distance : 1));
-        local.x[l] = x;
-        local.y[l] = y;
+        const double z = a[2] * u + a[5] * v + a[8] * w;
+        local.x[l] = a[0] * u + a[3] * v + a[6] * w;
+        local.y[l] = a[1] * u + a[4] * v + a[7] * w;
         local.depth[l] = z > 0 ? z : 0;
-        local.height[l] = is_before ? -z : 0;
-        local.share[l] = is_before ? share : 1;
+        local.height[l] = -z > under_disc::on_plane ? -z : 0;
+    }
+}
+
+/// What of the field counts before the plane. Takes longer than `toLocal`, and most places are behind it.
+SHERD_WIDE_VECTORS
+void sharesBefore(const LocalLanes& at, Lane& share) {
+    for (int l = 0; l < lane_count; ++l) {
+        const double x = at.x[l], y = at.y[l], height = at.height[l];
+        const double distance = std::sqrt(x * x + y * y + height * height);
+        share[l] = height > 0 ? under_disc::shareBefore(height / (distance > 1 ? distance : 1)) : 1;
     }
 }
 
@@ -93,51 +96,67 @@ void stressAnywhereBehind(const LocalLanes& at, const Lane& depth, const DiscFie
     }
 }
 
-void stressBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
-    bool any_close = false;
+SHERD_WIDE_VECTORS
+bool anyIsClose(const LocalLanes& at, const Lane& depth) {
+    long long any = 0;
     for (int l = 0; l < lane_count; ++l)
-        any_close |= squaredDistance(at, depth, l) < under_disc::far * under_disc::far;
-    any_close ? stressAnywhereBehind(at, depth, of, stress) : stressFarBehind(at, depth, of, stress);
+        any |= squaredDistance(at, depth, l) < under_disc::far * under_disc::far;
+    return any != 0;
 }
 
-/// Adds A^T local A times the share of each place.
+void stressBehind(const LocalLanes& at, const Lane& depth, const DiscField::Traction& of, Lane* stress) {
+    anyIsClose(at, depth) ? stressAnywhereBehind(at, depth, of, stress)
+                          : stressFarBehind(at, depth, of, stress);
+}
+
 SHERD_WIDE_VECTORS
-void addTurned(const Lane* local, const Lane& share, const Mat3& axes, StressLanes& sum) {
-    const double* a = axes.data();
+void multiply(const Lane& share, Lane* stress) {
+    for (int i = 0; i < 6; ++i)
+        for (int l = 0; l < lane_count; ++l) stress[i][l] *= share[l];
+}
+
+/// Adds a stress on the axes of the disc.
+SHERD_WIDE_VECTORS
+void addTurned(const DiscField::Turning& turning, const Lane* local, StressLanes& sum) {
     for (int i = 0; i < 6; ++i) {
-        constexpr int rows[6] = {0, 1, 2, 0, 1, 2}, columns[6] = {0, 1, 2, 1, 2, 0};
-        const double *p = a + 3 * rows[i], *q = a + 3 * columns[i];
-        const double factors[6] = {p[0] * q[0],
-                                   p[1] * q[1],
-                                   p[2] * q[2],
-                                   p[0] * q[1] + p[1] * q[0],
-                                   p[1] * q[2] + p[2] * q[1],
-                                   p[2] * q[0] + p[0] * q[2]};
+        const double* factors = turning[i].data();
         Lane turned;
         for (int l = 0; l < lane_count; ++l)
             turned[l] = factors[0] * local[0][l] + factors[1] * local[1][l] + factors[2] * local[2][l] +
                         factors[3] * local[3][l] + factors[4] * local[4][l] + factors[5] * local[5][l];
-        for (int l = 0; l < lane_count; ++l) sum.s[i][l] += share[l] * turned[l];
+        for (int l = 0; l < lane_count; ++l) sum.s[i][l] += turned[l];
     }
+}
+
+SHERD_WIDE_VECTORS
+bool anyIsPositive(const Lane& lane) {
+    long long any = 0;
+    for (int l = 0; l < lane_count; ++l) any |= lane[l] > 0;
+    return any != 0;
 }
 
 }  // namespace
 
 void DiscField::addStressAt(const PlaceLanes& at, StressLanes& sum) const {
     LocalLanes local;
-    toLocal(at, centre_, axes_, radius_, local);
-    const auto is_positive = [](double value) { return value > 0; };
-    if (std::none_of(local.share, local.share + lane_count, is_positive)) return;
+    toLocal(at, centre_, axes_in_radii_, local);
+    const bool any_before = anyIsPositive(local.height);
+    Lane share;
+    if (any_before) {
+        sharesBefore(local, share);
+        if (!anyIsPositive(share)) return;
+    }
     Lane stress[6];
     stressBehind(local, local.depth, traction_, stress);
-    if (hollow_ && std::any_of(local.height, local.height + lane_count, is_positive)) {
+    if (hollow_ && any_before) {
         Lane mirrored[6];
         stressBehind(local, local.height, traction_, mirrored);
         for (int i = 0; i < 6; ++i)
             for (int l = 0; l < lane_count; ++l)
                 if (local.height[l] > 0) stress[i][l] = 2 * stress[i][l] - mirrored[i][l];
     }
-    addTurned(stress, local.share, axes_, sum);
+    if (any_before) multiply(share, stress);
+    addTurned(turning_, stress, sum);
 }
 
 }  // namespace sherd

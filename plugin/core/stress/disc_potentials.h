@@ -107,7 +107,9 @@ SHERD_INLINED Potentials underDisc(double s, double z, const AngleOf& angleOf) {
 /// <r^2> = 2/7, and from h_k being harmonic: H_k = h_k + <r^2> / 4 (d_x^2 + d_y^2) h_k = h_k - h_(k-2) / 14.
 SHERD_INLINED Potentials underFarDisc(double s, double z) {
     constexpr double width = 1.0 / 14;
-    const double q2 = 1 / (s + z * z), q = std::sqrt(q2), e = 1 / (1 / q + z);  // de = -e^2 q, dq = -q^3
+    const double r = std::sqrt(s + z * z), inverse = 1 / (r * (r + z));  // one division for both
+    const double q = inverse * (r + z), e = inverse * r;                 // 1 / r, 1 / (r + z)
+    const double q2 = q * q;                                             // de = -e^2 q, dq = -q^3
     const double e2 = e * e, q3 = q2 * q, q5 = q3 * q2, q7 = q5 * q2, q9 = q7 * q2, z2 = z * z;
     const double h_m2 = 3 * z2 * q5 - q3, h_m1 = -z * q3, d_m1 = 3 * z * q5, d_0 = -q3, dd_0 = 3 * q5;
     Potentials p;

@@ -26,6 +26,18 @@ PrincipalRange widened(PrincipalRange range, double by_pa) {
     return range;
 }
 
+/// Where the bounds of the tension are highest: there the largest stress is found, and few others are read
+/// then.
+std::vector<int> highest(const std::vector<float>& bounds, std::size_t most) {
+    std::vector<int> order(bounds.size());
+    std::iota(order.begin(), order.end(), 0);
+    const std::size_t count = std::min(most, order.size());
+    std::partial_sort(order.begin(), order.begin() + static_cast<long>(count), order.end(),
+                      [&](int a, int b) { return bounds[a] != bounds[b] ? bounds[a] > bounds[b] : a < b; });
+    order.resize(count);
+    return order;
+}
+
 }  // namespace
 
 DamageReading::DamageReading(std::shared_ptr<const SplineProblem> problem,
@@ -335,27 +347,24 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
         return std::any_of(sum.overstress.begin(), sum.overstress.end(), [](double o) { return o > 1; });
     };
 
-    // From the highest bound down, so that few parts are read before the largest stress is known.
-    std::vector<int> order(bounds.tension.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(),
-                     [&](int a, int b) { return bounds.tension[a] > bounds.tension[b]; });
-    const int part_count = static_cast<int>(order.size());
+    const int part_count = static_cast<int>(bounds.tension.size());
     {
         Reader first = reader();
         first.readPlaces();
-        for (int i = 0; i < std::min(first_parts, part_count); ++i) first.read(order[i], 1);
+        for (const int part : highest(bounds.tension, first_parts)) first.read(part, 1);
         first.finish();
         take(first);
     }
+    // Part by part as they lie in memory, which takes longest.
     const auto read = [&](double wanted) {
         std::vector<std::optional<Reader>> readers(chunk_count);
         forEachChunk(chunk_count, [&](int chunk) {
             Reader& own = readers[chunk].emplace(reader());
-            for (int i = chunk; i < part_count; i += chunk_count)
-                if (bounds.tension[order[i]] > own.tension() ||
-                    own.mayFindMore(order[i], bounds.overstress[order[i]], wanted))
-                    own.read(order[i], wanted);
+            const int end = chunkBegin(chunk + 1, chunk_count, part_count);
+            for (int part = chunkBegin(chunk, chunk_count, part_count); part < end; ++part)
+                if (bounds.tension[part] > own.tension() ||
+                    own.mayFindMore(part, bounds.overstress[part], wanted))
+                    own.read(part, wanted);
             own.finish();
         });
         for (const auto& own : readers) take(*own);
