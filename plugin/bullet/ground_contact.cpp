@@ -57,14 +57,14 @@ void setBack(const std::vector<btRigidBody*>& bodies, const btVector3& shift) {
         const btScalar own = 1 / body->getInvMass();
         mass += own;
         momentum += own * body->getLinearVelocity();
-        weight += own * body->getGravity();
+        weight += own * body->getGravity() * body->getLinearFactor();
     }
     const btVector3 slowed = slowedBy(shift, momentum / mass, weight / mass);
     for (btRigidBody* body : bodies) {
+        body->setLinearVelocity(body->getLinearVelocity() + slowed * body->getLinearFactor());
         btTransform place = body->getWorldTransform();
         place.getOrigin() += shift;
-        body->setCenterOfMassTransform(place);
-        body->setLinearVelocity(body->getLinearVelocity() + slowed);
+        body->setCenterOfMassTransform(place);  // which notes the velocity for what is drawn
     }
 }
 

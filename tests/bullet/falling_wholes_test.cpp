@@ -103,6 +103,16 @@ TEST_P(FallingOnASurface, GainsNoEnergyWhereItIsSetBack) {
     }
 }
 
+/// On a slope, which is at right angles to no axis.
+TEST_P(FallingOnASurface, IsNotSlowedAlongALockedAxis) {
+    scene_.bodies.front()->setWorldTransform(btTransform(btQuaternion(btVector3(0, 1, 0), 0.3f)));
+    FractureWorld fracture(scene_.world.get());
+    addTiles(fracture, 0.03);
+    for (btRigidBody* body : fracture.bodies()) body->setLinearFactor(btVector3(0, 1, 1));
+    scene_.step(60, 1.0 / 60);
+    for (const btRigidBody* body : fracture.bodies()) EXPECT_EQ(body->getLinearVelocity().x(), 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(OnGround, FallingWholes, testing::Values(Ground::box, Ground::plane, Ground::mesh));
 INSTANTIATE_TEST_SUITE_P(OnAMesh, FallingOnASurface, testing::Values(Ground::mesh));
 

@@ -220,11 +220,11 @@ std::vector<char> hardestOf(const std::vector<ContactPatch>& patches) {
     const auto traction = [](const ContactPatch& patch) {
         return patch.force.norm() / (patch.radius_m * patch.radius_m);
     };
+    order.resize(std::min(most, order.size()));
     double largest = 0;
-    for (const ContactPatch& patch : patches) largest = std::max(largest, traction(patch));
+    for (const std::size_t i : order) largest = std::max(largest, traction(patches[i]));
     std::vector<char> hardest(patches.size(), 0);
-    for (std::size_t i = 0; i < std::min(most, order.size()); ++i)
-        hardest[order[i]] = traction(patches[order[i]]) >= faint * largest;
+    for (const std::size_t i : order) hardest[i] = traction(patches[i]) >= faint * largest;
     return hardest;
 }
 

@@ -22,6 +22,22 @@ ContactField pressed(const TriangleMesh& mesh, const Vec3& at, const Vec3& push,
                         0.5 * radius);
 }
 
+/// Two contacts on one face of a block, the second of which presses `share` times as hard.
+ContactField pressedTwice(const TriangleMesh& mesh, double share) {
+    const SurfaceTree tree(mesh);
+    const Material material = Material::stone();
+    const ContactBody body{tree, material, {}, 0.1, 0.2};
+    const Vec3 push = -Vec3::UnitZ();
+    constexpr double radius = 0.01;
+    std::vector<ContactPatch> patches;
+    for (const double side : {1, -1}) {
+        const SurfaceSpot spot = nearestSurfacePoint(tree, Vec3(0.05 * side, 0.01, 0.05), push);
+        const double force = side > 0 ? 1 : share;
+        patches.push_back({spot, push, force * push, radius, partsOfPatch(tree, spot, push, radius, 0.18)});
+    }
+    return contactField(body, patches, 0.5 * radius);
+}
+
 Vec3 totalOf(const ContactDisc& disc) {
     return 0.4 * 3.14159265358979 * disc.radius * disc.radius * disc.traction_pa;
 }
@@ -102,6 +118,15 @@ TEST(ContactField, APatchDoesNotDependOnTheOrderOfTriangles) {
             EXPECT_NEAR(weight(push) / as_is, 1, 1e-6) << tilt;
         }
     }
+}
+
+TEST(ContactField, IsLeftToTheGridWhereNextToNothingPresses) {
+    EXPECT_EQ(pressedTwice(block, 0.021).near.discs().size(), 2u);
+    const ContactField faint = pressedTwice(block, 0.019);
+    EXPECT_EQ(faint.near.discs().size(), 1u);
+    Vec3 others = Vec3::Zero();
+    for (const PointForce& force : faint.others) others += force.force;
+    EXPECT_LT((others + 0.019 * Vec3::UnitZ()).norm(), 1e-9);
 }
 
 TEST(ContactField, IsLeftToTheGridAtCorners) {

@@ -34,16 +34,21 @@ TEST(ArcTangent, IsThatOfTheLibrary) {
     for (double x = 1e-6; x < 1e6; x *= 1.01) EXPECT_NEAR(arcTangent(x) / std::atan(x), 1, 5e-16);
 }
 
+/// Places on both sides of the plane, and all of them behind it, where no share is asked for, or far before.
 TEST_F(StressInLanes, OfANearFieldIsThatOfEachPlace) {
-    for (int i = 0; i < 200; ++i) {
+    for (int i = 0; i < 600; ++i) {
         const double reach = std::pow(10.0, any());  // inside the disc, about it, and where it is a point
+        const bool all_behind = i % 3 == 1, far_before = i % 3 == 2 && i % 4 == 0;
         const ContactDisc disc{anyVector(), anyVector().normalized(), 0.3, anyVector(), i % 2 == 1};
         const NearField field({disc}, 0.2);
         PlaceLanes at;
         Vec3 places[lanes];
         for (int l = 0; l < lanes; ++l) {
             places[l] = disc.centre + reach * anyVector();
-            if (l == 0) places[l] -= disc.inward.dot(places[l] - disc.centre) * disc.inward;  // on the plane
+            const double depth = disc.inward.dot(places[l] - disc.centre);
+            if (l == 0) places[l] -= depth * disc.inward;  // on the plane
+            if (all_behind && depth < 0) places[l] -= 2 * depth * disc.inward;
+            if (far_before) places[l] = disc.centre - reach * (disc.inward + 0.1 * anyVector());
             for (int d = 0; d < 3; ++d) at.x[d][l] = places[l][d];
         }
         StressLanes sum = {};

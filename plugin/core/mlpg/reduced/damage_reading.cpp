@@ -327,6 +327,9 @@ Damage DamageReading::damage(const Eigen::VectorXf& unknowns, const ContactField
 void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactReading& contact, double scale,
                               const Strength& strength, Damage& sum) const {
     constexpr int chunk_count = 8;  // however many threads there are, so that all read the same points
+    // As they lie in memory, which takes longest, and yet shared out, since those under a contact are
+    // neighbours.
+    constexpr int parts_of_block = 32;
     constexpr int first_parts = 8;
     sum.overstress.resize(problem_->solid->particles.size(), 0.0);
     sum.stress.resize(sum.overstress.size(), SymmetricTensor::Zero());
@@ -355,16 +358,16 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
         first.finish();
         take(first);
     }
-    // Part by part as they lie in memory, which takes longest.
     const auto read = [&](double wanted) {
         std::vector<std::optional<Reader>> readers(chunk_count);
         forEachChunk(chunk_count, [&](int chunk) {
             Reader& own = readers[chunk].emplace(reader());
-            const int end = chunkBegin(chunk + 1, chunk_count, part_count);
-            for (int part = chunkBegin(chunk, chunk_count, part_count); part < end; ++part)
-                if (bounds.tension[part] > own.tension() ||
-                    own.mayFindMore(part, bounds.overstress[part], wanted))
-                    own.read(part, wanted);
+            for (int begin = parts_of_block * chunk; begin < part_count;
+                 begin += parts_of_block * chunk_count)
+                for (int part = begin; part < std::min(begin + parts_of_block, part_count); ++part)
+                    if (bounds.tension[part] > own.tension() ||
+                        own.mayFindMore(part, bounds.overstress[part], wanted))
+                        own.read(part, wanted);
             own.finish();
         });
         for (const auto& own : readers) take(*own);
