@@ -190,6 +190,9 @@ IfFieldsOf<Self, StressSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"resampling_cells", "how many cells across a load are fine enough",
                 Range::between(1, 32, "cells")},
           s.resampling_cells);
+    visit(Field{"resampling_error", "how wrong a high stress may be, over the largest tension",
+                Range::between(0.01, 1)},
+          s.resampling_error);
     visit(Field{"resample_contacts", "whether blows in a world have finer grids around their contacts"},
           s.resample_contacts);
     visit(Field{"support_radius", "radius of the supports of mls and gmls", support_radius_range},

@@ -90,6 +90,9 @@ struct StressSettings {
     /// How many cells across a load are fine enough: no finer grid is made around it then. With 4 the largest
     /// stress at the rim of a contact comes out up to a quarter too low; 9 are right to 2 to 8 %.
     double resampling_cells = 4;
+    /// How wrong a high stress may be, as a share of the largest tension, until the grid is made finer there:
+    /// the traction that it has on the surface, where nothing acts.
+    double resampling_error = 0.1;
     /// Whether blows in a world are resampled as well. It sharpens the stress at contacts, and at fillets and
     /// roots below the spacing; it takes longer than the rest of a blow. A StressModel always resamples.
     bool resample_contacts = false;

@@ -19,7 +19,7 @@ struct BakedAsset {
 
 /// The version is to be raised when anything changes that the file holds: a field of a struct in it, how
 /// solids are sampled, the trial functions or the reduced model.
-inline const FileFormat baked_format{"sherdbak", 9, "baked asset", "bake the asset again (`sherd bake`)"};
+inline const FileFormat baked_format{"sherdbak", 10, "baked asset", "bake the asset again (`sherd bake`)"};
 
 /// BreakableAsset::save and load say what the errors are.
 Status saveBaked(BakedAsset& asset, const std::string& path);

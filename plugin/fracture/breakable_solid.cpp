@@ -118,7 +118,7 @@ const std::vector<Vec3>& BreakableSolid::wallAxes(const Discretisation& sampling
 
 BreakableSolid::Sampled BreakableSolid::sampled() const {
     const Stopwatch watch;
-    constexpr int quick_order = 4;  // of moments; cubic splines are for those who want all digits
+    constexpr int quick_order = 4;  // of moments; who asks for cubic splines wants all digits
     const bool quick = is_fragment_ && settings_.sampling.moment_order <= quick_order;
     Result<Discretisation> sampled =
         sampleSolid(surface(), spacing_, settings_.sampling, quick ? MomentRule::quick : MomentRule::exact);

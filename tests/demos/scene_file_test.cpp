@@ -90,7 +90,7 @@ TEST(SceneFiles, SayWhatTheSceneHolds) {
     EXPECT_EQ(thing.spin, Vec3(1, 0, 0));
     EXPECT_EQ(thing.look.gloss, 0.5);
     EXPECT_EQ(thing.look.outside, demo::lookOf(sherd::Material::glass()).outside) << "of the material";
-    EXPECT_EQ(thing.settings.stress.basis, sherd::Basis::cubic) << "of the film quality";
+    EXPECT_EQ(thing.settings.stress.resampling_error, 0.05) << "of the film quality";
     EXPECT_EQ(thing.settings.stress.resampling_rounds, 1);
     EXPECT_EQ(thing.settings.sampling.smallest_count, 3000);
     EXPECT_EQ(thing.settings.fracture.contact.smallest_patch, 0.3);

@@ -16,7 +16,7 @@ TEST(SettingsFile, StartsFromAQualityAndChangesWhatItGives) {
         "fracture": {"guide": {"kind": "constant", "direction": [1, 0, 0]}, "debris": "merged", "seed": 9}})";
     const auto read = Settings::fromJsonFile(path);
     ASSERT_TRUE(read.ok()) << read.error();
-    EXPECT_EQ(read.value().stress.basis, Basis::cubic);
+    EXPECT_EQ(read.value().stress.resampling_error, 0.05);
     EXPECT_EQ(read.value().stress.resampling_rounds, 1);
     EXPECT_EQ(read.value().fracture.guide.direction, Vec3(1, 0, 0));
     EXPECT_EQ(read.value().fracture.debris, Debris::merged);

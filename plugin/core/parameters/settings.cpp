@@ -68,15 +68,14 @@ Settings Settings::forQuality(Quality quality) {
         case Quality::game:
             break;
         case Quality::film:
-            sampling.layers_across_wall = 6;
-            sampling.smallest_count = 2000;
+            sampling.layers_across_wall = 8;
+            sampling.smallest_count = 5000;
             sampling.largest_factor_millions = 90;
             sampling.largest_factor_if_thin_millions = 140;
             sampling.fragment_coarsening = 1;
-            sampling.moment_order = 6;
-            stress.basis = Basis::cubic;
             stress.resampling_rounds = 3;
             stress.resampling_margin = 3;
+            stress.resampling_error = 0.05;
             break;
     }
     return settings;

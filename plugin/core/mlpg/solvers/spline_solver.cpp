@@ -272,7 +272,7 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
     report.warnings = trustWarnings(factor);
     // Zooms know whole material only.
     const ResamplingReach reach{damaged.empty() ? settings.resampling_rounds : 0, settings.resampling_margin,
-                                settings.resampling_cells};
+                                settings.resampling_cells, settings.resampling_error};
     const auto shared = std::make_shared<const SplineProblem>(std::move(problem).value());
     constexpr int of_factor = 2;  // what finer grids at high stress may store, times the factor
     const Stopwatch resampling_watch;

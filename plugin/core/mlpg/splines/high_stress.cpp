@@ -11,7 +11,6 @@ namespace sherd {
 namespace {
 
 constexpr double high_tension = 0.4;  // of the peak, with its error
-constexpr double large_error = 0.1;   // of the peak
 
 using Cube = std::array<int, 3>;  // z, y, x
 
@@ -58,13 +57,14 @@ std::vector<SampledStress> stressAtSamples(const SplineField& field, const Elast
 
 std::vector<HighStress> highStresses(const CellParts& grid, int cells_of_cube,
                                      const std::vector<SurfaceSample>& all,
-                                     const std::vector<SampledStress>& stresses, double peak_pa) {
+                                     const std::vector<SampledStress>& stresses, double peak_pa,
+                                     double error_share) {
     std::map<Cube, HighStress> cubes;
     for (const SampledStress& stress : stresses) {
         HighStress& high = cubes[cubeOf(grid, cells_of_cube, all[stress.sample].position)];
         high.samples.push_back(stress.sample);
         const double tension = stress.tension_pa + stress.error_pa;
-        if (tension > high_tension * peak_pa && stress.error_pa > large_error * peak_pa)
+        if (tension > high_tension * peak_pa && stress.error_pa > error_share * peak_pa)
             high.rank = std::max(high.rank, tension * stress.error_pa);
     }
     std::vector<HighStress> found;

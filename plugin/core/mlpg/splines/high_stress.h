@@ -40,9 +40,11 @@ struct HighStress {
 };
 
 /// Cubes lie on a lattice that begins at cell 0, so that blows on one body share them. Left alone is what is
-/// far below the largest tension in the body, `peak_pa`, and what is known well enough.
+/// far below the largest tension in the body, `peak_pa`, and what is known well enough: to `error_share` of
+/// it.
 std::vector<HighStress> highStresses(const CellParts& grid, int cells_of_cube,
                                      const std::vector<SurfaceSample>& all,
-                                     const std::vector<SampledStress>& stresses, double peak_pa);
+                                     const std::vector<SampledStress>& stresses, double peak_pa,
+                                     double error_share);
 
 }  // namespace sherd

@@ -13,11 +13,12 @@ struct CellBox {
     Eigen::Vector3i lower, upper;
 };
 
-/// How often, and how far around the loads, the grid is made finer.
+/// How often, how far around the loads, and where the stress is high, the grid is made finer.
 struct ResamplingReach {
     int rounds = 0;
-    double margin = 0;  ///< beyond the loads, in cells of the coarser grid, at least
-    double cells = 4;   ///< across a load, that are fine enough
+    double margin = 0;   ///< beyond the loads, in cells of the coarser grid, at least
+    double cells = 4;    ///< across a load, that are fine enough
+    double error = 0.1;  ///< of a high stress, over the largest tension, that is small enough
 };
 
 /// Boxes around those loads that act on a patch of fewer than `reach.cells` cells across: there stress

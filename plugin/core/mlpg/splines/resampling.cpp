@@ -102,7 +102,8 @@ std::vector<Resampling::Spot> Resampling::spotsOn(const SplineProblem& problem,
                 samples.push_back(s);
         const SplineField& field = place.zoom.field;
         const auto stresses = stressAtSamples(field, problem.elasticity, samples_, samples);
-        for (HighStress& high : highStresses(*field.parts, cellsOfCube(problem), samples_, stresses, peak_pa))
+        for (HighStress& high :
+             highStresses(*field.parts, cellsOfCube(problem), samples_, stresses, peak_pa, reach_.error))
             spots.push_back({&place, std::move(high)});
     }
     std::stable_sort(spots.begin(), spots.end(),
