@@ -6,6 +6,7 @@
 #include <optional>
 #include <random>
 
+#include "bullet/energy.h"
 #include "bullet/support.h"
 
 namespace {
@@ -87,18 +88,6 @@ BodyOptions falling(int drop) {
     return options;
 }
 
-/// Of all in the world, kinetic and potential.
-double energy(const std::vector<btRigidBody*>& bodies) {
-    double sum = 0;
-    for (const btRigidBody* body : bodies) {
-        const btVector3 v = body->getLinearVelocity(), w = body->getAngularVelocity();
-        sum +=
-            0.5 * (v.length2() / body->getInvMass() + w.dot(body->getInvInertiaTensorWorld().inverse() * w)) +
-            10 / body->getInvMass() * body->getCenterOfMassPosition().z();
-    }
-    return sum;
-}
-
 struct Case {
     Surface ground;
     CollisionShape shape;
@@ -156,10 +145,10 @@ TEST_P(Drops, NoFragmentFallsThroughTheGround) {
         options.fracture = asset.settings().fracture;
         options.fracture->rest_after_break_s = 10;
         ASSERT_TRUE(fracture.add(asset, options).ok());
-        double most = energy(fracture.bodies());
+        double most = energyOf(fracture.bodies());
         for (int i = 0; i < 3 * drop_case.hz / 2; ++i) {
             scene.step(1, 1.0 / drop_case.hz);
-            const double now = energy(fracture.bodies());
+            const double now = energyOf(fracture.bodies());
             // By what a fragment that is in the ground comes out of it, and rounding.
             EXPECT_LT(now, most + 0.001 * std::abs(most)) << "step " << i;
             most = std::max(most, now);
