@@ -12,6 +12,8 @@
 
 namespace sherd {
 
+struct PartDisplacement;
+
 /// Finds the damage that a displacement does, and its largest stress, without reading the stress everywhere:
 /// where a bound is below the strength, and below the largest stress found so far, nothing is read.
 class DamageReading {
@@ -41,13 +43,11 @@ class DamageReading {
     const StressBounds& bounds() const { return bounds_; }
 
   private:
-    struct Displacement;
     struct Bounds;
-    class Reader;
 
     Eigen::Matrix4Xf expand(const Eigen::VectorXf& unknowns) const;
     double weakest(int part, const Strength& strength) const;
-    Bounds boundsOf(const Displacement& displacement, const ContactReading& contact, double scale,
+    Bounds boundsOf(const PartDisplacement& displacement, const ContactReading& contact, double scale,
                     const Strength& strength) const;
 
     std::shared_ptr<const SplineProblem> problem_;
