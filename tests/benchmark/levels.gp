@@ -24,7 +24,7 @@ do for [panel = 1:2] {
     column = panel == 1 ? 5 : 4
     set title (panel == 1 ? "Wrong decisions" : "Error of the largest stress") font ",14" offset 0,-0.4
     set format y "%g %%"
-    set yrange [panel == 1 ? -0.8 : -1.5 : *]
+    set yrange [panel == 1 ? -0.3 : -0.6 : (panel == 1 ? 3 : 6) < *]
     set ytics 0,(panel == 1 ? 0.5 : 1) nomirror
     set key top left vertical Left reverse samplen 0.5 spacing 1.2
     if (panel == 1) {
@@ -38,7 +38,7 @@ do for [panel = 1:2] {
         plot for [l = 1:words(levels)] for [b = 1:words(bodies)] pick(word(levels, l), word(bodies, b), column) \
                  using 1:2 with points pt int(word(shapes, b)) ps 1.1 lc rgb word(colours, l) notitle, \
              for [b = 1:words(bodies)] pick("gate", word(bodies, b), column) \
-                 using (0.04):(0.35 * (b - 1)):(sprintf("%s %.0f %%", word(bodies, b), $3)) \
+                 using (0.04):(0.25 * (b - 1)):(sprintf("%s %.0f %%", word(bodies, b), $3)) \
                  with labels left font ",10" tc rgb "#0072B2" notitle, \
              for [l = 1:words(levels)] NaN with points pt 7 ps 1.1 lc rgb word(colours, l) title word(names, l)
     } else {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "benchmark/floor_world.h"
-#include "geometry/cutting/piece_checks.h"
+#include "support/piece_checks.h"
 
 namespace {
 

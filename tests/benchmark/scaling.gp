@@ -14,7 +14,7 @@ set xtics ("1 000" 1000, "3 000" 3000, "10 000" 10000, "30 000" 30000) nomirror
 set ytics nomirror
 set border 3 lc rgb "#555555"
 set grid xtics ytics lc rgb "#e4e4e4" lt 1 lw 0.7
-set key top left reverse Left samplen 2.5
+set key bottom left reverse Left samplen 2.5
 set xlabel "particles"
 
 set title "Assembly per particle" font ",14"

@@ -19,10 +19,9 @@ do for [r = 1:words(rates)] {
     rate = word(rates, r)
     frame_ms = 1000.0 / rate
     set title "30 cups and a ball, " . rate . " steps a second: time of each step" font ",14" offset 0,-0.4
-    set arrow 1 from 0,frame_ms to 2,frame_ms nohead dt 2 lc rgb "#D55E00"
-    set label 1 sprintf("%.1f ms: the step's own length", frame_ms) at 1.98,frame_ms * 1.25 right font ",11" tc rgb "#D55E00"
     plot sprintf("%s/smash_%s_whole.dat", series, rate) using ($1 / rate):2 with lines lw 1.4 lc rgb "#999999" title "every blow decided in its step", \
          sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):2 with lines lw 1.8 lc rgb "#0072B2" title "with the budget of the defaults", \
-         sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):3 with lines lw 1.2 lc rgb "#009E73" title "of which Bullet's own"
+         sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):3 with lines lw 1.2 lc rgb "#009E73" title "of which Bullet's own", \
+         frame_ms with lines dt 2 lw 1.4 lc rgb "#D55E00" title sprintf("%.1f ms: the step's own length", frame_ms)
 }
 unset multiplot

@@ -6,8 +6,8 @@
 #include <filesystem>
 
 #include "generators/mesh_store.h"
-#include "geometry/cutting/piece_checks.h"
 #include "scenes/box_mesh.h"
+#include "support/piece_checks.h"
 #include "support/temporary_path.h"
 
 namespace {
@@ -52,8 +52,8 @@ INSTANTIATE_TEST_SUITE_P(Names, Generators,
                          [](const auto& one) { return std::string(one.param.name); });
 
 TEST(Generators, SameCallSameMesh) {
-    const auto first = sherd::generators::generate("coffee_plate", 3000);
-    const auto second = sherd::generators::generate("coffee_plate", 3000);
+    const auto first = sherd::generators::generate("coffee_cup", 3000);
+    const auto second = sherd::generators::generate("coffee_cup", 3000);
     ASSERT_TRUE(first && second);
     EXPECT_EQ(first.value().vertices, second.value().vertices);
     EXPECT_EQ(first.value().triangles, second.value().triangles);
@@ -75,13 +75,13 @@ TEST(MeshStore, MakesAMeshOnceAndReadsItThen) {
     fs::remove_all(folder);
     int made = 0;
     const auto announce = [&made](const std::string&) { ++made; };
-    const auto first = demo::storedMesh("coffee_plate", 3000, folder.string(), announce);
-    const auto second = demo::storedMesh("coffee_plate", 3000, folder.string(), announce);
+    const auto first = demo::storedMesh("coffee_cup", 3000, folder.string(), announce);
+    const auto second = demo::storedMesh("coffee_cup", 3000, folder.string(), announce);
     ASSERT_TRUE(first) << first.error();
     ASSERT_TRUE(second) << second.error();
     EXPECT_EQ(made, 1);
     EXPECT_EQ(first.value().vertices, second.value().vertices);
-    ASSERT_TRUE(demo::storedMesh("coffee_plate", 3200, folder.string(), announce));
+    ASSERT_TRUE(demo::storedMesh("coffee_cup", 3200, folder.string(), announce));
     EXPECT_EQ(made, 2) << "another count is another mesh";
 }
 

@@ -4,8 +4,8 @@
 #include <numeric>
 
 #include "demos/stage.h"
-#include "geometry/cutting/piece_checks.h"
 #include "support/break_measures.h"
+#include "support/piece_checks.h"
 
 namespace {
 
@@ -20,9 +20,8 @@ struct FirstBreak {
     Vec3 direction = Vec3::UnitZ();
 };
 
-FirstBreak breakOf(Scene scene, std::uint64_t seed) {
-    for (BreakableBody& body : scene.bodies) body.setSeed(seed);
-    Stage stage(scene);
+FirstBreak breakOf(const SeededScene& scene, std::uint64_t seed) {
+    Stage stage = scene.stage(seed);
     EXPECT_TRUE(stage.runToBreak(1.5));
     FirstBreak first;
     for (const btRigidBody* body : stage.world->fracture().bodies())
@@ -86,8 +85,9 @@ double rankCorrelation(const std::vector<double>& a, const std::vector<double>& 
 
 TEST(Patterns, WoodSplitsAlongItsGrain) {
     double along = 0, across = 0;
+    const SeededScene scene(named("wood_wall"));
     for (int seed = 1; seed <= seeds; ++seed) {
-        const Vec3 mean = meanExtent(breakOf(named("wood_wall"), seed));
+        const Vec3 mean = meanExtent(breakOf(scene, seed));
         along += mean.z();
         across += mean.x();
     }
@@ -104,10 +104,11 @@ struct Directions {
 Directions directionsOfPlaster(sherd::CrackPattern pattern) {
     Directions found;
     double upright = 0, level = 0;
+    Scene scene = named("plaster_wall");
+    scene.bodies[0].settings.fracture.crack_pattern = pattern;
+    const SeededScene seeded(scene);
     for (int seed = 1; seed <= seeds; ++seed) {
-        Scene scene = named("plaster_wall");
-        scene.bodies[0].settings.fracture.crack_pattern = pattern;
-        const FirstBreak first = breakOf(scene, seed);
+        const FirstBreak first = breakOf(seeded, seed);
         const Vec3 mean = meanExtent(first);
         found.height_over_width.push_back(mean.z() / mean.x());
         forEachCrackFace(first, [&](const Vec3&, const Vec3& normal, double area) {
@@ -139,8 +140,9 @@ TEST(Patterns, CracksThatFollowTheStressOfPlasterPreferNoDirection) {
 TEST(Patterns, GlassCracksRunAwayFromTheBlowOrAroundIt) {
     const double least = std::cos(20 * std::acos(-1) / 180);
     double aligned = 0, all = 0;
+    const SeededScene scene(named("glass_wall"));
     for (int seed = 1; seed <= seeds; ++seed) {
-        const FirstBreak first = breakOf(named("glass_wall"), seed);
+        const FirstBreak first = breakOf(scene, seed);
         forEachCrackFace(first, [&](const Vec3& x, const Vec3& normal, double area) {
             Vec3 away = x - first.contact;
             away -= away.dot(first.direction) * first.direction;
@@ -157,8 +159,9 @@ TEST(Patterns, GlassCracksRunAwayFromTheBlowOrAroundIt) {
 
 TEST(Patterns, ThePlatesSmallPiecesLieAtTheContact) {
     double sum = 0;
+    const SeededScene scene(named("coffee_plate"));
     for (int seed = 1; seed <= seeds; ++seed) {
-        const FirstBreak first = breakOf(named("coffee_plate"), seed);
+        const FirstBreak first = breakOf(scene, seed);
         std::vector<double> size, distance;
         for (const TriangleMesh& piece : first.pieces) {
             double volume = 0;
@@ -179,15 +182,15 @@ TEST(Patterns, ThePlatesSmallPiecesLieAtTheContact) {
     EXPECT_GT(sum / seeds, 0.5);
 }
 
-/// The walls without a guide, five seeds each.
+/// The walls without a guide.
 std::vector<FirstBreak> unguidedWalls() {
     std::vector<FirstBreak> breaks;
-    for (const char* name : {"plaster_wall", "glass_wall"})
-        for (int seed = 1; seed <= seeds; ++seed) {
-            Scene scene = named(name);
-            scene.bodies[0].settings.fracture.guide = {};
-            breaks.push_back(breakOf(scene, seed));
-        }
+    for (const char* name : {"plaster_wall", "glass_wall"}) {
+        Scene scene = named(name);
+        scene.bodies[0].settings.fracture.guide = {};
+        const SeededScene seeded(scene);
+        for (int seed = 1; seed <= seeds; ++seed) breaks.push_back(breakOf(seeded, seed));
+    }
     return breaks;
 }
 
@@ -221,8 +224,9 @@ TEST(Patterns, NoPieceIsHookedIntoItsNeighbours) {
     for (const char* name :
          {"plaster_wall", "glass_wall", "wood_wall", "coffee_plate", "coffee_cup", "plane"}) {
         double worst = 0;
+        const SeededScene scene(named(name));
         for (const std::uint64_t seed : {1, 2})
-            for (const TriangleMesh& piece : breakOf(named(name), seed).pieces)
+            for (const TriangleMesh& piece : breakOf(scene, seed).pieces)
                 worst = std::max(worst, sherd_tests::hookedShare(sherd_tests::crackFaces(piece)));
         std::cout << name << ": in the way of the piece that has it worst: " << 100 * worst
                   << " % of its crack area\n";
@@ -239,8 +243,9 @@ TEST(Patterns, TheTimeStepDoesNotDecide) {
             Scene scene = named(name);
             scene.time_step_s = step;
             counts.push_back(0);
+            const SeededScene seeded(scene);
             for (const std::uint64_t seed : {1, 2, 3})
-                counts.back() += static_cast<double>(breakOf(scene, seed).pieces.size());
+                counts.back() += static_cast<double>(breakOf(seeded, seed).pieces.size());
         }
         std::cout << name << ": " << counts[0] << ", " << counts[1] << ", " << counts[2]
                   << " pieces of three breaks\n";

@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "demos/stage.h"
-#include "geometry/cutting/piece_checks.h"
+#include "support/piece_checks.h"
 
 namespace {
 
@@ -43,11 +43,10 @@ class SweptScene : public testing::TestWithParam<std::tuple<const char*, int>> {
 TEST_P(SweptScene, BreaksIntoSoundPieces) {
     const auto& [name, first_seed] = GetParam();
     std::size_t checked = 0;
+    const SeededScene scene(named(name));
     for (int seed = first_seed; seed < first_seed + seeds_a_test; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
-        Scene scene = named(name);
-        for (BreakableBody& body : scene.bodies) body.setSeed(static_cast<std::uint64_t>(seed));
-        Stage stage(scene);
+        Stage stage = scene.stage(static_cast<std::uint64_t>(seed));
         ASSERT_TRUE(stage.runToBreak(1.5));
         const Pieces at_once = piecesOf(stage);
         expectSound(at_once, stage);

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "scenes/scene_file.h"
@@ -23,14 +25,17 @@ inline Scene named(const std::string& name) {
     return read.value();
 }
 
+inline SceneAssets assetsOf(const Scene& scene) {
+    auto made = makeAssets(scene, SHERD_MESHES, [](const std::string&) {});
+    EXPECT_TRUE(made.ok()) << made.error();
+    return made.value();
+}
+
 /// A scene with its assets, stepped by hand.
 struct Stage {
-    explicit Stage(const Scene& given) : scene(given) {
-        auto made = makeAssets(scene, SHERD_MESHES, [](const std::string&) {});
-        EXPECT_TRUE(made.ok()) << made.error();
-        assets = made.value();
-        world = std::make_unique<SceneWorld>(scene, assets);
-    }
+    explicit Stage(const Scene& given) : Stage(given, assetsOf(given)) {}
+    Stage(const Scene& given, SceneAssets its)
+        : scene(given), assets(std::move(its)), world(std::make_unique<SceneWorld>(scene, assets)) {}
     void run(double seconds) {
         for (int i = 0; i < std::lround(seconds / scene.time_step_s); ++i) {
             world->step();
@@ -54,6 +59,25 @@ struct Stage {
     std::vector<sherd::BlowEvent> events;
     double seconds = 0;             ///< simulated so far
     Eigen::Isometry3d before_step;  ///< where the first body was before the last step of runToBreak
+};
+
+/// One scene with many seeds: what its assets need for a blow is made once.
+class SeededScene {
+  public:
+    explicit SeededScene(const Scene& scene) : scene_(scene), assets_(assetsOf(scene)) {}
+
+    /// The strength scatters otherwise with another seed, and cracks run elsewhere.
+    Stage stage(std::uint64_t seed) const {
+        Scene scene = scene_;
+        for (BreakableBody& body : scene.bodies) body.setSeed(seed);
+        SceneAssets assets = assets_;
+        for (sherd::BreakableAsset& body : assets.bodies) body = body.ofBody(seed);
+        return Stage(scene, std::move(assets));
+    }
+
+  private:
+    Scene scene_;
+    SceneAssets assets_;
 };
 
 }  // namespace demo_tests

@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
-#include "geometry/cutting/piece_checks.h"
 #include "geometry/mass_properties.h"
+#include "support/piece_checks.h"
 
 namespace sherd::fragment_support {
 

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "geometry/cutting/fragment_surfaces.h"
-#include "geometry/cutting/piece_checks.h"
+#include "support/piece_checks.h"
 
 namespace sherd::fragment_support {
 

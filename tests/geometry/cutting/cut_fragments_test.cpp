@@ -14,8 +14,8 @@
 #include "geometry/cutting/cut_checks.h"
 #include "geometry/cutting/fragment_support.h"
 #include "geometry/cutting/particle_weights.h"
-#include "geometry/cutting/piece_checks.h"
 #include "geometry/mass_properties.h"
+#include "support/piece_checks.h"
 #include "support/shapes.h"
 
 namespace sherd {

@@ -1,4 +1,4 @@
-#include "geometry/cutting/piece_checks.h"
+#include "support/piece_checks.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
