@@ -101,8 +101,10 @@ void standCups(int count) {
         setAwake(without.world, awake);
         std::vector<double> own, plain;
         for (int i = 0; i < 600; ++i) {
-            own.push_back(stepMilliseconds(with.world));
+            const bool own_first = i % 2 == 0;  // the second one finds the first one's bodies in the cache
+            if (own_first) own.push_back(stepMilliseconds(with.world));
             plain.push_back(stepMilliseconds(without.world));
+            if (!own_first) own.push_back(stepMilliseconds(with.world));
         }
         std::printf("%s: step %.4f ms, plain Bullet %.4f ms: %.3f\n", awake ? "awake" : "asleep", median(own),
                     median(plain), median(own) / median(plain));
