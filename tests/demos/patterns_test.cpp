@@ -247,8 +247,8 @@ TEST(Patterns, TheTimeStepDoesNotDecide) {
             for (int seed = 1; seed <= seeds; ++seed)
                 counts.back() += static_cast<double>(breakOf(seeded, seed).pieces.size());
         }
-        std::cout << name << ": " << counts[0] << ", " << counts[1] << ", " << counts[2]
-                  << " pieces of " << seeds << " breaks\n";
+        std::cout << name << ": " << counts[0] << ", " << counts[1] << ", " << counts[2] << " pieces of "
+                  << seeds << " breaks\n";
         EXPECT_NEAR(counts[0] / counts[2], 1, 0.05) << name;
         EXPECT_NEAR(counts[1] / counts[2], 1, 0.05) << name;
     }
