@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <memory>
+#include <numeric>
 #include <utility>
 
 #include "core/clustering/best_cut.h"
@@ -26,6 +27,7 @@ constexpr int attempts = 3;         // to find a plane that leaves parts that ca
 /// A connected part of the body.
 struct Cell {
     std::vector<int> members;        // ascending
+    std::vector<int> borders;        // between these; ascending
     std::vector<CrackPlane> bounds;  // cracks that it reaches, their normals outward
     double pieces = 0;               // that it is to become; 0 once it is not to be cut
     int part = -1;                   // of the tree
@@ -61,6 +63,9 @@ class Bisection {
                 if (held) cells_.back().pieces = 0;
             }
         }
+        std::vector<int> borders(borders_.size());
+        std::iota(borders.begin(), borders.end(), 0);
+        giveToCells(borders);
     }
 
     /// Cuts along the planes of a hole; what is outside is one piece, whatever plane it lies behind.
@@ -125,6 +130,14 @@ class Bisection {
         cells_.push_back(std::move(cell));
     }
 
+    /// Those within a cell, to that cell; what joins two is cut already.
+    void giveToCells(const std::vector<int>& borders) {
+        for (const int border : borders) {
+            const int cell = cell_of_[borders_[border].a];
+            if (cell_of_[borders_[border].b] == cell) cells_[cell].borders.push_back(border);
+        }
+    }
+
     /// What a plane leaves of a cell at negative and at positive distances.
     struct Side {
         std::vector<int> members;
@@ -157,8 +170,8 @@ class Bisection {
     /// Of the section of a plane through a cell, m^2.
     double crackArea(int which, const CrackPlane& plane) const {
         double sum = 0;
-        for (const auto& [a, b, area] : borders_) {
-            if (cell_of_[a] != which || cell_of_[b] != which) continue;
+        for (const int border : cells_[which].borders) {
+            const auto& [a, b, area] = borders_[border];
             const bool above_a = plane.distance(solid_.particles[a].position) > 0,
                        above_b = plane.distance(solid_.particles[b].position) > 0;
             if (above_a != above_b) sum += (above_b ? 1 : -1) * area.dot(plane.normal);
@@ -184,6 +197,7 @@ class Bisection {
 
     void replace(int which, const CrackPlane& plane, Sides sides) {
         const int first = tree_->cut(cells_[which].part, plane);
+        const std::vector<int> borders = std::move(cells_[which].borders);
         std::swap(cells_[which], cells_.back());
         cells_.pop_back();
         if (which < static_cast<int>(cells_.size()))
@@ -194,6 +208,7 @@ class Bisection {
                 addCell(std::move(parts[p]), parts.size() > 1 ? tree_->addPiece(first + side) : first + side,
                         sides[side].bounds, p > 0);
         }
+        giveToCells(borders);
     }
 
     double piecesOf(const std::vector<int>& members) const {

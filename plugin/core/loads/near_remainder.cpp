@@ -215,19 +215,16 @@ std::vector<SymmetricTensor> unresolvedAt(const std::vector<SurfacePlace>& place
     std::vector<std::size_t> near_by;
     for (std::size_t i = 0; i < places.size(); ++i)
         if ((places[i].position - disc.centre).norm() < reach) near_by.push_back(i);
-    constexpr std::size_t lanes = PlaceLanes::count;
-    for (std::size_t first = 0; first < near_by.size(); first += lanes) {
-        const std::size_t count = std::min(lanes, near_by.size() - first);
-        PlaceLanes at;
-        for (std::size_t l = 0; l < lanes; ++l)
-            for (int d = 0; d < 3; ++d)
-                at.x[d][l] = places[near_by[first + std::min(l, count - 1)]].position[d];
-        StressLanes more = {}, less = {};
-        own.addStressAt(at, more);
-        seen.addStressAt(at, less);
-        for (std::size_t l = 0; l < count; ++l)
-            unresolved[near_by[first + l]] = more.at(static_cast<int>(l)) - less.at(static_cast<int>(l));
-    }
+    const auto add = [&](const NearField& field, double factor) {
+        field.visitStress(
+            static_cast<Eigen::Index>(near_by.size()),
+            [&](Eigen::Index i) { return places[near_by[i]].position; },
+            [&](Eigen::Index i, const SymmetricTensor& stress) {
+                unresolved[near_by[i]] += factor * stress;
+            });
+    };
+    add(own, 1);
+    add(seen, -1);
     return unresolved;
 }
 

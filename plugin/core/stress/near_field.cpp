@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/numerics/parallel_chunks.h"
+
 namespace sherd {
 
 NearField::NearField(const std::vector<ContactDisc>& discs, double poisson_ratio) : discs_(discs) {
@@ -19,19 +21,38 @@ void NearField::addStressAt(const PlaceLanes& at, StressLanes& sum) const {
     for (const DiscField& field : fields_) field.addStressAt(at, sum);
 }
 
-RowsOf3 NearField::forcesOn(const SurfacePieces& pieces) const {
+void NearField::visitStress(Eigen::Index count, const std::function<Vec3(Eigen::Index)>& place,
+                            const std::function<void(Eigen::Index, const SymmetricTensor&)>& visit) const {
     constexpr int lanes = PlaceLanes::count;
-    const Eigen::Index count = pieces.places.rows();
-    RowsOf3 forces(count, 3);
-    for (Eigen::Index first = 0; first < count; first += lanes) {
-        PlaceLanes at;
-        for (int l = 0; l < lanes; ++l)
-            for (int d = 0; d < 3; ++d) at.x[d][l] = pieces.places(std::min(first + l, count - 1), d);
-        StressLanes stress = {};
-        addStressAt(at, stress);
-        for (int l = 0; l < std::min<Eigen::Index>(lanes, count - first); ++l)
-            forces.row(first + l) = pieces.areas.row(first + l) * toMatrix(stress.at(l));
-    }
+    constexpr std::size_t worth_sharing = 256;  // discs times groups of places: some 40 us
+    constexpr int most_chunks = 16;
+    const int groups = static_cast<int>((count + lanes - 1) / lanes);
+    const bool is_shared = static_cast<std::size_t>(groups) * fields_.size() >= worth_sharing;
+    const int chunks = is_shared ? std::min(groups, most_chunks) : 1;
+    forEachChunk(chunks, [&](int chunk) {
+        const int end = chunkBegin(chunk + 1, chunks, groups);
+        for (int group = chunkBegin(chunk, chunks, groups); group < end; ++group) {
+            const Eigen::Index first = Eigen::Index(lanes) * group;
+            PlaceLanes at;
+            for (int l = 0; l < lanes; ++l) {
+                const Vec3 x = place(std::min(first + l, count - 1));
+                for (int d = 0; d < 3; ++d) at.x[d][l] = x[d];
+            }
+            StressLanes stress = {};
+            addStressAt(at, stress);
+            for (int l = 0; l < std::min<Eigen::Index>(lanes, count - first); ++l)
+                visit(first + l, stress.at(l));
+        }
+    });
+}
+
+RowsOf3 NearField::forcesOn(const SurfacePieces& pieces) const {
+    RowsOf3 forces(pieces.places.rows(), 3);
+    visitStress(
+        forces.rows(), [&](Eigen::Index i) { return Vec3(pieces.places.row(i)); },
+        [&](Eigen::Index i, const SymmetricTensor& stress) {
+            forces.row(i) = pieces.areas.row(i) * toMatrix(stress);
+        });
     return forces;
 }
 

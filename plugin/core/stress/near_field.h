@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "core/stress/contact_disc.h"
@@ -31,6 +32,10 @@ class NearField {
     Mat3 stressAt(const Vec3& x) const;  ///< Pa
     /// Adds the same, but for the last digits, at several places.
     void addStressAt(const PlaceLanes& at, StressLanes& sum) const;
+    /// Calls visit(i, stress in Pa) for i from 0 to count - 1, at place(i). Both may be called on several
+    /// threads at once.
+    void visitStress(Eigen::Index count, const std::function<Vec3(Eigen::Index)>& place,
+                     const std::function<void(Eigen::Index, const SymmetricTensor&)>& visit) const;
     /// The stress times the area vectors, N.
     RowsOf3 forcesOn(const SurfacePieces& pieces) const;
     /// What acts on the surface at x, Pa: the discs whose plane it lies on, or nearly so. `outward`: its
