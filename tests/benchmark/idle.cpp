@@ -101,7 +101,7 @@ void standCups(int count) {
         setAwake(without.world, awake);
         std::vector<double> own, plain;
         for (int i = 0; i < 600; ++i) {
-            const bool own_first = i % 2 == 0;  // the second one finds the first one's bodies in the cache
+            const bool own_first = i % 2 == 0;  // the second one finds the shapes in the cache
             if (own_first) own.push_back(stepMilliseconds(with.world));
             plain.push_back(stepMilliseconds(without.world));
             if (!own_first) own.push_back(stepMilliseconds(with.world));

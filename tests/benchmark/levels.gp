@@ -39,7 +39,7 @@ do for [panel = 1:2] {
                  using 1:2 with points pt int(word(shapes, b)) ps 1.1 lc rgb word(colours, l) notitle, \
              for [b = 1:words(bodies)] pick("gate", word(bodies, b), column) \
                  using (0.04):(0.25 * (b - 1)):(sprintf("%s %.0f %%", word(bodies, b), $3)) \
-                 with labels left font ",10" tc rgb "#0072B2" notitle, \
+                 with labels left font ",10" tc rgb "#2B8CC4" notitle, \
              for [l = 1:words(levels)] NaN with points pt 7 ps 1.1 lc rgb word(colours, l) title word(names, l)
     } else {
         plot for [l = 2:words(levels)] for [b = 1:words(bodies)] pick(word(levels, l), word(bodies, b), column) \

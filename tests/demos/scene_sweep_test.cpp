@@ -63,6 +63,18 @@ TEST_P(SweptScene, BreaksIntoSoundPieces) {
     std::cout << checked << " pieces checked\n";
 }
 
+TEST(SeededScene, BreaksAlikeWhateverSeedWasBefore) {
+    const SeededScene used(named("coffee_cup")), fresh(named("coffee_cup"));
+    ASSERT_TRUE(used.stage(1).runToBreak(1.5));
+    Stage second = used.stage(2), first = fresh.stage(2);
+    ASSERT_TRUE(second.runToBreak(1.5));
+    ASSERT_TRUE(first.runToBreak(1.5));
+    const Pieces later = piecesOf(second), at_once = piecesOf(first);
+    ASSERT_EQ(later.surfaces.size(), at_once.surfaces.size());
+    for (std::size_t i = 0; i < later.surfaces.size(); ++i)
+        EXPECT_EQ(later.surfaces[i].vertices, at_once.surfaces[i].vertices) << i;
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, SweptScene,
                          testing::Combine(testing::Values("coffee_cup", "coffee_plate", "glass_wall", "plane",
                                                           "plaster_wall", "wood_wall"),

@@ -61,7 +61,8 @@ struct Stage {
     Eigen::Isometry3d before_step;  ///< where the first body was before the last step of runToBreak
 };
 
-/// One scene with many seeds: what its assets need for a blow is made once.
+/// One scene with many seeds: what its assets need for a blow is made once, at the first blow of all. The
+/// scene's own seed and that of a stage together are where the strength scatters.
 class SeededScene {
   public:
     explicit SeededScene(const Scene& scene) : scene_(scene), assets_(assetsOf(scene)) {}

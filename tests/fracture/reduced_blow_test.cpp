@@ -140,6 +140,7 @@ TEST(ReducedBlows, AThreadOfItsOwnPreparesAnAsset) {
     std::future<Status> done = asset.value().prepareOnThread();
     EXPECT_TRUE(done.get().ok());
     EXPECT_TRUE(asset.value().prepared());
+    EXPECT_TRUE(asset.value().solid()->reducedStress());
 }
 
 }  // namespace

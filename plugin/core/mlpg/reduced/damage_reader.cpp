@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "core/mlpg/splines/b_spline.h"
 #include "core/mlpg/splines/monomials.h"
+#include "core/mlpg/splines/spline_field.h"
+#include "core/mlpg/splines/volumetric_projection.h"
 
 namespace sherd {
 

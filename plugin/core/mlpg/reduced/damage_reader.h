@@ -13,7 +13,7 @@
 
 namespace sherd {
 
-/// What a reader reads of; it outlives the reader.
+/// What a reader reads of. What it refers to outlives the reader.
 struct DamageSource {
     const SplineProblem& problem;
     const ReadingPoints& points;
@@ -28,8 +28,8 @@ struct PartDisplacement {
 };
 
 /// Reads the stress of one displacement, part by part, and keeps what is nearer to failure than what was read
-/// before. Points wait until there are as many as lanes; `finish` reads the last ones. What is given by
-/// reference outlives it.
+/// before. Points wait until there are as many as lanes; `finish` reads the last ones. `displacement`,
+/// `contact` and `strength` outlive it.
 class DamageReader {
   public:
     static constexpr double near_to_failure = 0.5;  ///< overstress from which it steers cracks
