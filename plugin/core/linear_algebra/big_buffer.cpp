@@ -12,7 +12,9 @@ namespace sherd {
 namespace {
 
 #ifdef __linux__
-constexpr std::size_t worth_own_pages = 8 << 20;  // bytes; below, the heap has places that are warm
+// Below, the heap has places that are warm. From here on its places outlive the buffer, one set a thread: in
+// a room of cups that was a tenth of the memory.
+constexpr std::size_t worth_own_pages = 1 << 20;  // bytes
 
 bool hasOwnPages(std::size_t bytes) {
     return bytes >= worth_own_pages;
