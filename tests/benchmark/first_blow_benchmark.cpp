@@ -98,7 +98,7 @@ FirstBlow firstBlow(const TriangleMesh& surface) {
     });
     const SplineProblem problem =
         timed([&] { return valueOrExit(makeSplineProblem(solid, material, settings.stress.basis, {}, {})); });
-    const SparseMatrix stiffness = timed([&] { return stiffnessOf(problem); });
+    SparseMatrix stiffness = timed([&] { return stiffnessOf(problem); });
     const PinnedSystem system = timed([&] {
         return valueOrExit(PinnedSystem::factor(stiffness, pinnedUnknowns(problem, stiffness), 3,
                                                 problem.space->highest_cells, Precision::refined));

@@ -9,10 +9,11 @@ namespace sherd {
 PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned)
     : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
 
-Result<PinnedSystem> PinnedSystem::factor(SparseMatrix lower, std::vector<int> pinned, int block_size,
+Result<PinnedSystem> PinnedSystem::factor(SparseMatrix& lower, std::vector<int> pinned, int block_size,
                                           const std::vector<Eigen::Vector3i>& places, Precision precision) {
-    pinUnknowns(lower, pinned);
+    const ReplacedValues replaced = pinUnknowns(lower, pinned);
     Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places, precision);
+    restore(replaced, lower);
     if (!solver) return Error{solver.error()};
     return PinnedSystem(std::move(solver).value(), std::move(pinned));
 }

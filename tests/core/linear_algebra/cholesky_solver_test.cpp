@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "core/linear_algebra/block_product.h"
 #include "core/linear_algebra/dense.h"
 #include "core/linear_algebra/lattice_matrix.h"
@@ -77,8 +79,23 @@ TEST(CholeskySolver, SinglePrecisionFindsSingularMatricesToo) {
     EXPECT_GT(solver.value()->relativeShift(), 0);
 }
 
+TEST(PinnedSystem, LeavesTheMatrixAsItWas) {
+    LatticeMatrix lattice(9, 8, 4);
+    const std::vector<double> before = lattice.lower.values;
+    const auto factored = [&](const std::vector<int>& pinned) {
+        return PinnedSystem::factor(lattice.lower, pinned, 3, lattice.places).ok();
+    };
+    EXPECT_TRUE(factored({0, 1, 2, 100, 431}));
+    EXPECT_EQ(lattice.lower.values, before);
+    // Nor where it has no factor.
+    lattice.lower.values[lattice.lower.starts[6]] = std::nan("");
+    lattice.lower.values[lattice.lower.starts[1]] = -2;
+    EXPECT_FALSE(factored({1}));
+    EXPECT_EQ(lattice.lower.values[lattice.lower.starts[1]], -2);
+}
+
 TEST(CholeskySolver, RefinedSolutionsAreThoseOfDouble) {
-    const LatticeMatrix lattice(9, 8, 4);
+    LatticeMatrix lattice(9, 8, 4);
     for (const double size : {1.0, 1e-50, 1e50}) {
         const Eigen::VectorXd b = size * randomVector(lattice.lower.size, 11);
         const auto residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {

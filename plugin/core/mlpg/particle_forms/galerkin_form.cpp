@@ -68,9 +68,8 @@ Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem,
     SparseMatrix stiffness = galerkinStiffness(problem.solid, problem.cells, problem.elasticity);
     std::vector<int> pinned = unknownsToPin(problem.motions, stiffness);
     Stopwatch watch;
-    Result<PinnedSystem> system =
-        PinnedSystem::factor(std::move(stiffness), std::move(pinned), problem.space.unknownsPerParticle(),
-                             placesOf(problem.solid));
+    Result<PinnedSystem> system = PinnedSystem::factor(
+        stiffness, std::move(pinned), problem.space.unknownsPerParticle(), placesOf(problem.solid));
     factor_ms = watch.milliseconds();
     if (!system) return Error{system.error()};
     if (system.value().solver().relativeShift() > 0)

@@ -29,7 +29,7 @@ Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacin
     solid->parts = std::move(parts).value();
     Result<SplineProblem> problem = makeSplineProblem(solid, material, basis, supports, {});
     if (!problem) return Error{problem.error()};
-    const SparseMatrix stiffness = stiffnessOf(problem.value());
+    SparseMatrix stiffness = stiffnessOf(problem.value());
     Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness),
                                                        3, problem.value().space->highest_cells);
     if (!system) return Error{system.error()};

@@ -203,7 +203,8 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
     // A thousand solves in double precision take less than as many that are refined.
     std::optional<PinnedSystem> precise;
     if (system_.solver().isSingle()) {
-        auto made = PinnedSystem::factor(stiffness_, system_.pinned(), 3, problem_.space->highest_cells);
+        SparseMatrix stiffness = stiffness_;  // others may solve with it now
+        auto made = PinnedSystem::factor(stiffness, system_.pinned(), 3, problem_.space->highest_cells);
         if (!made) return Error{made.error()};
         precise = std::move(made).value();
     }
