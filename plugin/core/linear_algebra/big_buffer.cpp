@@ -12,8 +12,8 @@ namespace sherd {
 namespace {
 
 #ifdef __linux__
-// Below, the heap has places that are warm. From here on its places outlive the buffer, one set a thread: in
-// a room of cups that was a tenth of the memory.
+// Below, the heap has places that are warm. Larger places in it would outlive the buffer, one set a thread:
+// in a room of cups that was a tenth of the memory.
 constexpr std::size_t worth_own_pages = 1 << 20;  // bytes
 
 bool hasOwnPages(std::size_t bytes) {
