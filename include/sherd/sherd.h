@@ -7,6 +7,7 @@
 #include <sherd/events.h>
 #include <sherd/executor.h>
 #include <sherd/explosion.h>
+#include <sherd/field.h>
 #include <sherd/fields.h>
 #include <sherd/fracture_world.h>
 #include <sherd/fragment_birth.h>

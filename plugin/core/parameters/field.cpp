@@ -1,6 +1,7 @@
-#include <sherd/fields.h>
+#include <sherd/field.h>
 
 #include <algorithm>
+#include <cmath>
 #include <locale>
 #include <sstream>
 
