@@ -6,14 +6,33 @@
 
 namespace sherd {
 
+namespace {
+
+/// Pins unknowns of a matrix as long as it lives.
+class WhilePinned {
+  public:
+    WhilePinned(SparseMatrix& lower, const std::vector<int>& unknowns)
+        : lower_(lower), replaced_(pinUnknowns(lower, unknowns)) {}
+    ~WhilePinned() {
+        for (const ReplacedValue& replaced : replaced_) lower_.values[replaced.index] = replaced.value;
+    }
+    WhilePinned(const WhilePinned&) = delete;
+    WhilePinned& operator=(const WhilePinned&) = delete;
+
+  private:
+    SparseMatrix& lower_;
+    std::vector<ReplacedValue> replaced_;
+};
+
+}  // namespace
+
 PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned)
     : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
 
 Result<PinnedSystem> PinnedSystem::factor(SparseMatrix& lower, std::vector<int> pinned, int block_size,
                                           const std::vector<Eigen::Vector3i>& places, Precision precision) {
-    const ReplacedValues replaced = pinUnknowns(lower, pinned);
+    const WhilePinned while_pinned(lower, pinned);
     Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places, precision);
-    restore(replaced, lower);
     if (!solver) return Error{solver.error()};
     return PinnedSystem(std::move(solver).value(), std::move(pinned));
 }

@@ -16,8 +16,8 @@ namespace sherd {
 class PinnedSystem {
   public:
     /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards. It is pinned
-    /// meanwhile, so nobody else may read it; a copy would take a tenth of the time of the factor. It is as
-    /// before on return, but not after an exception. `places`: see factorCholesky.
+    /// meanwhile, so nobody else may read it; a copy would take a tenth of the time of the factor. After
+    /// that it is as before. `places`: see factorCholesky.
     static Result<PinnedSystem> factor(SparseMatrix& lower, std::vector<int> pinned, int block_size,
                                        const std::vector<Eigen::Vector3i>& places = {},
                                        Precision precision = Precision::full);

@@ -35,7 +35,7 @@ std::vector<int> unknownsToPin(const RigidMotions& motions, const SparseMatrix& 
     return pinned;
 }
 
-ReplacedValues pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
+std::vector<ReplacedValue> pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
     std::vector<char> pinned(lower.size, 0);
     for (int unknown : unknowns) pinned[unknown] = 1;
     double largest = 0;
@@ -43,21 +43,15 @@ ReplacedValues pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns
     // Any positive diagonal will do. A component's own may be zero: where it is a single particle, values
     // alone make no strain.
     const double diagonal = largest > 0 ? largest : 1;
-    ReplacedValues replaced;
+    std::vector<ReplacedValue> replaced;
     for (int column = 0; column < lower.size; ++column)
         for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
             const int row = lower.indices[k];
             if (!pinned[column] && !pinned[row]) continue;
-            replaced.places.push_back(k);
-            replaced.values.push_back(lower.values[k]);
+            replaced.push_back({k, lower.values[k]});
             lower.values[k] = row == column ? diagonal : 0;
         }
     return replaced;
-}
-
-void restore(const ReplacedValues& replaced, SparseMatrix& matrix) {
-    for (size_t i = 0; i < replaced.places.size(); ++i)
-        matrix.values[replaced.places[i]] = replaced.values[i];
 }
 
 }  // namespace sherd

@@ -13,16 +13,13 @@ namespace sherd {
 /// and its equations are a thousand times worse conditioned.
 std::vector<int> unknownsToPin(const RigidMotions& motions, const SparseMatrix& stiffness);
 
-/// Values of a matrix that others have taken the place of.
-struct ReplacedValues {
-    std::vector<int> places;
-    std::vector<double> values;
+struct ReplacedValue {
+    int index;     ///< into the values of the matrix
+    double value;  ///< as it was
 };
 
 /// Holds unknowns of a symmetric matrix (CSC, lower half) at zero: their rows and columns vanish but for a
-/// positive diagonal. Returns what was there.
-ReplacedValues pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns);
-
-void restore(const ReplacedValues& replaced, SparseMatrix& matrix);
+/// positive diagonal. Returns the values that were there.
+std::vector<ReplacedValue> pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns);
 
 }  // namespace sherd
