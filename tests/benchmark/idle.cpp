@@ -13,7 +13,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <thread>
@@ -23,6 +22,7 @@
 #include "benchmark/quantile.h"
 #include "benchmark/value_or_exit.h"
 #include "core/numerics/stopwatch.h"
+#include "support/resident_memory.h"
 #include "support/shapes.h"
 
 namespace {
@@ -31,13 +31,6 @@ using namespace sherd;
 using namespace sherd::benchmarks;
 
 constexpr btScalar time_step_s = btScalar(1) / 60;
-
-double residentKilobytes() {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0;
-    file >> pages >> pages;
-    return pages * 4096 / 1e3;
-}
 
 double stepMilliseconds(btDiscreteDynamicsWorld& world) {
     const Stopwatch watch;
@@ -86,9 +79,9 @@ void standCups(int count) {
                                                                   btScalar(0.13) * btScalar(i / 20), 0));
     };
     valueOrExit(fracture.add(cup, place(0)));  // makes the shape
-    const double before = residentKilobytes();
+    const double before = residentBytes();
     for (int i = 1; i < count; ++i) valueOrExit(fracture.add(cup, place(i)));
-    std::printf("%d cups: %.2f kB a body\n", count, (residentKilobytes() - before) / (count - 1));
+    std::printf("%d cups: %.2f kB a body\n", count, (residentBytes() - before) / 1e3 / (count - 1));
     const PlainCopies copies(with.world, without.world);
     for (const bool awake : {true, false}) {
         setAwake(with.world, true);

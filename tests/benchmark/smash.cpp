@@ -24,6 +24,7 @@
 #include "benchmark/quantile.h"
 #include "benchmark/value_or_exit.h"
 #include "support/cup_room.h"
+#include "support/resident_memory.h"
 
 namespace {
 
@@ -40,13 +41,6 @@ struct Options {
 double now() {
     using namespace std::chrono;
     return duration<double, std::milli>(steady_clock::now().time_since_epoch()).count();
-}
-
-double residentMegabytes() {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0;
-    file >> pages >> pages;
-    return pages * 4096 / 1e6;
 }
 
 struct Blows {
@@ -98,7 +92,7 @@ void run(const Options& options) {
     succeedOrExit(cup.prepare());
 
     CupRoom room;
-    const double memory_before = residentMegabytes();
+    const double memory_before = residentBytes();
     {
         FractureWorld fracture(&room.world);
         succeedOrExit(CupRoom::addCups(fracture, cup));
@@ -156,7 +150,7 @@ void run(const Options& options) {
         std::printf(
             "memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
             "%.3f m/s behind the cups\n",
-            residentMegabytes() - memory_before, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
+            (residentBytes() - memory_before) / 1e6, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
             1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
             ball_after);
         std::printf(

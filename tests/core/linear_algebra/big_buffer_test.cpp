@@ -6,9 +6,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <fstream>
 #include <utility>
 #include <vector>
+
+#include "support/resident_memory.h"
 
 namespace {
 
@@ -29,10 +30,7 @@ TEST(BigBuffer, IsZeroAndAsLongAsAsked) {
 
 #ifdef __linux__
 double residentMegabytes() {
-    std::ifstream file("/proc/self/statm");
-    double pages = 0;
-    file >> pages >> pages;
-    return pages * 4096 / 1e6;
+    return sherd::residentBytes() / 1e6;
 }
 
 TEST(BigBuffer, GivesItsPagesBack) {
