@@ -20,7 +20,7 @@ namespace sherd {
 
 namespace {
 
-constexpr std::size_t most_met = 4, most_roles = 16;
+constexpr std::size_t most_met = 4, most_roles = 16, most_with_supports = 32;
 constexpr double disturbing = 0.25;  // of a mover's mass: what touches it turns it aside
 
 using Objects = std::vector<const btCollisionObject*>;
@@ -149,6 +149,29 @@ void addNeighbours(const Touching& touching, ObjectSet& cast) {
     }
 }
 
+bool isBelow(const btCollisionObject& object, const btRigidBody& body) {
+    const btBroadphaseProxy &box = *object.getBroadphaseHandle(), &own = *body.getBroadphaseHandle();
+    const btVector3 way = (box.m_aabbMin + box.m_aabbMax - own.m_aabbMin - own.m_aabbMax) / 2;
+    return object.isStaticOrKinematicObject() || way.dot(body.getGravity()) > 0;
+}
+
+/// Adds what bodies stand on, and what that stands on: without it they would fall.
+void addSupports(const Touching& touching, ObjectSet& cast) {
+    Objects added = inOrder(cast);
+    while (!added.empty()) {
+        Objects next;
+        for (const btCollisionObject* own : added) {
+            const btRigidBody* body = btRigidBody::upcast(own);
+            if (!body || body->isStaticOrKinematicObject()) continue;
+            for (const btCollisionObject* other : touching.of(*own))
+                if (cast.size() < most_with_supports && canStandIn(*other) && isBelow(*other, *body) &&
+                    cast.insert(other).second)
+                    next.push_back(other);
+        }
+        added = std::move(next);
+    }
+}
+
 }  // namespace
 
 Touching::Touching(const btDiscreteDynamicsWorld& world) {
@@ -236,6 +259,7 @@ std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const Touching& to
     ObjectSet cast(met.begin(), met.end());
     cast.insert(&mover);
     addNeighbours(touching, cast);
+    addSupports(touching, cast);
     std::vector<Role> roles;
     for (const btCollisionObject* object : inOrder(cast))
         roles.push_back(roleOf(*object, breakables, before, world.getSolverInfo().m_timeStep,

@@ -150,6 +150,28 @@ TEST(Foresight, IsTheSameWithAnyThreads) {
     for (const auto& other : numbers) EXPECT_EQ(numbers.front(), other);
 }
 
+/// What it stands on stands on something, too: all of it is looked at, or it would fall.
+TEST(Foresight, ABlowOnTheTopOfAColumnIsForeseen) {
+    BallAtPlate scene;
+    constexpr int boxes = 6;
+    for (int i = 0; i < boxes; ++i)
+        scene.scene.addBox(20, btVector3(0.4f, 0.4f, 0.05f), btVector3(0, 0, 0.05f + 0.1f * btScalar(i)));
+    const btVector3 up(0, 0, 0.1f * boxes);
+    BodyOptions options = upright();
+    options.start.getOrigin() += up;
+    scene.replaceTarget(preparedPlate(), options);
+    const btTransform ball = scene.ball->getWorldTransform();
+    const btVector3 velocity = scene.ball->getLinearVelocity();
+    scene.ball->translate(btVector3(0, -50, 0));
+    scene.scene.step(120);  // until the column stands
+    scene.ball->setWorldTransform(ball);
+    scene.ball->translate(up);
+    scene.ball->setLinearVelocity(velocity);
+    EXPECT_LE(scene.breakIt(), 100);
+    EXPECT_EQ(scene.fracture->counts().foreseen, 1);
+    EXPECT_EQ(scene.fracture->counts().foreseen_in_vain, 0);
+}
+
 TEST(Foresight, WorksInAllWorlds) {
     for (const WorldKind kind :
          {WorldKind::owns_its_solver, WorldKind::threaded, WorldKind::soft, WorldKind::multi_body}) {
