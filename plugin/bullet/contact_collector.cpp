@@ -181,6 +181,19 @@ btScalar ContactCollector::shapeTolerance(const btCollisionObject& object) const
     return is_hulls ? static_cast<btScalar>(shape_tolerance * breakable->asset.solid()->spacing()) : 0;
 }
 
+LandingBody ContactCollector::landing(const btCollisionObject& object) const {
+    const Breakable* breakable = breakables_.of(object);
+    if (!breakable || !breakable->ownedHere()) return {};
+    const OwnedShape& owned = *breakable->owned.shape;
+    if (owned.outermost.empty() || owned.shape.get() != object.getCollisionShape() || isScaled(*owned.shape))
+        return {};
+    const btTransform& stood = stoodAt(object);
+    return {&owned.outermost,
+            {owned.shape.get(), stood},
+            stood * breakable->inner_ball.centre,
+            btScalar(breakable->asset.solid()->spacing())};
+}
+
 const btTransform& ContactCollector::stoodAt(const btCollisionObject& object) const {
     const BodyState* state = before_.find(&object);
     return state ? state->transform : object.getWorldTransform();

@@ -9,6 +9,7 @@
 
 #include "bullet/breakable.h"
 #include "bullet/island_state.h"
+#include "bullet/landing_points.h"
 #include "bullet/possible_strikes.h"
 #include "core/loads/blow.h"
 
@@ -79,6 +80,10 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
 
     /// How far the shape that stands for a body may be from its surface, m; 0: it is what it is.
     btScalar shapeTolerance(const btCollisionObject& object) const;
+
+    /// A whole body of this world as what lands with its surface; without vertices where a body's shape is
+    /// all that is known of it, or what it is.
+    LandingBody landing(const btCollisionObject& object) const;
 
     /// The struck bodies, in the order in which they became breakable.
     std::vector<StruckBreakable> takeStruck();

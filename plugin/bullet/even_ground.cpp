@@ -33,7 +33,7 @@ Facet placed(const btVector3& normal, btScalar height, const btTransform& frame)
 }
 
 /// The face of a box that the middle of a part is least deep in, if all of the part is over it.
-std::optional<Facet> faceBelow(const ConvexPart& part, const btBoxShape& box, const btTransform& frame) {
+std::optional<Facet> faceBelow(const PlacedShape& part, const btBoxShape& box, const btTransform& frame) {
     btVector3 low, high;
     part.shape->getAabb(frame.inverseTimes(part.transform), low, high);
     const btVector3 half = box.getHalfExtentsWithMargin(), middle = (low + high) / 2;
@@ -45,7 +45,7 @@ std::optional<Facet> faceBelow(const ConvexPart& part, const btBoxShape& box, co
     return placed(normal, half[axis], frame);
 }
 
-std::optional<Facet> endlessFacet(const ConvexPart& part, const btCollisionObject& ground, int child) {
+std::optional<Facet> endlessFacet(const PlacedShape& part, const btCollisionObject& ground, int child) {
     const btTransform& frame = ground.getWorldTransform();
     const btCollisionShape& shape = *ground.getCollisionShape();
     if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
@@ -130,7 +130,7 @@ btScalar mostTilted(const btVector3& extents) {
 /// The triangles under a part, seen from the side where `inside` is, or the middle of the part if that is
 /// over none; without those that are beyond it, and without walls that nothing touches. None if they are not
 /// even.
-EvenGround evenTriangles(const ConvexPart& part, const btCollisionObject& surface, btScalar around,
+EvenGround evenTriangles(const PlacedShape& part, const btCollisionObject& surface, btScalar around,
                          const std::vector<btVector3>& contacts, btVector3 inside) {
     btVector3 low, high;
     part.shape->getAabb(part.transform, low, high);
@@ -197,7 +197,7 @@ const Facet* EvenGround::under(const btVector3& place) const {
     return highest;
 }
 
-EvenGround evenGround(const ConvexPart& part, const btPersistentManifold& manifold, bool part_is_a,
+EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manifold, bool part_is_a,
                       const btVector3& inside) {
     const btCollisionObject& object = part_is_a ? *manifold.getBody1() : *manifold.getBody0();
     const btManifoldPoint& first = manifold.getContactPoint(0);
@@ -213,7 +213,7 @@ EvenGround evenGround(const ConvexPart& part, const btPersistentManifold& manifo
     return {facet->normal, {*facet}, false};
 }
 
-EvenGround evenSurface(const ConvexPart& part, const btCollisionObject& surface, const btVector3& inside) {
+EvenGround evenSurface(const PlacedShape& part, const btCollisionObject& surface, const btVector3& inside) {
     return evenTriangles(part, surface, 0, {}, inside);
 }
 

@@ -23,7 +23,7 @@ struct Facet {
     bool isUnder(const btVector3& place) const;
 };
 
-/// What a convex part of a body lies on.
+/// What a body, or a part of one, lies on.
 struct EvenGround {
     btVector3 up = btVector3(0, 0, 1);
     std::vector<Facet> facets;
@@ -33,14 +33,14 @@ struct EvenGround {
     const Facet* under(const btVector3& place) const;
 };
 
-/// Ground that is flat or nearly so where a convex part touches it: a static plane, a face of a box that the
-/// whole part is over, or triangles of a mesh or a height field that differ by a few degrees, so that no
-/// ridge between them matters; these have two sides, and the part is on that of `inside` (world frame). No
-/// facets for other ground. `manifold` has a contact.
-EvenGround evenGround(const ConvexPart& part, const btPersistentManifold& manifold, bool part_is_a,
+/// Ground that is flat or nearly so where a body or a part of one touches it: a static plane, a face of a box
+/// that the whole part is over, or triangles of a mesh or a height field that differ by a few degrees, so
+/// that no ridge between them matters; these have two sides, and the part is on that of `inside` (world
+/// frame). No facets for other ground. `manifold` has a contact.
+EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manifold, bool part_is_a,
                       const btVector3& inside);
 
 /// The same for triangles around a part that Bullet may have found no contact with.
-EvenGround evenSurface(const ConvexPart& part, const btCollisionObject& surface, const btVector3& inside);
+EvenGround evenSurface(const PlacedShape& part, const btCollisionObject& surface, const btVector3& inside);
 
 }  // namespace sherd

@@ -6,6 +6,7 @@
 
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
+#include "bullet/shapes.h"
 #include "bullet/torn_out.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/split_mix.h"
@@ -24,6 +25,13 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
         warnings.push_back(
             "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
             "prepare what BreakableAsset::anchored makes of it, and add bodies of that");
+    if (breakable.ownedHere() && isScaled(*breakable.body->getCollisionShape()))
+        warnings.push_back(
+            "the collision shape of this body was scaled (setLocalScaling), and with it that of all bodies "
+            "of "
+            "its asset; the body breaks as its asset is, unscaled: scale the mesh instead (Repair::scale), "
+            "and "
+            "add bodies of that");
     return warnings;
 }
 

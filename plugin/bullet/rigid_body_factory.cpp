@@ -24,7 +24,9 @@ constexpr double margin_share =
 constexpr double least_margin = 1e-4;   // of a hull's diagonal: on thinner sheets Bullet's GJK crashes
 constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
 constexpr double smallest_relative_volume =
-    1e-7;                              // volume over the cube of the length; a smaller hull counts as flat
+    1e-7;  // volume over the cube of the length; a smaller hull counts as flat
+constexpr int most_outermost = 4096;
+constexpr double outermost_tolerance = 0.01;  // of the spacing
 constexpr double nearly_convex = 0.5;  // of a solid's volume: air that a hull of an automatic shape may hold
 
 /// Eigenvectors ordered and signed to be as near as possible to the asset's own axes, right-handed.
@@ -127,6 +129,16 @@ std::unique_ptr<btCollisionShape> boxOf(const TriangleMesh& surface, const Break
     return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * box.sizes())));
 }
 
+/// The vertices with which a whole body can land on a plane.
+std::vector<btVector3> outermostOf(const TriangleMesh& surface, const BreakableSolid& solid) {
+    if (solid.isFragment()) return {};
+    std::vector<btVector3> outermost;
+    for (const Vec3& vertex :
+         simpleHull(surface.vertices, most_outermost, outermost_tolerance * solid.spacing()).vertices)
+        outermost.push_back(toBullet(vertex));
+    return outermost;
+}
+
 OwnedShape boxCompound(const std::vector<Box>& boxes, const btTransform& body_from_asset) {
     OwnedShape owned;
     owned.disjoint = true;
@@ -160,12 +172,13 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
     if (wanted.kind != CollisionShape::convex_parts) owned.shape = boxOf(surface, solid);
     if (owned.shape) return owned;
     const DecompositionLimits limits = limitsOf(wanted, solid.spacing());
-    owned = shapeOf(convexDecomposition(surface, solid.moments().volume, limits), solid.isFragment(),
-                    wanted.kind == CollisionShape::convex_parts);
-    if (owned.shape) return owned;
-    if (!boxes.empty()) return boxCompound(boxes, body_from_asset);
-    owned.shape =
-        hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m), solid.isFragment());
+    const std::vector<ConvexHull> hulls = convexDecomposition(surface, solid.moments().volume, limits);
+    owned = shapeOf(hulls, solid.isFragment(), wanted.kind == CollisionShape::convex_parts);
+    if (!owned.shape && !boxes.empty()) return boxCompound(boxes, body_from_asset);
+    if (!owned.shape)
+        owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m),
+                                solid.isFragment());
+    owned.outermost = outermostOf(surface, solid);
     return owned;
 }
 

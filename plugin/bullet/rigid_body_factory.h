@@ -18,6 +18,9 @@ struct OwnedShape {
                             ///< of the same break
     std::vector<std::unique_ptr<btCollisionShape>> children;
     std::unique_ptr<btCollisionShape> shape;
+    /// Of hulls that stand for a whole body: the vertices of the convex hull of its surface, nearly all of
+    /// them; in the body's frame, m.
+    std::vector<btVector3> outermost;
 };
 
 /// A rigid body with its shape and its motion state.

@@ -98,6 +98,10 @@ Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape
     return parts;
 }
 
+bool isScaled(const btCollisionShape& shape) {
+    return shape.getLocalScaling() != btVector3(1, 1, 1);
+}
+
 btVector3 extentOf(const btCollisionObject& object) {
     btVector3 low, high;
     object.getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);

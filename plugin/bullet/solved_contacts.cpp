@@ -15,6 +15,7 @@
 #include "bullet/contact_motion.h"
 #include "bullet/convex_part.h"
 #include "bullet/extra_contacts.h"
+#include "bullet/landing_points.h"
 #include "bullet/met_on_the_way.h"
 #include "bullet/missed_vertices.h"
 
@@ -120,6 +121,63 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
+/// Gives Bullet's impulses to the points that touch first.
+void shareOut(const btPersistentManifold& manifold, std::vector<btManifoldPoint>& deepest_first) {
+    constexpr btScalar rounding = btScalar(1e-6);  // m
+    const btScalar deepest = deepest_first.front().getDistance();
+    const auto later =
+        std::find_if(deepest_first.begin(), deepest_first.end(),
+                     [&](const btManifoldPoint& point) { return point.getDistance() > deepest + rounding; });
+    std::vector<btManifoldPoint> first(deepest_first.begin(), later);
+    for (int i = 0; i < manifold.getNumContacts(); ++i) share(manifold.getContactPoint(i), first);
+    std::copy(first.begin(), first.end(), deepest_first.begin());
+}
+
+/// What lands on flat faces. A body of several parts has a manifold for each of them, all of which it is fed
+/// with at once.
+class Landings {
+  public:
+    explicit Landings(const ContactCollector& collector) : collector_(collector) {}
+
+    /// Whether what the manifold says has been fed with another one.
+    bool know(const btPersistentManifold& manifold) const {
+        return std::any_of(known_.begin(), known_.end(), [&](const Landing& known) {
+            return known.a == manifold.getBody0() && known.b == manifold.getBody1() &&
+                   (isExtra(manifold) || known.child == childOfOther(manifold, known.a_lands));
+        });
+    }
+
+    /// None if neither body lands, or not on a flat face.
+    std::vector<btManifoldPoint> pointsOf(const btPersistentManifold& manifold, btScalar reach) {
+        for (const bool a_lands : {true, false}) {
+            const LandingBody body =
+                collector_.landing(*(a_lands ? manifold.getBody0() : manifold.getBody1()));
+            if (!body.outermost) continue;
+            auto points = landingPoints(manifold, body, a_lands, reach);
+            if (!points || points->empty()) continue;
+            shareOut(manifold, *points);
+            known_.push_back(
+                {manifold.getBody0(), manifold.getBody1(), a_lands, childOfOther(manifold, a_lands)});
+            return *std::move(points);
+        }
+        return {};
+    }
+
+  private:
+    struct Landing {
+        const btCollisionObject *a, *b;
+        bool a_lands;
+        int child;  // of the body on which the other one lands
+    };
+    static int childOfOther(const btPersistentManifold& manifold, bool a_lands) {
+        const btManifoldPoint& first = manifold.getContactPoint(0);
+        return a_lands ? first.m_index1 : first.m_index0;
+    }
+
+    const ContactCollector& collector_;
+    std::vector<Landing> known_;
+};
+
 /// What is known of how the bodies of a manifold met.
 enum class Meeting {
     found,       ///< where they are
@@ -127,7 +185,34 @@ enum class Meeting {
     on_the_way,  ///< where they were
 };
 
-void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector& collector) {
+/// The points of a manifold, as Bullet has them, and the vertices that it lacks.
+std::vector<btManifoldPoint> solvedPoints(const btPersistentManifold& manifold, Meeting meeting, bool rests,
+                                          std::vector<btManifoldPoint> missed,
+                                          const ContactCollector& collector) {
+    const bool predictive = meeting == Meeting::predictive;
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    std::vector<btManifoldPoint> points;
+    points.reserve(MANIFOLD_CACHE_SIZE + missed.size());
+    for (int i = 0; i < manifold.getNumContacts(); ++i) {
+        btManifoldPoint point = manifold.getContactPoint(i);
+        if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
+        if (!predictive && isBetween(point, missed, !rests && isOnFace(point, *a, *b))) {
+            share(point, missed);
+            continue;
+        }
+        if (predictive) {
+            moveToSurface(point, *a);
+            point.m_index0 = point.m_index1 = -1;
+        }
+        if (meeting == Meeting::found) moveToBall(point, *a, *b, collector);
+        points.push_back(point);
+    }
+    points.insert(points.end(), missed.begin(), missed.end());
+    return points;
+}
+
+void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landings,
+                  ContactCollector& collector) {
     const bool predictive = meeting == Meeting::predictive;
     const btCollisionObject *a = found.getBody0(), *b = found.getBody1();
     const btTransform &stood_a = collector.stoodAt(*a), &stood_b = collector.stoodAt(*b);
@@ -140,31 +225,23 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, ContactCollector
         predictive || rests || isExtra(found) ? nullptr : onBoxFaces(found, stood_a, stood_b);
     const btPersistentManifold& manifold = straight ? *straight : found;
     const btScalar tolerance = toleranceOf(found, collector);
-    std::vector<btManifoldPoint> vertices;
-    if (!isExtra(found))  // else Bullet's own manifold of the pair lacks the same ones
-        vertices = rests ? missedVertices(manifold, stood_a, stood_b, btScalar(largestRestingGap()))
-                         : landedVertices(manifold, stood_a, stood_b, tolerance);
     std::vector<btManifoldPoint> points;
-    points.reserve(MANIFOLD_CACHE_SIZE + vertices.size());
-    for (int i = 0; i < manifold.getNumContacts(); ++i) {
-        btManifoldPoint point = manifold.getContactPoint(i);
-        if (point.getDistance() > manifold.getContactProcessingThreshold()) continue;
-        if (!predictive && isBetween(point, vertices, !rests && isOnFace(point, *a, *b))) {
-            share(point, vertices);
-            continue;
-        }
-        if (predictive) {
-            moveToSurface(point, *a);
-            point.m_index0 = point.m_index1 = -1;
-        }
-        if (meeting == Meeting::found) moveToBall(point, *a, *b, collector);
-        points.push_back(point);
+    if (meeting == Meeting::found && !rests) {
+        if (landings.know(manifold)) return;
+        if (!isExtra(found)) points = landings.pointsOf(manifold, tolerance);
     }
-    points.insert(points.end(), vertices.begin(), vertices.end());
+    const bool is_known = !points.empty();
+    if (!is_known) {
+        std::vector<btManifoldPoint> vertices;
+        if (!isExtra(found))  // else Bullet's own manifold of the pair lacks the same ones
+            vertices = rests ? missedVertices(manifold, stood_a, stood_b, btScalar(largestRestingGap()))
+                             : landedVertices(manifold, stood_a, stood_b, tolerance);
+        points = solvedPoints(manifold, meeting, rests, std::move(vertices), collector);
+    }
     if (rests) {
         pressEvenly(points);
     } else if (!predictive) {
-        meetTogether(points, tolerance);
+        if (!is_known) meetTogether(points, tolerance);
         pressLanding(points, *a, *b, collector);
     }
     for (btManifoldPoint& point : points)
@@ -202,6 +279,7 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         if (isSunkBeside(*own, solved)) *place = own;
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
+    Landings landings(collector);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
         const bool is_corrected = std::any_of(corrected.begin(), corrected.end(),
@@ -210,7 +288,7 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
                      is_corrected                  ? Meeting::on_the_way
                      : isAmong(foreseen, manifold) ? Meeting::predictive
                                                    : Meeting::found,
-                     collector);
+                     landings, collector);
     }
 }
 

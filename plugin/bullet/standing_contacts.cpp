@@ -204,7 +204,7 @@ bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     const btTransform& frame = fragment.getWorldTransform();
     const ConvexPart part = partOf(fragment, frame, fragment_is_a ? first.m_index0 : first.m_index1);
     if (!part.shape) return false;
-    const EvenGround ground = evenGround(part, manifold, fragment_is_a, inside);
+    const EvenGround ground = evenGround({part.shape, part.transform}, manifold, fragment_is_a, inside);
     if (ground.facets.empty()) return false;
     const std::vector<Foot> feet = feetWithin(reach, part, ground, frame.getOrigin());
     if (feet.empty()) return false;
@@ -231,7 +231,7 @@ std::vector<Foot> feetIn(const btCollisionObject& surface, const btRigidBody& fr
     for (int child = 0; child < count; ++child) {
         const ConvexPart part = partOf(fragment, frame, child);
         if (!part.shape) continue;
-        const EvenGround ground = evenSurface(part, surface, inside);
+        const EvenGround ground = evenSurface({part.shape, part.transform}, surface, inside);
         if (ground.facets.empty()) continue;
         const std::vector<Foot> own = feetWithin(0, part, ground, frame.getOrigin());
         feet.insert(feet.end(), own.begin(), own.end());

@@ -82,4 +82,28 @@ TEST(SizeWarning, UsualBodiesAndTheirFragmentsGoWithout) {
     for (const BlowEvent& event : events) EXPECT_FALSE(warns(event));
 }
 
+// Every body of an asset shares the shape, so all of them grow; the pieces would not.
+TEST(SizeWarning, FirstBlowOnABodyWithAScaledShapeSaysIt) {
+    Settings settings = coarse(0.03);
+    settings.fracture.smallest_fragment_m3 = 0;
+    const auto asset = BreakableAsset::fromMesh(cylinderMesh(0.1, 0.1), crumbly(), settings);
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    for (const bool scaled : {false, true}) {
+        TestWorld scene;
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0.3f)).value();
+        if (scaled) body->getCollisionShape()->setLocalScaling(btVector3(2, 2, 2));
+        body->setLinearVelocity(btVector3(0, 0, -4));
+        std::vector<BlowEvent> events;
+        for (int i = 0; i < 60 && events.empty(); ++i) {
+            scene.step();
+            events = fracture.takeEvents();
+        }
+        ASSERT_FALSE(events.empty());
+        EXPECT_EQ(events[0].outcome, Outcome::broke);
+        EXPECT_EQ(warns(events[0], "setLocalScaling"), scaled);
+    }
+}
+
 }  // namespace

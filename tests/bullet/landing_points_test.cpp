@@ -1,0 +1,90 @@
+// Where whole bodies touch what they land on: with their own surface, whatever hulls stand for it.
+
+#include <algorithm>
+#include <cmath>
+
+#include "bullet/support.h"
+#include "core/numerics/pi.h"
+
+namespace {
+
+using namespace sherd;
+using namespace sherd::bullet_tests;
+
+constexpr double radius = 0.12, thickness = 0.02;
+constexpr int sides = 128;  // four times as many as the hull has
+
+enum class Ground { box, plane, mesh };
+
+/// Lands on its rim, with a corner of the rim down.
+class DiscOnItsRim : public testing::TestWithParam<Ground> {
+  protected:
+    DiscOnItsRim()
+        : disc_(BreakableAsset::fromMesh(cylinderMesh(radius, thickness, sides), Material::ceramic())) {
+        EXPECT_TRUE(disc_.ok()) << disc_.error();
+        const btVector3 a(-5, -5, 0), b(5, -5, 0), c(5, 5, 0), d(-5, 5, 0);
+        triangles_.addTriangle(a, b, c);
+        triangles_.addTriangle(a, c, d);
+    }
+
+    void addGround(TestWorld& scene) {
+        switch (GetParam()) {
+            case Ground::box:
+                scene.addFloor();
+                break;
+            case Ground::plane:
+                scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
+                              btVector3(0, 0, 0));
+                break;
+            case Ground::mesh:
+                scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0,
+                              btVector3(0, 0, 0));
+                break;
+        }
+    }
+
+    /// `corner`: which one of the rim is down.
+    BlowEvent landOn(int corner) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+        addGround(scene);
+        FractureWorld fracture(scene.world.get());
+        EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+        const btQuaternion rim_down(btVector3(0, 1, 0), btScalar(pi / 2));
+        const btQuaternion turned(btVector3(0, 0, 1), btScalar(-2 * pi * corner / sides));
+        const BodyOptions options(btTransform(rim_down * turned, btVector3(0, 0, btScalar(radius + 0.3))));
+        EXPECT_TRUE(fracture.add(disc_.value(), options).ok());
+        for (int step = 0; step < 120; ++step) {
+            scene.step();
+            const auto events = fracture.takeEvents();
+            if (!events.empty()) return events.front();
+        }
+        ADD_FAILURE() << "nothing was struck";
+        return BlowEvent(disc_.value());
+    }
+
+    Result<BreakableAsset> disc_;
+    btTriangleMesh triangles_;
+};
+
+/// The hull has an edge between every fourth corner of the rim: with the middle of one down, it touched with
+/// both ends of it, 6 mm beside the corner that was down, and the stress was 0.63 of the others'.
+TEST_P(DiscOnItsRim, TouchesWithTheCornerThatIsDown) {
+    double least = 1e300, most = 0;
+    for (int corner = 0; corner < 5; ++corner) {
+        const BlowEvent event = landOn(corner);
+        EXPECT_NEAR(event.position.y(), 0, 1e-3) << corner;
+        least = std::min(least, event.largest_stress_pa);
+        most = std::max(most, event.largest_stress_pa);
+    }
+    EXPECT_LT(most, 1.15 * least);
+}
+
+INSTANTIATE_TEST_SUITE_P(LandingPoints, DiscOnItsRim,
+                         testing::Values(Ground::box, Ground::plane, Ground::mesh), [](const auto& info) {
+                             return info.param == Ground::box     ? "Box"
+                                    : info.param == Ground::plane ? "Plane"
+                                                                  : "Mesh";
+                         });
+
+}  // namespace
