@@ -33,27 +33,50 @@ btTransform relativePose(const btCollisionObject& a, const btCollisionObject& b)
 
 }  // namespace
 
+std::optional<std::pair<BirthOverlaps::Key, BirthOverlaps::Pair>> BirthOverlaps::pairOf(
+    btCollisionObject& a, btCollisionObject& b) {
+    // Penetration of a static body is not allowed: the fragment would stay inside the floor.
+    if (a.isStaticOrKinematicObject() || b.isStaticOrKinematicObject()) return std::nullopt;
+    const Key key = std::minmax(giveToken(a), giveToken(b));
+    if (key.first == no_token) return std::nullopt;  // an app uses its extension pointer
+    const bool in_order = a.getBroadphaseHandle()->m_uniqueId < b.getBroadphaseHandle()->m_uniqueId;
+    Pair pair;
+    pair.bodies[0] = in_order ? &a : &b;
+    pair.bodies[1] = in_order ? &b : &a;
+    pair.radius = radiusAboutOrigin(*pair.bodies[1]);
+    pair.before = pair.now = relativePose(*pair.bodies[0], *pair.bodies[1]);
+    return std::pair(key, pair);
+}
+
 void BirthOverlaps::add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies) {
     const std::unordered_set<const void*> is_new(new_bodies.begin(), new_bodies.end());
     const btBroadphasePairArray& bounds = world.getPairCache()->getOverlappingPairArray();
     for (int i = 0; i < bounds.size(); ++i) {
-        const btBroadphaseProxy *first = bounds[i].m_pProxy0, *second = bounds[i].m_pProxy1;
-        if (!is_new.count(first->m_clientObject) && !is_new.count(second->m_clientObject)) continue;
-        if (second->m_uniqueId < first->m_uniqueId) std::swap(first, second);
-        auto* a = static_cast<btCollisionObject*>(first->m_clientObject);
-        auto* b = static_cast<btCollisionObject*>(second->m_clientObject);
-        // Penetration of a static body is not allowed: the fragment would stay inside the floor.
-        if (a->isStaticOrKinematicObject() || b->isStaticOrKinematicObject()) continue;
-        const Key key = std::minmax(giveToken(*a), giveToken(*b));
-        if (key.first == no_token)
-            continue;  // an app uses its extension pointer: it cannot be told apart later
-        Pair pair;
-        pair.bodies[0] = a;
-        pair.bodies[1] = b;
-        pair.radius = radiusAboutOrigin(*b);
-        pair.before = pair.now = relativePose(*a, *b);
-        pairs_.insert_or_assign(key, pair);
+        void *a = bounds[i].m_pProxy0->m_clientObject, *b = bounds[i].m_pProxy1->m_clientObject;
+        if (!is_new.count(a) && !is_new.count(b)) continue;
+        if (auto pair = pairOf(*static_cast<btCollisionObject*>(a), *static_cast<btCollisionObject*>(b)))
+            pairs_.insert_or_assign(pair->first, pair->second);
     }
+}
+
+void BirthOverlaps::addOverlapping(
+    btDiscreteDynamicsWorld& world,
+    const std::function<bool(const btCollisionObject&, const btCollisionObject&)>& is_allowed) {
+    btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
+        bool overlaps = false;
+        for (int p = 0; p < manifold.getNumContacts(); ++p)
+            overlaps = overlaps || distanceOf(manifold.getContactPoint(p)) < 0;
+        if (!overlaps || !is_allowed(*manifold.getBody0(), *manifold.getBody1())) continue;
+        if (auto pair = pairOf(const_cast<btCollisionObject&>(*manifold.getBody0()),
+                               const_cast<btCollisionObject&>(*manifold.getBody1())))
+            pairs_.insert(*pair);
+    }
+}
+
+bool BirthOverlaps::allows(const btCollisionObject& a, const btCollisionObject& b) const {
+    return pairs_.count(std::minmax(tokenOf(a), tokenOf(b))) > 0;
 }
 
 void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {

@@ -2,7 +2,9 @@
 
 #include <LinearMath/btTransform.h>
 
+#include <functional>
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -15,14 +17,19 @@ class btPersistentManifold;
 namespace sherd {
 
 /// Pairs of bodies that overlap when one of them is created: hulls of neighbouring fragments penetrate each
-/// other, and Bullet would push them apart. The penetration at birth is allowed; the allowance shrinks as the
-/// bodies separate. Contacts are solved all the while, so that fragments support each other as they did when
-/// they were one body.
+/// other, and those of plates in a stack, and Bullet would push them apart. The penetration at birth is
+/// allowed; the allowance shrinks as the bodies separate. Contacts are solved all the while, so that
+/// fragments support each other as they did when they were one body.
 class BirthOverlaps {
   public:
     /// Registers every pair of a new body and a body that it may overlap, after broadphase and narrowphase
     /// ran for it.
     void add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies);
+    /// Registers pairs that overlap already, of those that `is_allowed`, which are dynamic.
+    void addOverlapping(
+        btDiscreteDynamicsWorld& world,
+        const std::function<bool(const btCollisionObject&, const btCollisionObject&)>& is_allowed);
+    bool allows(const btCollisionObject& a, const btCollisionObject& b) const;
     /// Subtracts the allowed penetration from the contacts of the current step. To be called just before a
     /// solve; calling it twice has no further effect.
     void applyAllowances(btDiscreteDynamicsWorld& world);
@@ -42,6 +49,8 @@ class BirthOverlaps {
     /// which differ from run to run, and may be those of other bodies later.
     using Key = std::pair<BodyToken, BodyToken>;
 
+    /// Of bodies that move. None if one cannot be told apart later.
+    static std::optional<std::pair<Key, Pair>> pairOf(btCollisionObject& a, btCollisionObject& b);
     static void measure(Pair& pair, const btPersistentManifold& manifold);
     static void update(Pair& pair);
     void dropSeparated(const btDiscreteDynamicsWorld& world);

@@ -90,6 +90,7 @@ struct Breakable {
         double time_s = 0;
     };
     Stay settled, rocking;
+    bool just_added = false;  ///< by the app: no step has seen it
     bool being_born = false;  ///< a fragment that is about to enter the world
 
     bool ownedHere() const { return owned.body != nullptr; }

@@ -147,6 +147,7 @@ Result<btRigidBody*> FractureWorld::Impl::putIntoWorld(std::unique_ptr<Breakable
     {
         const InsideStep guard(world_);
         setUp(breakable->owned, breakable->body_from_asset, options);
+        breakable->just_added = any_just_added_ = true;
         const CollisionFilter usual = breakable->filter;
         registerBreakable(std::move(breakable));
         world_.addRigidBody(body, options.collision_group.value_or(usual.group),

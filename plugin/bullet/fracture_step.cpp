@@ -1,6 +1,7 @@
 // What a FractureWorld does in a step of Bullet's.
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "bullet/extra_contacts.h"
@@ -109,6 +110,7 @@ void FractureWorld::Impl::prepareSolve() {
     });
     if (!any_breakable_) return;
     timed(ms.overlaps, [&] {
+        if (std::exchange(any_just_added_, false)) allowOverlapsOfAdded();
         birth_overlaps_.applyAllowances(world_);
         steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
         if (!breakables_.anyFragmentInWorld()) return;
@@ -125,6 +127,21 @@ void FractureWorld::Impl::prepareSolve() {
     } else {
         before_.takeBodies(world_);
     }
+}
+
+/// Plates in a stack, cups in each other: their hulls close hollows in which others lie, and Bullet would
+/// push them apart, hard enough to break them.
+void FractureWorld::Impl::allowOverlapsOfAdded() {
+    std::unordered_set<const btCollisionObject*> added;
+    for (const auto& breakable : breakables_.all())
+        if (std::exchange(breakable->just_added, false)) added.insert(breakable->body);
+    const auto isHollow = [&](const btCollisionObject& object) {
+        const Breakable* breakable = breakables_.of(object);
+        return breakable && breakable->ownedHere() && breakable->owned.shape->closes_hollows;
+    };
+    birth_overlaps_.addOverlapping(world_, [&](const auto& a, const auto& b) {
+        return (added.count(&a) > 0 || added.count(&b) > 0) && (isHollow(a) || isHollow(b));
+    });
 }
 
 /// What breaks in the step, and what is struck through it: a body with continuous collision may go through

@@ -163,6 +163,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<const Breakable*> bodiesInWorld() const;
     bool isFragmentOfAny(const btCollisionObject& object) const;
     void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
+    void allowOverlapsOfAdded();
     std::vector<const btCollisionObject*> resolveIslands(std::vector<Break>& breaks,
                                                          const std::vector<btRigidBody*>& swept, bool last,
                                                          const btContactSolverInfo& info,
@@ -211,7 +212,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
     SweepExceptions sweep_exceptions_;
-    bool awake_ = false;          // something in the world moves; set before each solve
+    bool awake_ = false;  // something in the world moves; set before each solve
+    bool any_just_added_ = false;
     bool any_breakable_ = false;  // something may break in the step
     double time_s_ = 0;           // simulated since the hook was set
     std::uint64_t next_serial_ = 0;

@@ -94,8 +94,10 @@ bool Rehearsal::mayRehearse(btDiscreteDynamicsWorld& world) {
            dispatcher->getNearCallback() == btCollisionDispatcher::defaultNearCallback;
 }
 
-Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s)
+Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps,
+                     const std::vector<Role>& roles, double time_s)
     : of_world_(world),
+      overlaps_of_world_(overlaps),
       time_step_s_(world.getSolverInfo().m_timeStep),
       time_s_(time_s),
       dispatcher_(static_cast<btCollisionDispatcher*>(world.getDispatcher())->getCollisionConfiguration()),
@@ -223,6 +225,10 @@ const btCollisionObject* Rehearsal::original(const btCollisionObject* stand_in) 
 void Rehearsal::beforeSolve() {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     takeOverContacts();
+    overlaps_.addOverlapping(world_, [&](const auto& a, const auto& b) {
+        return overlaps_of_world_.allows(*original(&a), *original(&b));
+    });
+    overlaps_.applyAllowances(world_);
     steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());

@@ -10,6 +10,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "bullet/birth_overlaps.h"
 #include "bullet/breakable.h"
 #include "bullet/contact_collector.h"
 #include "bullet/impulse_write_back.h"
@@ -27,7 +28,8 @@ namespace sherd {
 class Rehearsal final : private StepListener, private btOverlapFilterCallback {
   public:
     /// The roles are in the order of the world's array of objects.
-    Rehearsal(btDiscreteDynamicsWorld& world, const std::vector<Role>& roles, double time_s);
+    Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps, const std::vector<Role>& roles,
+              double time_s);
 
     /// Whether a rehearsal of the world finds what the world's own steps do, and calls nobody: the app hears
     /// of no contact, and has not set how Bullet combines two materials or looks for contacts.
@@ -62,6 +64,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     const btCollisionObject* original(const btCollisionObject* stand_in) const;
 
     btDiscreteDynamicsWorld& of_world_;
+    const BirthOverlaps& overlaps_of_world_;
     btScalar time_step_s_;
     double time_s_;
     // The world goes before the bodies do.
@@ -76,6 +79,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     btSequentialImpulseConstraintSolver solver_;
     btDiscreteDynamicsWorld world_;
     SolverDecorator decorator_;
+    BirthOverlaps overlaps_;
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
     std::vector<KnownContacts> known_contacts_;

@@ -129,6 +129,13 @@ std::unique_ptr<btCollisionShape> boxOf(const TriangleMesh& surface, const Break
     return std::make_unique<btBoxShape>(toBullet(Vec3(0.5 * box.sizes())));
 }
 
+bool holdAir(const std::vector<ConvexHull>& hulls, double solid_volume) {
+    constexpr double next_to_none = 0.1;  // of the solid's volume
+    double volume = 0;
+    for (const ConvexHull& hull : hulls) volume += hull.volume;
+    return volume > (1 + next_to_none) * solid_volume;
+}
+
 /// The vertices with which a whole body can land on a plane.
 std::vector<btVector3> outermostOf(const TriangleMesh& surface, const BreakableSolid& solid) {
     if (solid.isFragment()) return {};
@@ -178,6 +185,7 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
     if (!owned.shape)
         owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m),
                                 solid.isFragment());
+    owned.closes_hollows = !solid.isFragment() && holdAir(hulls, solid.moments().volume);
     owned.outermost = outermostOf(surface, solid);
     return owned;
 }

@@ -18,6 +18,7 @@ struct OwnedShape {
                             ///< of the same break
     std::vector<std::unique_ptr<btCollisionShape>> children;
     std::unique_ptr<btCollisionShape> shape;
+    bool closes_hollows = false;  ///< of a whole body: the hulls hold more than the body does
     /// Of hulls that stand for a whole body: the vertices of the convex hull of its surface, nearly all of
     /// them; in the body's frame, m.
     std::vector<btVector3> outermost;
