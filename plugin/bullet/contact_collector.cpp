@@ -258,6 +258,22 @@ btVector3 ContactCollector::placeOfTouch(const Side& own, const Side& other, btS
     return own.point - (slid - own.push * slid.dot(own.push));
 }
 
+/// Where one side of a contact touches, if that is a whole body: of pieces there are many, and to find one's
+/// way about their surfaces takes longer than a blow by them is worth.
+std::shared_ptr<const TouchingSurface> ContactCollector::surfaceAt(const Side& own,
+                                                                   const btVector3& push) const {
+    const Breakable& breakable = *own.party->breakable;
+    if (breakable.isFragment()) return nullptr;
+    const std::shared_ptr<const BreakableSolid> solid = breakable.asset.solid();
+    const btTransform asset_from_world = breakable.placed(stoodAt(*own.party->object)).inverse();
+    auto surface = std::make_shared<TouchingSurface>();
+    surface->surface = {solid, &solid->surfaceTree()};
+    surface->point = fromBullet(asset_from_world * own.point);
+    surface->push = fromBullet(asset_from_world.getBasis() * push);
+    surface->wall_thickness_m = solid->wallThickness();
+    return surface;
+}
+
 ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
                                            const btManifoldPoint& point) const {
     const btTransform& asset_from_world = own.party->asset_from_world;
@@ -289,6 +305,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;
+        if (contact.strikes() && !(radius > 0)) contact.partner_surface = surfaceAt(other, -own.push);
     }
     return contact;
 }

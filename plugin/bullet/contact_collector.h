@@ -111,6 +111,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     bool isExempt(const Side& own, const Side& other) const;
     btVector3 placeOfTouch(const Side& own, const Side& other, btScalar radius, const btVector3& velocity,
                            double touched_s) const;
+    std::shared_ptr<const TouchingSurface> surfaceAt(const Side& own, const btVector3& push) const;
     ContactImpulse contactOn(const Side& own, const Side& other, const btManifoldPoint& point) const;
     bool listens(const Breakable& breakable) const;
 

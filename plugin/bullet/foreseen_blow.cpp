@@ -32,9 +32,17 @@ bool areTurnsAlike(const Blow& a, const Blow& b) {
     return (*a.free_turns - *b.free_turns).norm() <= same_speed;
 }
 
+/// And where it strikes with.
+bool areSameSurfaces(const ContactImpulse& a, const ContactImpulse& b, double spacing) {
+    if (!a.partner_surface || !b.partner_surface) return a.partner_surface == b.partner_surface;
+    return a.partner_surface->surface == b.partner_surface->surface &&
+           (a.partner_surface->point - b.partner_surface->point).norm() <= same_place * spacing &&
+           (a.partner_surface->push - b.partner_surface->push).squaredNorm() <= same_direction;
+}
+
 bool isSameStrike(const ContactImpulse& a, const ContactImpulse& b, double spacing) {
     const double speed = a.approach_m_s;
-    return b.strikes() && a.partner_radius_m == b.partner_radius_m &&
+    return b.strikes() && a.partner_radius_m == b.partner_radius_m && areSameSurfaces(a, b, spacing) &&
            a.partner_youngs_modulus_pa == b.partner_youngs_modulus_pa &&
            a.partner_poisson_ratio == b.partner_poisson_ratio && a.friction == b.friction &&
            (a.point - b.point).norm() <= same_place * spacing &&

@@ -2,6 +2,7 @@
 
 #include <sherd/types.h>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -9,6 +10,16 @@
 #include "core/loads/stack.h"
 
 namespace sherd {
+
+class SurfaceTree;
+
+/// Where a body touches another one, in its own frame.
+struct TouchingSurface {
+    std::shared_ptr<const SurfaceTree> surface;
+    Vec3 point = Vec3::Zero();  ///< m
+    Vec3 push = Vec3::Zero();   ///< unit, the direction in which the contact pushes it
+    double wall_thickness_m = 0;
+};
 
 /// One solved contact point, in the frame of the struck asset.
 struct ContactImpulse {
@@ -24,7 +35,8 @@ struct ContactImpulse {
     double friction = -1;  ///< coefficient; below 0: not known, the force has the direction of the impulse
     int partner = 0;       ///< numbers the bodies that touch this one
     double partner_radius_m = 0;  ///< radius of curvature of the striking shape; 0: not known or flat
-    double patch_radius_m = 0;    ///< of the part of the surface that is struck; 0: Hertz's
+    std::shared_ptr<const TouchingSurface> partner_surface;  ///< tells its curvature where the shape does not
+    double patch_radius_m = 0;             ///< of the part of the surface that is struck; 0: Hertz's
     double partner_youngs_modulus_pa = 0;  ///< 0: the settings' value
     double partner_poisson_ratio = 0;
 

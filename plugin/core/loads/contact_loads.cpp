@@ -19,25 +19,40 @@ constexpr double touching = 0.1;  // of the wall: how far a surface may be from 
 
 constexpr double alike = 0.9;  // cosine of the angle between normals of one patch
 
-/// Where on the surface a contact is. A shape that stands for the body in collisions may close its hollows:
-/// what is flat then touches the rim, not the hollow's bottom.
-SurfaceSpot spotOf(const ContactBody& body, const ContactImpulse& contact) {
-    const SurfaceSpot nearest = nearestSurfacePoint(body.surface, contact.point, contact.normal);
-    const double gap = touching * body.wall_thickness_m;
-    const bool is_recessed = (nearest.point - contact.point).dot(contact.normal) > gap;
-    if (!is_recessed || contact.partner_radius_m > 0) return nearest;
-    const SurfaceSpot rim = touchedByAPlane(body.surface, contact.point, contact.normal, gap);
+/// Where on the surface of a body a contact is. A shape that stands for the body in collisions may close its
+/// hollows: what is flat then touches the rim, not the hollow's bottom.
+SurfaceSpot spotOf(const SurfaceTree& surface, double wall, const Vec3& point, const Vec3& push,
+                   bool other_is_round) {
+    const SurfaceSpot nearest = nearestSurfacePoint(surface, point, push);
+    const double gap = touching * wall;
+    const bool is_recessed = (nearest.point - point).dot(push) > gap;
+    if (!is_recessed || other_is_round) return nearest;
+    const SurfaceSpot rim = touchedByAPlane(surface, point, push, gap);
     return rim.triangle < 0 ? nearest : rim;
+}
+
+/// 1/m.
+double curvatureAt(const SurfaceTree& surface, double wall, const SurfaceSpot& spot, const Vec3& push) {
+    const double radius = contactRadius(surface, spot.point, push, cap_reach * wall, cap_height * wall);
+    return radius > 0 ? 1 / radius : 0;
+}
+
+/// 1/m; 0 where it is not known.
+double partnerCurvature(const ContactImpulse& contact) {
+    if (contact.partner_radius_m > 0) return 1 / contact.partner_radius_m;
+    if (!contact.partner_surface) return 0;
+    const TouchingSurface& own = *contact.partner_surface;
+    const SurfaceSpot spot = spotOf(*own.surface, own.wall_thickness_m, own.point, own.push, false);
+    return curvatureAt(*own.surface, own.wall_thickness_m, spot, own.push);
 }
 
 StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
                         const ContactSettings& settings) {
-    const SurfaceSpot spot = spotOf(body, contact);
     const double wall = body.wall_thickness_m;
-    const double own =
-        contactRadius(body.surface, spot.point, contact.normal, cap_reach * wall, cap_height * wall);
+    const SurfaceSpot spot =
+        spotOf(body.surface, wall, contact.point, contact.normal, contact.partner_radius_m > 0);
     const double curvature =
-        (own > 0 ? 1 / own : 0) + (contact.partner_radius_m > 0 ? 1 / contact.partner_radius_m : 0);
+        curvatureAt(body.surface, wall, spot, contact.normal) + partnerCurvature(contact);
     HertzContact hertz;
     hertz.radius_m = std::clamp(curvature > 0 ? 1 / curvature : body.radius_m, settings.smallest_patch * wall,
                                 std::max(body.radius_m, settings.smallest_patch * wall));
