@@ -75,8 +75,25 @@ void BirthOverlaps::addOverlapping(
     }
 }
 
+void BirthOverlaps::copy(const BirthOverlaps& other,
+                         const std::function<btCollisionObject*(const btCollisionObject*)>& stand_in) {
+    for (const auto& entry : other.pairs_) {
+        btCollisionObject *a = stand_in(entry.second.bodies[0]), *b = stand_in(entry.second.bodies[1]);
+        if (!a || !b) continue;
+        Pair pair = entry.second;
+        pair.bodies[0] = a;
+        pair.bodies[1] = b;
+        pairs_.insert_or_assign(std::minmax(giveToken(*a), giveToken(*b)), pair);
+    }
+}
+
 bool BirthOverlaps::allows(const btCollisionObject& a, const btCollisionObject& b) const {
-    return pairs_.count(std::minmax(tokenOf(a), tokenOf(b))) > 0;
+    const auto found = pairs_.find(std::minmax(tokenOf(a), tokenOf(b)));
+    return found != pairs_.end() && found->second.allowance_m > 0;
+}
+
+bool BirthOverlaps::isAwake(const Pair& pair) {
+    return pair.bodies[0]->isActive() || pair.bodies[1]->isActive();
 }
 
 void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
@@ -93,7 +110,7 @@ void BirthOverlaps::dropSeparated(const btDiscreteDynamicsWorld& world) {
     for (auto entry = pairs_.begin(); entry != pairs_.end();) {
         const auto& [key, pair] = *entry;
         const bool stays = is_in_world(key.first) && is_in_world(key.second) &&
-                           boundsOverlap(*pair.bodies[0], *pair.bodies[1]);
+                           (!isAwake(pair) || boundsOverlap(*pair.bodies[0], *pair.bodies[1]));
         entry = stays ? std::next(entry) : pairs_.erase(entry);
     }
 }
@@ -126,23 +143,29 @@ void BirthOverlaps::update(Pair& pair) {
 void BirthOverlaps::applyAllowances(btDiscreteDynamicsWorld& world) {
     if (pairs_.empty()) return;
     dropSeparated(world);
+    bool any_awake = false;
     for (auto& entry : pairs_) {
         Pair& pair = entry.second;
+        if (!isAwake(pair)) continue;
+        any_awake = true;
         pair.before = pair.now;
         pair.now = relativePose(*pair.bodies[0], *pair.bodies[1]);
         pair.measured_m = pair.closed_m = 0;
     }
+    if (!any_awake) return;
     std::vector<std::pair<Pair*, btPersistentManifold*>> touching;
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (manifold.getNumContacts() == 0) continue;
+        const bool is_awake = manifold.getBody0()->isActive() || manifold.getBody1()->isActive();
+        if (manifold.getNumContacts() == 0 || !is_awake) continue;
         const auto found =
             pairs_.find(std::minmax(tokenOf(*manifold.getBody0()), tokenOf(*manifold.getBody1())));
         if (found != pairs_.end()) touching.emplace_back(&found->second, &manifold);
     }
     for (const auto& [pair, manifold] : touching) measure(*pair, *manifold);
-    for (auto& entry : pairs_) update(entry.second);
+    for (auto& entry : pairs_)
+        if (isAwake(entry.second)) update(entry.second);
     for (const auto& [pair, manifold] : touching)
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
             btManifoldPoint& point = manifold->getContactPoint(i);

@@ -25,10 +25,15 @@ class BirthOverlaps {
     /// Registers every pair of a new body and a body that it may overlap, after broadphase and narrowphase
     /// ran for it.
     void add(btDiscreteDynamicsWorld& world, const std::vector<btCollisionObject*>& new_bodies);
-    /// Registers pairs that overlap already, of those that `is_allowed`, which are dynamic.
+    /// Registers pairs of dynamic bodies that have contacts deeper than 0, those for which `is_allowed`.
     void addOverlapping(
         btDiscreteDynamicsWorld& world,
         const std::function<bool(const btCollisionObject&, const btCollisionObject&)>& is_allowed);
+    /// Takes over what is allowed in another world between bodies that have stand-ins in this one; nullptr
+    /// for others.
+    void copy(const BirthOverlaps& other,
+              const std::function<btCollisionObject*(const btCollisionObject*)>& stand_in);
+    /// Whether some penetration of two bodies is allowed.
     bool allows(const btCollisionObject& a, const btCollisionObject& b) const;
     /// Subtracts the allowed penetration from the contacts of the current step. To be called just before a
     /// solve; calling it twice has no further effect.
@@ -53,6 +58,7 @@ class BirthOverlaps {
     static std::optional<std::pair<Key, Pair>> pairOf(btCollisionObject& a, btCollisionObject& b);
     static void measure(Pair& pair, const btPersistentManifold& manifold);
     static void update(Pair& pair);
+    static bool isAwake(const Pair& pair);
     void dropSeparated(const btDiscreteDynamicsWorld& world);
 
     std::map<Key, Pair> pairs_;  // pairs are independent of each other, so their order has no effect

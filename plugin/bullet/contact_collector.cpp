@@ -9,6 +9,7 @@
 #include <cmath>
 #include <utility>
 
+#include "bullet/birth_overlaps.h"
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
 #include "bullet/first_touch.h"
@@ -51,9 +52,11 @@ void tellWhere(StruckBreakable& struck) {
 }  // namespace
 
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
-                                   double time_s, const btContactSolverInfo& info)
+                                   double time_s, const btContactSolverInfo& info,
+                                   const BirthOverlaps* overlaps)
     : breakables_(breakables),
       before_(before),
+      overlaps_(overlaps),
       time_s_(time_s),
       time_step_s_(info.m_timeStep),
       two_friction_directions_((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0),
@@ -152,6 +155,15 @@ bool ContactCollector::isExempt(const Side& own, const Side& other) const {
     const Breakable *piece = own.party->breakable, *striker = other.party->breakable;
     return !goesOnThrough(*piece, *other.party->object, striker, time_s_) &&
            isOfTheSameBlow(*piece, *other.party->object, striker, time_s_);
+}
+
+/// Whether two whole bodies that were put into each other move there a little: their hulls meet, which their
+/// surfaces need not.
+bool ContactCollector::rubInEachOther(const Side& own, const Side& other, double closing_m_s) const {
+    constexpr double slow_m_s = 0.25;
+    const Breakable *a = own.party->breakable, *b = other.party->breakable;
+    return overlaps_ && closing_m_s < slow_m_s && !(a && a->isFragment()) && !(b && b->isFragment()) &&
+           overlaps_->allows(*own.party->object, *other.party->object);
 }
 
 bool ContactCollector::mayStrike(const btPersistentManifold& manifold) const {
@@ -289,9 +301,10 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
     contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
     // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
-    contact.approach_m_s = closing > slowestStrike(self, partner, time_step_s_)
-                               ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
-                               : std::min(closing, 0.0);
+    const bool strikes =
+        closing > slowestStrike(self, partner, time_step_s_) && !rubInEachOther(own, other, closing);
+    contact.approach_m_s = strikes ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
+                                   : std::min(closing, 0.0);
     if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
     contact.touched_s = timeSinceTouch(closing, depth_m, time_step_s_);

@@ -18,6 +18,7 @@ struct btContactSolverInfo;
 
 namespace sherd {
 
+class BirthOverlaps;
 class Piles;
 
 /// A breakable body and what a solved step did to it.
@@ -46,8 +47,9 @@ struct StruckBreakable {
 /// steps of free fall of either body count as none. What the app pushes is no such case: it strikes.
 class ContactCollector final : public btCollisionWorld::ContactResultCallback {
   public:
+    /// `overlaps`: of bodies that were put into each other; nullptr: there are none.
     ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,
-                     const btContactSolverInfo& info);
+                     const btContactSolverInfo& info, const BirthOverlaps* overlaps = nullptr);
 
     /// One solved contact point, as Bullet's own contact queries report theirs; the return value has no
     /// meaning.
@@ -81,8 +83,8 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// How far the shape that stands for a body may be from its surface, m; 0: it is what it is.
     btScalar shapeTolerance(const btCollisionObject& object) const;
 
-    /// A whole body of this world as what lands with its surface; without vertices where a body's shape is
-    /// all that is known of it, or what it is.
+    /// A whole body as what lands with its surface. Without vertices for bodies of the app, pieces, boxes,
+    /// and bodies whose shape the app has replaced or scaled.
     LandingBody landing(const btCollisionObject& object) const;
 
     /// The struck bodies, in the order in which they became breakable.
@@ -109,6 +111,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     void correctTouch(Side& own, Side& other, btManifoldPoint& point) const;
     void addSide(Side own, Side other, btManifoldPoint point);
     bool isExempt(const Side& own, const Side& other) const;
+    bool rubInEachOther(const Side& own, const Side& other, double closing_m_s) const;
     btVector3 placeOfTouch(const Side& own, const Side& other, btScalar radius, const btVector3& velocity,
                            double touched_s) const;
     std::shared_ptr<const TouchingSurface> surfaceAt(const Side& own, const btVector3& push) const;
@@ -117,6 +120,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
 
     const BreakableRegistry& breakables_;
     const StepSnapshot& before_;
+    const BirthOverlaps* overlaps_;
     double time_s_;
     double time_step_s_;
     bool two_friction_directions_;

@@ -45,8 +45,8 @@ std::optional<Facet> faceBelow(const PlacedShape& part, const btBoxShape& box, c
     return placed(normal, half[axis], frame);
 }
 
-std::optional<Facet> endlessFacet(const PlacedShape& part, const btCollisionObject& ground, int child) {
-    const btTransform& frame = ground.getWorldTransform();
+std::optional<Facet> endlessFacet(const PlacedShape& part, const btCollisionObject& ground,
+                                  const btTransform& frame, int child) {
     const btCollisionShape& shape = *ground.getCollisionShape();
     if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
         const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
@@ -198,7 +198,7 @@ const Facet* EvenGround::under(const btVector3& place) const {
 }
 
 EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manifold, bool part_is_a,
-                      const btVector3& inside) {
+                      const btTransform& ground_stood, const btVector3& inside) {
     const btCollisionObject& object = part_is_a ? *manifold.getBody1() : *manifold.getBody0();
     const btManifoldPoint& first = manifold.getContactPoint(0);
     if (isOnTriangle(first, part_is_a)) {
@@ -208,7 +208,7 @@ EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manif
             contacts.push_back(placeOnGround(manifold.getContactPoint(p), part_is_a));
         return evenTriangles(part, object, manifold.getContactBreakingThreshold(), contacts, inside);
     }
-    const auto facet = endlessFacet(part, object, part_is_a ? first.m_index1 : first.m_index0);
+    const auto facet = endlessFacet(part, object, ground_stood, part_is_a ? first.m_index1 : first.m_index0);
     if (!facet || !agrees(manifold, part_is_a, *facet)) return {};
     return {facet->normal, {*facet}, false};
 }

@@ -25,7 +25,9 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
         warnings.push_back(
             "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
             "prepare what BreakableAsset::anchored makes of it, and add bodies of that");
-    if (breakable.ownedHere() && isScaled(*breakable.body->getCollisionShape()))
+    const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
+                           breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
+    if (is_scaled)
         warnings.push_back(
             "the collision shape of this body was scaled (setLocalScaling), and with it that of all bodies "
             "of "

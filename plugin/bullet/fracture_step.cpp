@@ -130,11 +130,19 @@ void FractureWorld::Impl::prepareSolve() {
 }
 
 /// Plates in a stack, cups in each other: their hulls close hollows in which others lie, and Bullet would
-/// push them apart, hard enough to break them.
+/// push them apart, hard enough to break them. Each body is looked at once, in the first step in which Bullet
+/// does.
 void FractureWorld::Impl::allowOverlapsOfAdded() {
     std::unordered_set<const btCollisionObject*> added;
-    for (const auto& breakable : breakables_.all())
-        if (std::exchange(breakable->just_added, false)) added.insert(breakable->body);
+    for (const auto& breakable : breakables_.all()) {
+        if (!breakable->just_added) continue;
+        if (breakable->in_world && (breakable->body->isActive() || breakable->body->isStaticObject())) {
+            breakable->just_added = false;
+            added.insert(breakable->body);
+        } else {
+            any_just_added_ = true;
+        }
+    }
     const auto isHollow = [&](const btCollisionObject& object) {
         const Breakable* breakable = breakables_.of(object);
         return breakable && breakable->ownedHere() && breakable->owned.shape->closes_hollows;
@@ -193,7 +201,7 @@ bool FractureWorld::Impl::wasDecided(const Breakable& breakable) const {
 
 std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverInfo& info) {
     const AddedTime time(times_.steps.contacts);
-    ContactCollector collector(breakables_, before_, time_s_, info);
+    ContactCollector collector(breakables_, before_, time_s_, info, &birth_overlaps_);
     feedSolvedContacts(world_, collector);
     return collector.takeStruck();
 }

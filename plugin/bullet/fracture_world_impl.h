@@ -212,10 +212,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     StepSnapshot before_;
     ImpulseWriteBack write_back_;
     SweepExceptions sweep_exceptions_;
-    bool awake_ = false;  // something in the world moves; set before each solve
-    bool any_just_added_ = false;
-    bool any_breakable_ = false;  // something may break in the step
-    double time_s_ = 0;           // simulated since the hook was set
+    bool awake_ = false;           // something in the world moves; set before each solve
+    bool any_just_added_ = false;  // whether some body has been in no step yet
+    bool any_breakable_ = false;   // something may break in the step
+    double time_s_ = 0;            // simulated since the hook was set
     std::uint64_t next_serial_ = 0;
     std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
     EventQueue events_;

@@ -9,12 +9,14 @@ namespace sherd {
 namespace {
 
 constexpr std::size_t most_points = 64;
-// Parts of ground that are one plane.
 constexpr btScalar parallel = btScalar(1e-6);  // of the cosine
 constexpr btScalar level_m = btScalar(1e-5);
 
-bool areOnePlane(const Facet& a, const Facet& b) {
-    return a.normal.dot(b.normal) >= 1 - parallel && btFabs(a.height - b.height) <= level_m;
+/// Whether two parts of ground are one plane at a place, but for rounding.
+bool areOnePlane(const Facet& a, const Facet& b, const btVector3& place) {
+    const btScalar rounding = 4 * SIMD_EPSILON * place.length();
+    return a.normal.dot(b.normal) >= 1 - parallel &&
+           btFabs(a.above(place) - b.above(place)) <= level_m + rounding;
 }
 
 struct Vertex {
@@ -40,9 +42,9 @@ std::vector<Vertex> spreadOut(const std::vector<Vertex>& deepest_first, btScalar
 
 std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentManifold& manifold,
                                                           const LandingBody& body, bool body_is_a,
-                                                          btScalar reach) {
+                                                          const btTransform& ground_stood, btScalar reach) {
     if (manifold.getNumContacts() == 0) return std::nullopt;
-    const EvenGround ground = evenGround(body.shape, manifold, body_is_a, body.inside);
+    const EvenGround ground = evenGround(body.shape, manifold, body_is_a, ground_stood, body.inside);
     const btManifoldPoint& first = manifold.getContactPoint(0);
     const Facet* face = ground.under(body_is_a ? first.m_positionWorldOnB : first.m_positionWorldOnA);
     if (!face) return std::nullopt;
@@ -58,7 +60,7 @@ std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentMani
         if (height >= highest) continue;
         const btVector3 place = stood * own;
         const Facet* below = ground.under(place);
-        if (!below || !areOnePlane(*below, *face)) return std::nullopt;
+        if (!below || !areOnePlane(*below, *face, place)) return std::nullopt;
         vertices.push_back({place, height});
     }
     std::stable_sort(vertices.begin(), vertices.end(),

@@ -97,7 +97,6 @@ bool Rehearsal::mayRehearse(btDiscreteDynamicsWorld& world) {
 Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps,
                      const std::vector<Role>& roles, double time_s)
     : of_world_(world),
-      overlaps_of_world_(overlaps),
       time_step_s_(world.getSolverInfo().m_timeStep),
       time_s_(time_s),
       dispatcher_(static_cast<btCollisionDispatcher*>(world.getDispatcher())->getCollisionConfiguration()),
@@ -117,6 +116,10 @@ Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overla
         world.getSimulationIslandManager()->getSplitIslands());
     broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(this);
     for (const Role& role : roles) add(role);
+    overlaps_.copy(overlaps, [&](const btCollisionObject* object) {
+        const auto found = stand_in_of_.find(object);
+        return found == stand_in_of_.end() ? nullptr : found->second;
+    });
     noteContacts(world);
 }
 
@@ -225,9 +228,6 @@ const btCollisionObject* Rehearsal::original(const btCollisionObject* stand_in) 
 void Rehearsal::beforeSolve() {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     takeOverContacts();
-    overlaps_.addOverlapping(world_, [&](const auto& a, const auto& b) {
-        return overlaps_of_world_.allows(*original(&a), *original(&b));
-    });
     overlaps_.applyAllowances(world_);
     steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
@@ -239,7 +239,7 @@ void Rehearsal::beforeSolve() {
 
 void Rehearsal::afterSolve(const btContactSolverInfo& info, btIDebugDraw*) {
     time_s_ += info.m_timeStep;
-    ContactCollector collector(breakables_, before_, time_s_, info);
+    ContactCollector collector(breakables_, before_, time_s_, info, &overlaps_);
     feedSolvedContacts(world_, collector);
     struck_ = collector.takeStruck();
     write_back_.end(world_);

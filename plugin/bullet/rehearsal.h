@@ -64,7 +64,6 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     const btCollisionObject* original(const btCollisionObject* stand_in) const;
 
     btDiscreteDynamicsWorld& of_world_;
-    const BirthOverlaps& overlaps_of_world_;
     btScalar time_step_s_;
     double time_s_;
     // The world goes before the bodies do.

@@ -25,7 +25,7 @@ constexpr double least_margin = 1e-4;   // of a hull's diagonal: on thinner shee
 constexpr int most_hull_vertices = 96;  // Bullet wants fewer than 100
 constexpr double smallest_relative_volume =
     1e-7;  // volume over the cube of the length; a smaller hull counts as flat
-constexpr int most_outermost = 4096;
+constexpr int most_outermost = 1024;
 constexpr double outermost_tolerance = 0.01;  // of the spacing
 constexpr double nearly_convex = 0.5;  // of a solid's volume: air that a hull of an automatic shape may hold
 
@@ -185,7 +185,8 @@ OwnedShape makeShape(const BreakableSolid& solid, const ShapeChoice& wanted, con
     if (!owned.shape)
         owned.shape = hullShape(simpleHull(surface.vertices, limits.most_vertices, limits.tolerance_m),
                                 solid.isFragment());
-    owned.closes_hollows = !solid.isFragment() && holdAir(hulls, solid.moments().volume);
+    owned.closes_hollows =
+        !solid.isFragment() && wanted.kind != CollisionShape::hull && holdAir(hulls, solid.moments().volume);
     owned.outermost = outermostOf(surface, solid);
     return owned;
 }

@@ -18,7 +18,9 @@ struct OwnedShape {
                             ///< of the same break
     std::vector<std::unique_ptr<btCollisionShape>> children;
     std::unique_ptr<btCollisionShape> shape;
-    bool closes_hollows = false;  ///< of a whole body: the hulls hold more than the body does
+    /// Of a whole body: its hulls hold air, more than a tenth of its volume, as those of chairs do, too. Not
+    /// of one hull that was asked for: what lies deep in that is carried by nothing.
+    bool closes_hollows = false;
     /// Of hulls that stand for a whole body: the vertices of the convex hull of its surface, nearly all of
     /// them; in the body's frame, m.
     std::vector<btVector3> outermost;

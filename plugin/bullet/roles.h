@@ -49,9 +49,9 @@ class Touching {
 };
 
 /// What a rehearsal of a mover's next `ahead_s` seconds needs, in the order of the world's objects: itself,
-/// the nearest of what it may meet on its way, what touches one of these, and what all that stands on. Empty
-/// if it meets nothing that it may break, nor anything that may break it, and if something turns it aside
-/// already. `before`: the state before the last step.
+/// the nearest of what it may meet on its way, what touches one of these, and what all that stands on, as far
+/// as there is room. Empty if it meets nothing that it may break, nor anything that may break it, and if
+/// something turns it aside already. `before`: the state before the last step.
 std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const Touching& touching,
                               const BreakableRegistry& breakables, const StepSnapshot& before,
                               const btRigidBody& mover, double ahead_s, double time_s);

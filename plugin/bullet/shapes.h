@@ -20,7 +20,7 @@ std::vector<Vec3> supportPoints(const btConvexShape& shape);
 /// in the frame of `shape`. The error names the child that is not convex.
 Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape);
 
-/// Whether a shape that was made without has a scaling.
+/// Whether a shape has a scaling: those that Sherd makes have none.
 bool isScaled(const btCollisionShape& shape);
 
 /// Of the box about an object along its own axes, m.

@@ -121,43 +121,37 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
-/// Gives Bullet's impulses to the points that touch first.
-void shareOut(const btPersistentManifold& manifold, std::vector<btManifoldPoint>& deepest_first) {
-    constexpr btScalar rounding = btScalar(1e-6);  // m
-    const btScalar deepest = deepest_first.front().getDistance();
-    const auto later =
-        std::find_if(deepest_first.begin(), deepest_first.end(),
-                     [&](const btManifoldPoint& point) { return point.getDistance() > deepest + rounding; });
-    std::vector<btManifoldPoint> first(deepest_first.begin(), later);
-    for (int i = 0; i < manifold.getNumContacts(); ++i) share(manifold.getContactPoint(i), first);
-    std::copy(first.begin(), first.end(), deepest_first.begin());
-}
-
-/// What lands on flat faces. A body of several parts has a manifold for each of them, all of which it is fed
+/// What lands on flat ground. A body of several parts has a manifold for each of them, all of which it is fed
 /// with at once.
 class Landings {
   public:
-    explicit Landings(const ContactCollector& collector) : collector_(collector) {}
+    Landings(const std::vector<btPersistentManifold*>& solved, const ContactCollector& collector)
+        : solved_(solved), collector_(collector) {}
 
     /// Whether what the manifold says has been fed with another one.
     bool know(const btPersistentManifold& manifold) const {
         return std::any_of(known_.begin(), known_.end(), [&](const Landing& known) {
-            return known.a == manifold.getBody0() && known.b == manifold.getBody1() &&
-                   (isExtra(manifold) || known.child == childOfOther(manifold, known.a_lands));
+            return !known.is_refused && known.holds(manifold, isExtra(manifold));
         });
     }
 
-    /// None if neither body lands, or not on a flat face.
+    /// None if neither body lands, or not on flat ground.
     std::vector<btManifoldPoint> pointsOf(const btPersistentManifold& manifold, btScalar reach) {
         for (const bool a_lands : {true, false}) {
-            const LandingBody body =
-                collector_.landing(*(a_lands ? manifold.getBody0() : manifold.getBody1()));
-            if (!body.outermost) continue;
-            auto points = landingPoints(manifold, body, a_lands, reach);
-            if (!points || points->empty()) continue;
-            shareOut(manifold, *points);
-            known_.push_back(
-                {manifold.getBody0(), manifold.getBody1(), a_lands, childOfOther(manifold, a_lands)});
+            const btCollisionObject &landing = *(a_lands ? manifold.getBody0() : manifold.getBody1()),
+                                    &ground = *(a_lands ? manifold.getBody1() : manifold.getBody0());
+            const LandingBody body = collector_.landing(landing);
+            Landing known{manifold.getBody0(), manifold.getBody1(), a_lands,
+                          childOfGround(manifold, a_lands)};
+            const auto isTheSame = [&](const Landing& other) {
+                return other.is_refused && other.a_lands == a_lands && other.holds(manifold, false);
+            };
+            if (!body.outermost || std::any_of(known_.begin(), known_.end(), isTheSame)) continue;
+            auto points = landingPoints(manifold, body, a_lands, collector_.stoodAt(ground), reach);
+            known.is_refused = !points || points->empty();
+            known_.push_back(known);
+            if (known.is_refused) continue;
+            shareOut(known, *points);
             return *std::move(points);
         }
         return {};
@@ -167,13 +161,35 @@ class Landings {
     struct Landing {
         const btCollisionObject *a, *b;
         bool a_lands;
-        int child;  // of the body on which the other one lands
+        int child;  // of the ground
+        bool is_refused = false;
+
+        bool holds(const btPersistentManifold& manifold, bool on_any_child) const {
+            return a == manifold.getBody0() && b == manifold.getBody1() &&
+                   (on_any_child || child == childOfGround(manifold, a_lands));
+        }
     };
-    static int childOfOther(const btPersistentManifold& manifold, bool a_lands) {
+    static int childOfGround(const btPersistentManifold& manifold, bool a_lands) {
         const btManifoldPoint& first = manifold.getContactPoint(0);
         return a_lands ? first.m_index1 : first.m_index0;
     }
 
+    /// Gives the impulses of all manifolds of the landing to the points that touch first.
+    void shareOut(const Landing& landing, std::vector<btManifoldPoint>& deepest_first) const {
+        constexpr btScalar rounding = btScalar(1e-6);  // m
+        const btScalar deepest = deepest_first.front().getDistance();
+        const auto later = std::find_if(
+            deepest_first.begin(), deepest_first.end(),
+            [&](const btManifoldPoint& point) { return point.getDistance() > deepest + rounding; });
+        std::vector<btManifoldPoint> first(deepest_first.begin(), later);
+        for (const btPersistentManifold* manifold : solved_)
+            if (landing.holds(*manifold, isExtra(*manifold)))
+                for (int i = 0; i < manifold->getNumContacts(); ++i)
+                    share(manifold->getContactPoint(i), first);
+        std::copy(first.begin(), first.end(), deepest_first.begin());
+    }
+
+    const std::vector<btPersistentManifold*>& solved_;
     const ContactCollector& collector_;
     std::vector<Landing> known_;
 };
@@ -279,7 +295,7 @@ void feedSolvedContacts(btDiscreteDynamicsWorld& world, ContactCollector& collec
         if (isSunkBeside(*own, solved)) *place = own;
     for (const btPersistentManifold* manifold : solved) collector.expect(*manifold);
     collector.lookForPiles({solved.begin(), solved.end()}, foreseen);
-    Landings landings(collector);
+    Landings landings(solved, collector);
     for (btPersistentManifold* manifold : solved) {
         if (!collector.listensTo(*manifold)) continue;
         const bool is_corrected = std::any_of(corrected.begin(), corrected.end(),

@@ -87,4 +87,52 @@ INSTANTIATE_TEST_SUITE_P(LandingPoints, DiscOnItsRim,
                                                                   : "Mesh";
                          });
 
+/// A table of a top and four legs, which is several hulls: each has a manifold of its own.
+TEST(LandingPoints, TheImpulseIsThatOfAllPartsOfTheBody) {
+    TriangleMesh table =
+        shapes::rectilinear({-0.2, -0.16, 0.16, 0.2}, {-0.2, -0.16, 0.16, 0.2}, {0, 0.3, 0.34},
+                            [](int i, int j, int k) { return k == 1 || (i != 1 && j != 1); });
+    const auto asset = BreakableAsset::fromMesh(table, crumbly(), coarse(0.04));
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    for (const bool is_plane : {false, true}) {
+        TestWorld scene;
+        if (is_plane)
+            scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
+                          btVector3(0, 0, 0));
+        else
+            scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+        btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0.01f)).value();
+        ASSERT_TRUE(body->getCollisionShape()->isCompound());
+        body->setLinearVelocity(btVector3(0, 0, -4));
+        scene.step(6);
+        const auto events = fracture.takeEvents();
+        ASSERT_FALSE(events.empty());
+        const double brought = 4 * asset.value().mass();
+        EXPECT_NEAR(events.front().impulse_n_s, brought, 0.1 * brought);
+    }
+}
+
+/// Split impulses move a box while the step is solved.
+TEST(LandingPoints, ABoxThatGivesWayIsStruckWhereItWas) {
+    const auto disc = BreakableAsset::fromMesh(cylinderMesh(radius, thickness, sides), Material::ceramic());
+    ASSERT_TRUE(disc.ok()) << disc.error();
+    std::vector<double> stresses;
+    for (const bool split : {false, true}) {
+        TestWorld scene;
+        scene.world->getSolverInfo().m_splitImpulse = split;
+        scene.addBox(20, btVector3(0.6f, 0.6f, 0.1f), btVector3(0, 0, -0.1f));
+        FractureWorld fracture(scene.world.get());
+        EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+        btRigidBody* body = fracture.add(disc.value(), at(0.4f, 0, 0.03f + btScalar(thickness / 2))).value();
+        body->setLinearVelocity(btVector3(0, 0, -6));
+        scene.step(3, 1.0 / 60);
+        const auto events = fracture.takeEvents();
+        ASSERT_FALSE(events.empty());
+        stresses.push_back(events.front().largest_stress_pa);
+    }
+    EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
+}
+
 }  // namespace

@@ -71,6 +71,30 @@ TEST_P(NestedBodies, PlatesInAStackStayWhereTheyAre) {
         EXPECT_NEAR(bodies_[i]->getCenterOfMassPosition().z(), heights[i], 0.002) << i;
 }
 
+/// Bullet looks at them when they wake.
+TEST_P(NestedBodies, PlatesThatAreAddedAndPutToSleepStayWhereTheyAreWhenTheyWake) {
+    const BreakableAsset plate = assetOf(dish());
+    for (int i = 0; i < 4; ++i)
+        add(plate, btVector3(0, 0, btScalar(0.0005 + (wall + 0.001) * i)))
+            ->forceActivationState(ISLAND_SLEEPING);
+    scene_.addBall(1, 0.1, btVector3(3, 0, 0.5f));
+    step(0.5);
+    for (btRigidBody* body : bodies_) body->activate(true);
+    step(1);
+    EXPECT_TRUE(fracture_.takeEvents().empty());
+    EXPECT_LT(fastest_, 9.81 / GetParam() + 0.05);
+}
+
+/// On a box of 100 m Bullet's contacts give the lowest plate a spin, and the hulls rub.
+TEST_P(NestedBodies, PlatesOnAWideFloorAreNotStruck) {
+    scene_.world->removeCollisionObject(scene_.bodies.front().get());
+    scene_.addBox(0, btVector3(50, 50, 50), btVector3(0, 0, -50));
+    const BreakableAsset plate = assetOf(dish());
+    for (int i = 0; i < 8; ++i) add(plate, btVector3(0, 0, btScalar(0.0005 + (wall + 0.001) * i)));
+    step(3);
+    EXPECT_TRUE(fracture_.takeEvents().empty());
+}
+
 /// And the stack is still one of bodies.
 TEST_P(NestedBodies, APlateThatIsLiftedOffComesDownAgainOnTheHulls) {
     const BreakableAsset plate = assetOf(dish());
