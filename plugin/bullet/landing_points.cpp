@@ -67,7 +67,7 @@ std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentMani
                      [](const Vertex& a, const Vertex& b) { return a.height < b.height; });
     btScalar apart = body.spacing / 2;
     std::vector<Vertex> kept = spreadOut(vertices, apart);
-    for (; kept.size() > most_points; kept = spreadOut(vertices, apart)) apart *= btScalar(1.5);
+    for (; kept.size() > most_points; kept = spreadOut(vertices, apart)) apart *= 2;
     std::vector<btManifoldPoint> points;
     for (const Vertex& vertex : kept) {
         const btVector3 below = vertex.place - vertex.height * face->normal;
