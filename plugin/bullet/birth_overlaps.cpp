@@ -14,6 +14,9 @@ namespace sherd {
 
 namespace {
 
+// How deep hulls are in each other Bullet tells anew in each step: what that differs by must not push.
+constexpr btScalar fastest_push_m_s = btScalar(0.005);
+
 /// The distance by the two points, which Bullet keeps up to date whatever was written into the contact's
 /// distance.
 btScalar distanceOf(const btManifoldPoint& point) {
@@ -70,8 +73,10 @@ void BirthOverlaps::addOverlapping(
             overlaps = overlaps || distanceOf(manifold.getContactPoint(p)) < 0;
         if (!overlaps || !is_allowed(*manifold.getBody0(), *manifold.getBody1())) continue;
         if (auto pair = pairOf(const_cast<btCollisionObject&>(*manifold.getBody0()),
-                               const_cast<btCollisionObject&>(*manifold.getBody1())))
+                               const_cast<btCollisionObject&>(*manifold.getBody1()))) {
+            pair->second.is_nested = true;
             pairs_.insert(*pair);
+        }
     }
 }
 
@@ -166,11 +171,14 @@ void BirthOverlaps::applyAllowances(btDiscreteDynamicsWorld& world) {
     for (const auto& [pair, manifold] : touching) measure(*pair, *manifold);
     for (auto& entry : pairs_)
         if (isAwake(entry.second)) update(entry.second);
+    const btContactSolverInfo& info = world.getSolverInfo();
+    const btScalar deepest_nested = fastest_push_m_s * info.m_timeStep / info.m_erp2;
     for (const auto& [pair, manifold] : touching)
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
             btManifoldPoint& point = manifold->getContactPoint(i);
-            const btScalar distance = distanceOf(point);
-            point.setDistance(distance < 0 ? std::min(distance + pair->allowance_m, btScalar(0)) : distance);
+            btScalar distance = distanceOf(point);
+            if (distance < 0) distance = std::min(distance + pair->allowance_m, btScalar(0));
+            point.setDistance(pair->is_nested ? std::max(distance, -deepest_nested) : distance);
         }
 }
 

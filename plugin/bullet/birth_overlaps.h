@@ -49,6 +49,7 @@ class BirthOverlaps {
         btScalar closed_m = 0;  // the part of it that the bodies moved into each other since the last update
         btScalar depth_m = 0;   // measured depth, without changes that the motion cannot explain
         btScalar allowance_m = 0;  // the part of the depth that is allowed
+        bool is_nested = false;    // the bodies were put into each other
     };
     /// By what distinguishes the bodies, in the order in which they were given it: not by their addresses,
     /// which differ from run to run, and may be those of other bodies later.

@@ -128,6 +128,6 @@ TEST_P(NestedBodies, SolidBodiesInEachOtherArePushedApart) {
     EXPECT_GT((a->getCenterOfMassPosition() - b->getCenterOfMassPosition()).length(), 0.09);
 }
 
-INSTANTIATE_TEST_SUITE_P(StepsASecond, NestedBodies, testing::Values(60.0, 240.0));
+INSTANTIATE_TEST_SUITE_P(StepsASecond, NestedBodies, testing::Values(60.0, 240.0, 480.0));
 
 }  // namespace
