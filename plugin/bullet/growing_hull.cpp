@@ -128,19 +128,20 @@ int GrowingHull::makeFace(int a, int b, int c) {
 }
 
 /// A face without an area goes with those around it.
-bool GrowingHull::isSeen(int face, int point) const {
+bool GrowingHull::isSeen(int face, int point, bool slivers) const {
     const Face& f = faces_[face];
-    return f.normal.isZero(0) ||
-           f.normal.dot(Eigen::Vector3f(x_[point], y_[point], z_[point])) - f.height > rounding_;
+    return f.normal.isZero(0)
+               ? slivers
+               : f.normal.dot(Eigen::Vector3f(x_[point], y_[point], z_[point])) - f.height > rounding_;
 }
 
 /// The faces around `face` that a point is outside of, as far as they are connected.
-void GrowingHull::findSeen(int point, int face) {
+void GrowingHull::findSeen(int point, int face, bool slivers) {
     seen_.assign(1, face);
     is_seen_[face] = 1;
     for (std::size_t i = 0; i < seen_.size(); ++i)
         for (const int next : faces_[seen_[i]].neighbours) {
-            if (is_seen_[next] || !isSeen(next, point)) continue;
+            if (is_seen_[next] || !isSeen(next, point, slivers)) continue;
             is_seen_[next] = 1;
             seen_.push_back(next);
         }
@@ -199,11 +200,16 @@ void GrowingHull::replaceSeen(int point) {
 }
 
 bool GrowingHull::add(int point, int face) {
-    findSeen(point, face);
-    const bool is_simple = findSides();
-    for (const int seen : seen_) is_seen_[seen] = 0;
-    if (is_simple) replaceSeen(point);
-    return is_simple;
+    // A face without an area may join faces that have nothing else in common.
+    for (const bool slivers : {true, false}) {
+        findSeen(point, face, slivers);
+        const bool is_simple = findSides();
+        for (const int seen : seen_) is_seen_[seen] = 0;
+        if (!is_simple) continue;
+        replaceSeen(point);
+        return true;
+    }
+    return false;
 }
 
 void GrowingHull::takeUp(int point) {

@@ -49,8 +49,8 @@ class GrowingHull {
     std::vector<int> firstCorners(const std::vector<int>& points) const;
     void makeFirstFaces(const std::vector<int>& corners);
     int makeFace(int a, int b, int c);
-    bool isSeen(int face, int point) const;
-    void findSeen(int point, int face);
+    bool isSeen(int face, int point, bool slivers) const;
+    void findSeen(int point, int face, bool slivers);
     bool findSides();
     void replaceSeen(int point);
     bool add(int point, int face);
