@@ -127,7 +127,7 @@ int GrowingHull::makeFace(int a, int b, int c) {
     return place;
 }
 
-/// A face without an area goes with those around it.
+/// A face without an area goes with those around it, if `slivers` are to.
 bool GrowingHull::isSeen(int face, int point, bool slivers) const {
     const Face& f = faces_[face];
     return f.normal.isZero(0)
