@@ -5,6 +5,9 @@
 #include <LinearMath/btAabbUtil2.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <tuple>
 #include <unordered_map>
 #include <unordered_set>
 #include <utility>
@@ -115,12 +118,37 @@ Objects metBy(btDiscreteDynamicsWorld& world, const btRigidBody& mover, double a
     return met;
 }
 
-/// The nearest, and of what is equally near, those that stand first among the world's objects.
-void keepNearest(const btRigidBody& mover, Objects& met) {
-    std::sort(met.begin(), met.end(), [&](const btCollisionObject* a, const btCollisionObject* b) {
-        return std::make_pair(gapBetween(mover, *a), a->getWorldArrayIndex()) <
-               std::make_pair(gapBetween(mover, *b), b->getWorldArrayIndex());
-    });
+/// When the boxes of two bodies meet if both go on as they do, s; infinity: never.
+btScalar meetAfter_s(const btRigidBody& mover, const btCollisionObject& other) {
+    constexpr btScalar never = std::numeric_limits<btScalar>::infinity();
+    const btBroadphaseProxy &own = *mover.getBroadphaseHandle(), &box = *other.getBroadphaseHandle();
+    const btRigidBody* body = btRigidBody::upcast(&other);
+    const btVector3 others = body ? body->getLinearVelocity() : btVector3(0, 0, 0);
+    const btVector3 velocity = mover.getLinearVelocity() - others;
+    btScalar first_s = 0, last_s = never;
+    for (int axis = 0; axis < 3; ++axis) {
+        const btScalar speed = std::abs(velocity[axis]);
+        const bool is_forward = velocity[axis] > 0;
+        const btScalar way = is_forward ? box.m_aabbMin[axis] - own.m_aabbMax[axis]
+                                        : own.m_aabbMin[axis] - box.m_aabbMax[axis];
+        const btScalar through = is_forward ? box.m_aabbMax[axis] - own.m_aabbMin[axis]
+                                            : own.m_aabbMax[axis] - box.m_aabbMin[axis];
+        if (way > 0) first_s = std::max(first_s, speed > 0 ? way / speed : never);
+        if (through < 0) return never;
+        if (speed > 0) last_s = std::min(last_s, through / speed);
+    }
+    return first_s <= last_s ? first_s : never;
+}
+
+/// What is met first: what flies beside the mover may be nearer than what it flies at. Of what is met at once
+/// the nearest, then those that stand first among the world's objects.
+void keepFirst(const btRigidBody& mover, Objects& met) {
+    const auto order = [&](const btCollisionObject* object) {
+        return std::make_tuple(meetAfter_s(mover, *object), gapBetween(mover, *object),
+                               object->getWorldArrayIndex());
+    };
+    std::sort(met.begin(), met.end(),
+              [&](const btCollisionObject* a, const btCollisionObject* b) { return order(a) < order(b); });
     if (met.size() > most_met) met.resize(most_met);
 }
 
@@ -255,7 +283,7 @@ std::vector<Role> rolesAround(btDiscreteDynamicsWorld& world, const Touching& to
             ? !met.empty()
             : std::any_of(met.begin(), met.end(), [&](const auto* other) { return mayBreak(*other); });
     if (!is_worth_it) return {};
-    keepNearest(mover, met);
+    keepFirst(mover, met);
     ObjectSet cast(met.begin(), met.end());
     cast.insert(&mover);
     addNeighbours(touching, cast);
