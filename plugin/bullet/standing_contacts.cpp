@@ -4,6 +4,8 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 
 #include "bullet/convex_part.h"
 #include "bullet/even_ground.h"
@@ -93,6 +95,18 @@ std::vector<Foot> without(const std::vector<Foot>& known, std::vector<Foot> feet
     };
     feet.erase(std::remove_if(feet.begin(), feet.end(), is_known), feet.end());
     return feet;
+}
+
+/// Those that come next to the ground: for one of the upper side of a body, steeply above another one, that
+/// would have to roll.
+std::vector<Foot> lowerSide(const std::vector<Foot>& feet) {
+    std::vector<Foot> lower;
+    std::copy_if(feet.begin(), feet.end(), std::back_inserter(lower), [&](const Foot& foot) {
+        return std::none_of(feet.begin(), feet.end(), [&](const Foot& other) {
+            return foot.above - other.above > std::hypot(foot.x - other.x, foot.y - other.y);
+        });
+    });
+    return lower;
 }
 
 void forgetImpulse(btManifoldPoint& point) {
@@ -219,7 +233,7 @@ bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
         return true;
     }
     contacts.moveTo(base);
-    if (low.size() < feet.size()) contacts.add(without(base, standingBase(feet)), world);
+    if (low.size() < feet.size()) contacts.add(without(base, standingBase(lowerSide(feet))), world);
     return true;
 }
 
