@@ -15,10 +15,16 @@ struct ForeseenBlow {
     std::uint64_t serial = 0;                 ///< of the body that will be struck
     BodyToken mover = no_token;               ///< whose way was rehearsed
     double found_at_s = 0, strikes_at_s = 0;  ///< simulated time
+    double solved_by_s = 0;                   ///< simulated time, as the budget has it for one worker
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;
     bool is_solved_in_full = false;
+
+    bool isSolvedInTime() const {
+        constexpr double rounding_s = 1e-9;
+        return solved_by_s <= strikes_at_s + rounding_s;
+    }
 };
 
 /// Whether a blow is the foreseen one, so that the same comes of it: the same strikes by the same bodies, as

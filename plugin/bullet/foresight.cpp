@@ -63,6 +63,7 @@ int Foresight::clear() {
     const auto count = static_cast<int>(blows_.size());
     outlooks_.clear();
     blows_.clear();
+    busy_until_s_ = 0;
     return count;
 }
 
@@ -139,6 +140,12 @@ void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s
     outlook->until_s = until_s;
 }
 
+void Foresight::note(ForeseenBlow blow, double turn_s) {
+    busy_until_s_ = std::max(busy_until_s_, blow.found_at_s) + turn_s;
+    blow.solved_by_s = busy_until_s_;
+    blows_.push_back(std::move(blow));
+}
+
 bool Foresight::isForeseen(std::uint64_t serial) const {
     return std::any_of(blows_.begin(), blows_.end(),
                        [&](const ForeseenBlow& blow) { return blow.serial == serial; });
@@ -152,24 +159,32 @@ int Foresight::fullSolves() const {
 void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) const {
     double most_ms = 0;
     for (const ForeseenBlow& blow : blows_)
-        if (!blow.decided->isDecided()) most_ms += shareOf(blow, time_s, time_step_s);
+        if (blow.isSolvedInTime() && !blow.decided->isDecided())
+            most_ms += shareOf(blow, time_s, time_step_s);
     if (!(most_ms > 0)) return;
     const Stopwatch watch;
     // Other threads take the first ones: of many that fall together this one does some meanwhile.
     for (auto last = blows_.rbegin(); last != blows_.rend(); ++last)
-        if (workOf(*last) <= most_ms - watch.milliseconds()) last->decided->decideIfFree();
+        if (last->isSolvedInTime() && workOf(*last) <= most_ms - watch.milliseconds())
+            last->decided->decideIfFree();
     const double solved_here_ms = watch.milliseconds();  // which counts with the blows
     for (const ForeseenBlow& blow : blows_)
-        if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0)
+        if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0 && blow.isSolvedInTime())
             blow.decided->waitIfBegun(left_ms);
     waiting_ms += watch.milliseconds() - solved_here_ms;
 }
 
-std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {
+const ForeseenBlow* Foresight::find(const StruckBreakable& struck, const BlowToDecide& blow) const {
     const auto known = std::find_if(blows_.begin(), blows_.end(), [&](const ForeseenBlow& foreseen) {
         return isAsForeseen(foreseen, struck, blow);
     });
-    if (known == blows_.end()) return nullptr;
+    return known == blows_.end() ? nullptr : &*known;
+}
+
+std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {
+    const ForeseenBlow* const found = find(struck, blow);
+    if (!found) return nullptr;
+    const auto known = blows_.begin() + (found - blows_.data());
     std::shared_ptr<DecidedBlow> decided = std::move(known->decided);
     if (Outlook* outlook = of(known->mover)) {
         outlook->surprises = 0;

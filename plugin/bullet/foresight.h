@@ -33,14 +33,18 @@ class Foresight {
     bool isToBeLookedAt(BodyToken mover, double time_s, double ahead_s) const;
     /// Notes where a body goes, up to `until_s`, and what finding out cost.
     void note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost);
-    void note(ForeseenBlow blow) { blows_.push_back(std::move(blow)); }
+    /// Notes a blow that keeps one worker busy for `turn_s` of simulated time, after those noted before it.
+    void note(ForeseenBlow blow, double turn_s);
     bool isForeseen(std::uint64_t serial) const;
+    /// The blow that falls as it was foreseen; nullptr for others.
+    const ForeseenBlow* find(const StruckBreakable& struck, const BlowToDecide& blow) const;
     /// Of the blows that are to be solved in full, how many are still to fall.
     int fullSolves() const;
     /// For the end of a step: waits a little for blows that other threads are at, or does some of those that
     /// none has begun, rather than all of it in the step in which they fall. In a program that steps as fast
     /// as it can, simulated time runs ahead of the other threads; one whose steps wait for real time has
-    /// nothing to wait for here. What comes of the blows does not depend on it.
+    /// nothing to wait for here: nor have blows for which the budget has no time until they fall. What comes
+    /// of the blows does not depend on it.
     void keepUp(double time_s, double time_step_s, double& waiting_ms) const;
     /// What comes of a blow that falls as it was foreseen; nullptr for others.
     std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow);
@@ -63,6 +67,7 @@ class Foresight {
 
     std::vector<Outlook> outlooks_;  // in the order in which they were noted
     std::vector<ForeseenBlow> blows_;
+    double busy_until_s_ = 0;  // the one worker, simulated time
     int credit_ = 0;
 };
 

@@ -171,7 +171,10 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
         }
     }
+    gated.solved_ahead.resize(struck.size());
     if (time_step_s > 0) {
+        const int room = gated.now.empty() ? 0 : roomForFragments();
+        for (const std::size_t i : gated.now) gated.solved_ahead[i] = isSolvedAhead(struck[i], room);
         tearOutFirst(struck, gated);
         thinOut(struck, time_step_s, gated);
     }
@@ -192,15 +195,25 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     std::vector<std::shared_ptr<DecidedBlow>> blows;
     const auto kept = std::count_if(gated.later.begin(), gated.later.end(),
                                     [&](std::size_t i) { return struck[i].isKept(); });
-    const int deciding = std::max(1, static_cast<int>(now.size()));
-    const int share = room / (deciding + static_cast<int>(kept)),
-              share_of_step = (budget_.fragments_per_step - new_fragments_) / deciding;
+    int deciding = 0,
+        taken = 0;  // those solved ahead have what they were promised, the others share the rest
+    for (const std::size_t i : now) {
+        if (gated.solved_ahead[i])
+            taken += mostFragments(*struck[i].breakable);
+        else
+            ++deciding;
+    }
+    const int sharing = std::max(1, deciding);
+    const int share = std::max(0, room - taken) / (sharing + static_cast<int>(kept)),
+              share_of_step = std::max(0, budget_.fragments_per_step - new_fragments_ - taken) / sharing;
     for (const std::size_t i : now) {
         const Breakable& breakable = *struck[i].breakable;
         // A factor that one blow leaves serves the next; a reduced model has all that it needs.
         if (!breakable.asset.solid()->reducedStress())
             waiting_.settle(breakable.serial, times_.steps.waiting);
-        BlowToDecide blow = toDecide(struck[i], std::min(share + breakable.ownPlaces(), share_of_step));
+        const int places = gated.solved_ahead[i] ? placesAhead(breakable, room)
+                                                 : std::min(share + breakable.ownPlaces(), share_of_step);
+        BlowToDecide blow = toDecide(struck[i], places);
         if (auto foreseen = takeForeseen(struck[i], blow)) {
             times_.blows += gated.ms[i];
             blows.push_back(std::move(foreseen));
@@ -210,7 +223,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         blow.before = gated.ms[i];
         blows.push_back(DecidedBlow::make(std::move(blow)));
     }
-    decided_now_ += static_cast<int>(now.size());
+    decided_now_ += deciding;
     const auto decided = decideNow(std::move(blows));
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {

@@ -69,6 +69,7 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
     std::vector<BodyState> way;
     std::vector<ForeseenBlow> found;
     const double until_s = time_s_ + 2 * budget_.foresight_s;
+    const double time_step_s = world_.getSolverInfo().m_timeStep;
     while (found.empty() && rehearsal.time() < until_s && way.size() < most_steps) {
         std::vector<StruckBreakable> struck = rehearsal.step();
         found = worthSolving(std::move(struck), rehearsal.time());
@@ -80,7 +81,8 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
         blow.mover = token;
         blow.decided = DecidedBlow::make(blow.blow);
         if (mayHaveThreads()) blow.decided->submit(executor());
-        foresight_.note(std::move(blow));
+        const double work_ms = estimatedMilliseconds(*blow.blow.solid, blow.blow.blow);
+        foresight_.note(std::move(blow), WaitingBlows::turn_s(work_ms, budget_, time_step_s));
     }
 }
 
@@ -129,8 +131,26 @@ ForeseenBlow FractureWorld::Impl::asForeseen(const StruckBreakable& struck, doub
     blow.strikes_at_s = strikes_at_s;
     for (const btCollisionObject* partner : struck.partners)
         blow.partners.push_back(giveToken(*const_cast<btCollisionObject*>(partner)));
-    blow.blow = toDecide(struck, std::min(roomForFragments() + body.ownPlaces(), budget_.fragments_per_step));
+    blow.blow = toDecide(struck, placesAhead(body, roomForFragments()));
     return blow;
+}
+
+int FractureWorld::Impl::mostFragments(const Breakable& breakable) const {
+    return std::min(breakable.fracture->largest_fragment_count, budget_.fragments_per_step);
+}
+
+/// Fragments at most of a body whose blow is solved before it falls, when nobody knows what else breaks then.
+int FractureWorld::Impl::placesAhead(const Breakable& body, int room) const {
+    return std::min(room + body.ownPlaces(), budget_.fragments_per_step);
+}
+
+/// Whether a blow falls as it was foreseen, early enough for the budget's time to have solved it by now: the
+/// step only swaps the body.
+bool FractureWorld::Impl::isSolvedAhead(const StruckBreakable& struck, int room) const {
+    const Breakable& body = *struck.breakable;
+    if (!foresight_.isForeseen(body.serial)) return false;
+    const ForeseenBlow* foreseen = foresight_.find(struck, toDecide(struck, placesAhead(body, room)));
+    return foreseen && foreseen->isSolvedInTime();
 }
 
 }  // namespace sherd

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
+#include <utility>
 
 #include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
@@ -93,7 +95,8 @@ bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck
 /// has milliseconds: those that nothing flies through, where there is more to be decided in the step than it
 /// has solves, or where a ball breaks others, and those that fragments strike. Of the last, and of an
 /// explosion's, one is decided in any case if the step has no more. Of a crowd that something heavy runs
-/// into, as many are as the step has solves.
+/// into, as many are as the step has solves. What was solved before it fell takes none of the step's time,
+/// only places for its fragments: where these run out it waits, or is solved anew for fewer.
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
                                   Gated& gated) const {
     if (budget_.shortest_wait_s == 0) return;
@@ -101,7 +104,13 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     constexpr btScalar than_each_of_a_crowd = 10;
     const auto begin = gated.now.begin(), end = gated.now.end();
     const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i], much_heavier); };
-    const bool are_many = decided_now_ + (end - begin) > budget_.solves_per_step;
+    const auto is_solved = [&](std::size_t i) { return gated.solved_ahead[i]; };
+    const auto solved = std::count_if(begin, end, is_solved);
+    const auto to_solve = end - begin - solved;
+    const int pieces = std::accumulate(
+        begin, end, 0, [&](int sum, std::size_t i) { return sum + mostFragments(*struck[i].breakable); });
+    const bool are_many = decided_now_ + to_solve > budget_.solves_per_step ||
+                          (solved > 0 && new_fragments_ + pieces > budget_.fragments_per_step);
     const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
     const auto is_run_into = [&](std::size_t i) {
         return are_many && isRunInto(struck[i], than_each_of_a_crowd) && !isBacked(struck[i]);
@@ -114,25 +123,49 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
         return struck[i].blow.isSqueezed() ? !are_many : !is_crowd;
     };
     const auto may_wait = std::stable_partition(begin, end, must_not_wait);
-    const auto others = std::stable_partition(may_wait, end, is_run_into);
+    const auto unsolved = std::stable_partition(may_wait, end, is_solved);
+    const auto others = std::stable_partition(unsolved, end, is_run_into);
     const auto is_more_urgent = [&](std::size_t a, std::size_t b) {
         return isMoreUrgent(struck[a], struck[b]);
     };
-    std::stable_sort(may_wait, others, is_more_urgent);
+    std::stable_sort(may_wait, unsolved, is_more_urgent);
+    std::stable_sort(unsolved, others, is_more_urgent);
     std::stable_sort(others, end, is_more_urgent);
-    const double most_ms = millisecondsPerStep(budget_, time_step_s);
+    const Turns turns{static_cast<std::size_t>(may_wait - begin), static_cast<std::size_t>(others - begin),
+                      is_crowd};
+    fillStep(struck, turns, millisecondsPerStep(budget_, time_step_s), gated);
+}
+
+/// Decides which blows the step has room for: those of `gated.now`, in the order in which they get it.
+void FractureWorld::Impl::fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns,
+                                   double most_ms, Gated& gated) const {
     double ms = decided_now_ms_;
-    int count = decided_now_;
-    auto first = begin;
-    for (; first != end; ++first, ++count) {
-        ms += estimatedMilliseconds(*struck[*first].breakable->asset.solid(), struck[*first].blow);
-        const bool has_no_solves = count >= budget_.solves_per_step;
-        const bool may_be_none = is_crowd && !struck[*first].is_of_explosion;
-        const bool has_no_room = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);
-        if (first >= may_wait && (first < others ? has_no_solves : has_no_room)) break;
+    int count = decided_now_, places = budget_.fragments_per_step - new_fragments_;
+    bool some_are_solved = false, others_wait = false;
+    std::vector<std::size_t> now;
+    for (std::size_t turn = 0; turn < gated.now.size(); ++turn) {
+        const std::size_t i = gated.now[turn];
+        const int pieces = mostFragments(*struck[i].breakable);
+        const bool may_wait = turn >= turns.first_that_may_wait, has_places = pieces <= places;
+        bool waits = may_wait && gated.solved_ahead[i] && !has_places;
+        if (gated.solved_ahead[i] && has_places) {
+            some_are_solved = true;
+        } else if (!waits) {
+            gated.solved_ahead[i] = false;
+            ms += estimatedMilliseconds(*struck[i].breakable->asset.solid(), struck[i].blow);
+            const bool has_no_solves = count >= budget_.solves_per_step;
+            const bool may_be_none = turns.is_crowd && !struck[i].is_of_explosion;
+            const bool has_no_time = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);
+            const bool has_no_room = (turn < turns.first_that_needs_time ? has_no_solves : has_no_time) ||
+                                     (some_are_solved && !has_places);
+            others_wait = others_wait || (may_wait && has_no_room);
+            waits = others_wait;
+            if (!waits) ++count;
+        }
+        if (!waits) places -= pieces;
+        (waits ? gated.later : now).push_back(i);
     }
-    gated.later.insert(gated.later.end(), first, end);
-    gated.now.erase(first, end);
+    gated.now = std::move(now);
     std::sort(gated.now.begin(), gated.now.end());
     std::sort(gated.later.begin(), gated.later.end());
 }

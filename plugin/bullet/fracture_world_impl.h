@@ -107,9 +107,17 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::vector<StageTimes> ms;                    // all of them
         std::vector<std::size_t> now, later;           // what is to be decided, ascending
         std::vector<Torn> torn;                        // all of them
+        std::vector<bool> solved_ahead;                // all of them
+    };
+    /// The order in which blows get their room in a step.
+    struct Turns {
+        std::size_t first_that_may_wait, first_that_needs_time;
+        bool is_crowd;
     };
     Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
+    void fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns, double most_ms,
+                  Gated& gated) const;
     void tearOutFirst(const std::vector<StruckBreakable>& struck, Gated& gated) const;
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
@@ -129,6 +137,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<ForeseenBlow> worthSolving(std::vector<StruckBreakable> struck, double strikes_at_s) const;
     bool mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const;
     ForeseenBlow asForeseen(const StruckBreakable& struck, double strikes_at_s) const;
+    int mostFragments(const Breakable& breakable) const;
+    int placesAhead(const Breakable& body, int room) const;
+    bool isSolvedAhead(const StruckBreakable& struck, int room) const;
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;

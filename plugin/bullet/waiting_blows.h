@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -26,6 +27,8 @@ struct WaitingBlow {
     Vec3 position = Vec3::Zero(), normal = Vec3::Zero();  ///< as in StruckBreakable, but in the asset's frame
     const btCollisionObject* striker = nullptr;           ///< may be dead: compared with its token
     BodyToken striker_token = no_token;
+    /// If it was foreseen, when the worker that solves what is foreseen is done with it; simulated time.
+    double solved_by_s = std::numeric_limits<double>::infinity();
     double struck_at_s = 0, begun_s = 0, worked_by_s = 0, due_s = 0;  ///< simulated time
     std::shared_ptr<DecidedBlow> decided;
     std::vector<Push> for_pieces;  ///< as in StruckBreakable, in the asset's frame
@@ -54,7 +57,7 @@ class WaitingBlows {
     /// half of that wait at least.
     double left_s(const Budget& budget, double time_s) const;
     /// Of two blows on a body the harder one waits, in the place of the other if that is not begun; the
-    /// weaker one is merged.
+    /// weaker one is merged. One that was foreseen has part of its turn behind it.
     Fate add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s);
     /// For another budget: none waits for longer than it says, nor any more where it lets none wait.
     void keepTo(const Budget& budget, double time_s);

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "bullet/support.h"
@@ -368,6 +370,80 @@ TEST(Foresight, OfACrowdThatIsNotPreparedAsManyAsAStepSolves) {
            scene.dispatcher->getNumManifolds() == 0)
         scene.step();
     EXPECT_EQ(jobs, budget.solves_per_step);
+}
+
+/// In a long step its upper corners come near the ground, too: which of them the solver presses is chance.
+TEST(Foresight, AFlatLandingIsForeseen) {
+    for (const double rate : {60, 120, 240}) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        scene.addFloor();
+        FractureWorld fracture(scene.world.get());
+        for (int i = 0; i < 3; ++i)
+            ASSERT_TRUE(fracture.add(preparedPlate(), at(0.7f * btScalar(i), 0, 0.8f)).ok());
+        scene.step(static_cast<int>(0.5 * rate), 1 / rate);
+        EXPECT_EQ(fracture.counts().foreseen, 3) << rate << " Hz";
+    }
+}
+
+/// Twelve plates that fall side by side: the events of their breaks.
+std::vector<BlowEvent> breaksOfFallingPlates(const Budget& budget) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, -9.81f));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    EXPECT_TRUE(fracture.setBudget(budget).ok());
+    for (int i = 0; i < 12; ++i) {
+        BodyOptions options;
+        options.start = at(0.7f * btScalar(i % 4), 0.7f * btScalar(i / 4), 0.8f);
+        options.name = std::to_string(i);
+        EXPECT_TRUE(fracture.add(preparedPlate(), options).ok());
+    }
+    std::vector<BlowEvent> breaks;
+    for (int step = 0; step < 90; ++step) {
+        scene.step(1, 1.0 / 60);
+        for (BlowEvent& event : fracture.takeEvents())
+            if (event.outcome == Outcome::broke && event.generation == 0) breaks.push_back(std::move(event));
+    }
+    EXPECT_EQ(breaks.size(), 12u);
+    return breaks;
+}
+
+long brokenAtOnce(const std::vector<BlowEvent>& breaks) {
+    return std::count_if(breaks.begin(), breaks.end(),
+                         [](const BlowEvent& event) { return event.waited_s == 0; });
+}
+
+TEST(Foresight, OfACrowdAsManyBreakAtOnceAsThereWasTimeFor) {
+    Budget budget;
+    budget.solves_per_step = 1;
+    budget.foresight_s = 0;
+    EXPECT_LE(brokenAtOnce(breaksOfFallingPlates(budget)), 1);
+    budget.foresight_s = 0.1;
+    const std::vector<BlowEvent> breaks = breaksOfFallingPlates(budget);
+    // Seen 0.1 to 0.2 s before, one in 30 to 40 ms.
+    EXPECT_GE(brokenAtOnce(breaks), 2);
+    EXPECT_LE(brokenAtOnce(breaks), 7);
+    for (const BlowEvent& event : breaks) EXPECT_TRUE(event.foreseen || event.waited_s > 0);
+    budget.milliseconds_per_step = 1000;
+    budget.solves_per_step = budget.fragments_per_step = 1000;
+    EXPECT_EQ(brokenAtOnce(breaksOfFallingPlates(budget)), 12);
+}
+
+TEST(Foresight, WhatWasSolvedForMorePiecesThanAStepHasRoomForWaits) {
+    Budget budget;
+    budget.milliseconds_per_step = 1000;
+    budget.solves_per_step = 1000;
+    const std::vector<BlowEvent> breaks = breaksOfFallingPlates(budget);
+    budget.fragments_per_step = 3 * preparedPlate().settings().fracture.largest_fragment_count;
+    const std::vector<BlowEvent> in_turn = breaksOfFallingPlates(budget);
+    EXPECT_EQ(brokenAtOnce(in_turn), 3);
+    const auto piecesOf = [](const std::vector<BlowEvent>& events) {
+        std::map<std::string, std::size_t> pieces;
+        for (const BlowEvent& event : events) pieces[event.name] = event.fragments.size();
+        return pieces;
+    };
+    EXPECT_EQ(piecesOf(breaks), piecesOf(in_turn));
 }
 
 /// Bullet looks for no contacts of what sleeps, but has those of before when it wakes.
