@@ -89,10 +89,9 @@ void SolverDecorator::reset() {
 }
 
 btConstraintSolverType SolverDecorator::getSolverType() const {
-    // A world that reads BT_MULTIBODY_SOLVER here casts this object to btMultiBodyConstraintSolver, which it
-    // is not. Multi-body worlds keep a second pointer to their solver and go on using that one.
-    const btConstraintSolverType type = inner_->getSolverType();
-    return type == BT_MULTIBODY_SOLVER ? BT_SEQUENTIAL_IMPULSE_SOLVER : type;
+    // Worlds and apps cast a solver to the class that its type names, and this is none of them. Multi-body
+    // worlds keep a second pointer to their solver and go on using that one.
+    return btConstraintSolverType{};
 }
 
 }  // namespace sherd
