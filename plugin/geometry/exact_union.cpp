@@ -7,6 +7,14 @@
 #endif
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 
+#include <algorithm>
+#include <numeric>
+#include <vector>
+
+#include "geometry/by_position.h"
+#include "geometry/merge_vertices.h"
+#include "geometry/surface_mesh_conversion.h"
+
 namespace sherd {
 
 namespace {
@@ -24,6 +32,27 @@ std::optional<ExactMesh> unionOf(ExactMesh a, ExactMesh b) {  // which are split
     if (!CGAL::Polygon_mesh_processing::corefine_and_compute_union(a, b, both)) return std::nullopt;
     if (!isSolid(both)) return std::nullopt;
     return both;
+}
+
+TriangleMesh roundedMesh(const ExactMesh& mesh) {
+    const TriangleMesh merged = mergeEqualVertices(fromSurfaceMesh(mesh));
+    std::vector<int> old(merged.vertices.size());
+    std::iota(old.begin(), old.end(), 0);
+    std::sort(old.begin(), old.end(),
+              [&](int a, int b) { return precedes(merged.vertices[a], merged.vertices[b]); });
+    TriangleMesh ordered;
+    std::vector<int> number(old.size());
+    for (const int vertex : old) {
+        number[vertex] = static_cast<int>(ordered.vertices.size());
+        ordered.vertices.push_back(merged.vertices[vertex]);
+    }
+    for (auto triangle : merged.triangles) {
+        for (int& corner : triangle) corner = number[corner];
+        std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
+        ordered.triangles.push_back(triangle);
+    }
+    std::sort(ordered.triangles.begin(), ordered.triangles.end());
+    return ordered;
 }
 
 }  // namespace sherd

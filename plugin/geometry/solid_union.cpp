@@ -9,10 +9,9 @@
 #include <string>
 #include <utility>
 
+#include "geometry/canonical_hull.h"
 #include "geometry/exact_union.h"
-#include "geometry/merge_vertices.h"
 #include "geometry/surface_checks.h"
-#include "geometry/surface_mesh_conversion.h"
 #include "geometry/surface_topology.h"
 
 namespace sherd {
@@ -57,7 +56,7 @@ std::optional<ExactMesh> convexHull(const std::vector<Vec3>& points) {
     ExactMesh hull;
     CGAL::convex_hull_3(exact.begin(), exact.end(), hull);
     if (hull.number_of_faces() < 4 || !CGAL::is_closed(hull)) return std::nullopt;
-    return hull;
+    return canonicalHull(hull);
 }
 
 /// Adds `part` to `whole` if their union is a manifold; false if not.
@@ -111,7 +110,7 @@ Result<TriangleMesh> uniteAll(Parts parts) {
     for (int attempt = 0; attempt < 2; ++attempt) {
         const Result<ExactMesh> whole = uniteHulls(parts);
         if (!whole) return Error{whole.error()};
-        TriangleMesh mesh = mergeEqualVertices(fromSurfaceMesh(whole.value()));
+        TriangleMesh mesh = roundedMesh(whole.value());
         checked = checkSurface(mesh);
         if (checked) return mesh;
         if (!closedManifoldEdges(mesh)) break;  // parts that touch in a point; growth would only hide it

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/number_utils.h>
 #include <sherd/triangle_mesh.h>
@@ -20,6 +21,12 @@ SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh) {
     return result;
 }
 
+/// The nearest double: that of an interval depends on what of a number was worked out before.
+template <class Number>
+double toDouble(const Number& number) {
+    return CGAL::to_double(CGAL::exact(number));
+}
+
 /// The vertices that triangles use, rounded to double precision, and the triangles, in order.
 template <class SurfaceMesh>
 TriangleMesh fromSurfaceMesh(const SurfaceMesh& mesh) {
@@ -29,7 +36,7 @@ TriangleMesh fromSurfaceMesh(const SurfaceMesh& mesh) {
         if (mesh.is_isolated(vertex)) continue;
         number[vertex] = static_cast<int>(result.vertices.size());
         const auto& p = mesh.point(vertex);
-        result.vertices.emplace_back(CGAL::to_double(p.x()), CGAL::to_double(p.y()), CGAL::to_double(p.z()));
+        result.vertices.emplace_back(toDouble(p.x()), toDouble(p.y()), toDouble(p.z()));
     }
     for (const auto face : mesh.faces()) {
         std::array<int, 3> triangle{};

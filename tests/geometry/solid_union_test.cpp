@@ -2,6 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <mutex>
+#include <random>
+#include <thread>
+
+#include "core/numerics/fibonacci_sphere.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 #include "geometry/surface_topology.h"
@@ -30,6 +36,56 @@ void expectUnion(const std::vector<std::vector<Vec3>>& parts, double volume, int
     EXPECT_EQ(checkSurface(mesh.value()).error(), "");
     EXPECT_NEAR(solidMoments(mesh.value()).volume, volume, tolerance * volume);
     EXPECT_EQ(shellCount(mesh.value()), shells);
+}
+
+/// The points of a ball, and of another one beside it, with flat faces and many that lie in one plane.
+std::vector<std::vector<Vec3>> ballAndSteps() {
+    std::vector<Vec3> ball, steps;
+    constexpr int count = 200;
+    for (int i = 0; i < count; ++i) ball.push_back(fibonacciDirection(i, count));
+    for (int i = 0; i < 60; ++i) steps.emplace_back(0.5 * (i % 5), 0.3 * (i % 4), 0.4 * (i % 3));
+    return {ball, steps, box(Vec3(-1, -1, -0.2), Vec3(0.3, 0.3, 0.2))};
+}
+
+// CGAL goes by addresses where it has a choice, and those differ with what else there is.
+TEST(SolidUnion, GivesTheSameBitsWhateverElseIsInMemory) {
+    const auto parts = ballAndSteps();
+    std::mutex mutex;
+    std::vector<TriangleMesh> meshes;
+    const auto work = [&](unsigned seed) {
+        std::mt19937 random(seed);
+        std::vector<std::unique_ptr<char[]>> others;
+        for (int i = 0; i < 8; ++i) {
+            for (int k = 0; k < 200; ++k) {
+                others.push_back(std::make_unique<char[]>(16 + random() % 4000));
+                if (random() % 2) others[random() % others.size()] = nullptr;
+            }
+            const Result<TriangleMesh> mesh = uniteConvexParts(parts);
+            const std::lock_guard<std::mutex> lock(mutex);
+            meshes.push_back(mesh ? mesh.value() : TriangleMesh());
+        }
+    };
+    std::vector<std::thread> threads;
+    for (unsigned seed = 1; seed <= 3; ++seed) threads.emplace_back(work, seed);
+    for (std::thread& thread : threads) thread.join();
+    ASSERT_EQ(meshes.size(), 24u);
+    ASSERT_FALSE(meshes[0].vertices.empty());
+    for (const TriangleMesh& mesh : meshes) {
+        EXPECT_EQ(mesh.vertices, meshes[0].vertices);
+        EXPECT_EQ(mesh.triangles, meshes[0].triangles);
+    }
+}
+
+TEST(SolidUnion, AHullHasNoPointsInsideOfItsFacesOrEdges) {
+    auto points = box(Vec3(0, 0, 0), Vec3(1, 2, 3));
+    for (int i = 0; i < 60; ++i)
+        points.emplace_back(0.25 * (i % 5), 0.5 * (i % 4 + 0.5), 1.0 * (i % 3 + 0.5));
+    for (const double z : {1.0, 2.0}) points.emplace_back(0, 0, z);
+    const Result<TriangleMesh> mesh = uniteConvexParts({points});
+    ASSERT_TRUE(mesh.ok()) << mesh.error();
+    EXPECT_EQ(mesh.value().vertices.size(), 8u);
+    EXPECT_EQ(mesh.value().triangles.size(), 12u);
+    EXPECT_EQ(checkSurface(mesh.value()).error(), "");
 }
 
 TEST(SolidUnion, OnePartIsItsHull) {

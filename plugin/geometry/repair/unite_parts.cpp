@@ -10,7 +10,6 @@
 
 #include "core/numerics/union_find.h"
 #include "geometry/exact_union.h"
-#include "geometry/merge_vertices.h"
 #include "geometry/repair/cgal_mesh.h"
 #include "geometry/repair/mend_surface.h"
 #include "geometry/shells.h"
@@ -120,7 +119,7 @@ Result<TriangleMesh> unionOfCluster(const std::vector<const Part*>& cluster) {
             if (!both) return Error{"Parts touch in an edge or a point only, so their union is no solid."};
             wholes[p] = std::move(*both);
         }
-    return mergeEqualVertices(fromSurfaceMesh(wholes[0]));
+    return roundedMesh(wholes[0]);
 }
 
 }  // namespace
