@@ -16,7 +16,8 @@ struct QueuedEvent {
     std::unique_ptr<Breakable> broken = nullptr;
 };
 
-/// The events that the app has not taken yet, in order. Holds a limited number; the oldest are dropped.
+/// The events that the app has not taken yet, in order. Holds a limited number: beyond that those of blows
+/// that the budget dropped are left out, then the oldest in which nothing broke, then the oldest.
 class EventQueue {
   public:
     void push(QueuedEvent event);

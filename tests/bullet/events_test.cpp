@@ -83,6 +83,7 @@ TEST(Events, NobodyTakesThemSoTheOldestAreDroppedWithTheirBodies) {
     std::weak_ptr<const FractureSettings> first, last;
     for (int i = 0; i < 1003; ++i) {
         QueuedEvent queued{BlowEvent(asset), nullptr};
+        queued.event.outcome = Outcome::broke;
         queued.event.impulse_n_s = i;
         if (i == 0 || i == 1002) {
             const auto settings = std::make_shared<const FractureSettings>();
@@ -103,6 +104,27 @@ TEST(Events, NobodyTakesThemSoTheOldestAreDroppedWithTheirBodies) {
     queue.deleteReleased();
     EXPECT_TRUE(last.expired());
     EXPECT_TRUE(queue.take().empty());
+}
+
+TEST(Events, BlowsThatTheBudgetDroppedCrowdOutNoBreak) {
+    const BreakableAsset asset = plate(crumbly());
+    EventQueue queue;
+    for (int i = 0; i < 5000; ++i) {
+        QueuedEvent queued{BlowEvent(asset), nullptr};
+        queued.event.outcome = i % 100 == 0   ? Outcome::broke
+                               : i % 100 == 1 ? Outcome::failed
+                               : i % 4 == 0   ? Outcome::held
+                                              : Outcome::dropped;
+        queued.event.impulse_n_s = i;
+        queue.push(std::move(queued));
+    }
+    EXPECT_EQ(queue.dropped(), 4000);
+    const std::vector<BlowEvent> events = queue.take();
+    ASSERT_EQ(events.size(), 1000u);
+    EXPECT_EQ(count(events, Outcome::broke), 50);
+    EXPECT_EQ(count(events, Outcome::failed), 50);
+    for (std::size_t i = 1; i < events.size(); ++i)
+        EXPECT_LT(events[i - 1].impulse_n_s, events[i].impulse_n_s) << "in order";
 }
 
 }  // namespace
