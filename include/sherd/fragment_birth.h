@@ -14,14 +14,16 @@ namespace sherd {
 /// - friction, rolling and spinning friction, anisotropic friction (the factors of its axes, turned to those
 ///   of the fragment), restitution, contact stiffness and damping, contact processing
 ///   threshold, collision flags, damping, sleeping thresholds (the angular one is larger
-///   for small fragments: a quarter of the linear one at their surface), linear and angular factor, flags,
-///   gravity, threshold and (as far as it fits) radius of continuous collision, DISABLE_DEACTIVATION;
+///   for small fragments: a quarter of the linear one at their surface), linear and angular factor (unless the linear one
+///   is zero: what the app held in its place comes free), flags, gravity, threshold and (as far as it fits)
+///   radius of continuous collision;
 /// - collision group and mask, objects that it does not collide with, user pointer, the three user indices,
 ///   custom debug colour, the name and the FractureSettings;
 /// - the strength of each of its places, and what earlier blows damaged there (Outcome::held);
 /// - its share of the momentum and of the forces that wait for the solver. Where the world holds it on a
 ///   support (BreakableOptions::supports) it is static; then, and where it comes off a static body, Bullet
 ///   chooses its group and mask anew unless the app had chosen them.
+/// It may sleep, also where DISABLE_DEACTIVATION kept the body awake, as while a mouse drags it.
 /// Its own are mass, inertia, place, collision shape (FractureSettings::collision_shape) and motion state: a
 /// btDefaultMotionState that begins where the whole body was drawn.
 struct FragmentBirth {

@@ -50,8 +50,11 @@ void inheritSurface(const btRigidBody& parent, btRigidBody& piece) {
 void inheritMotionRules(const btRigidBody& parent, const btVector3& world_gravity, btRigidBody& piece) {
     piece.setDamping(parent.getLinearDamping(), parent.getAngularDamping());
     piece.setFlags(parent.getFlags());
-    piece.setLinearFactor(parent.getLinearFactor());
-    piece.setAngularFactor(parent.getAngularFactor());
+    // What the app held in its place would fly on as it was born, through everything.
+    if (!parent.getLinearFactor().isZero()) {
+        piece.setLinearFactor(parent.getLinearFactor());
+        piece.setAngularFactor(parent.getAngularFactor());
+    }
     piece.setGravity(parent.getInvMass() > 0 ? parent.getGravity() : world_gravity);
     piece.setCcdMotionThreshold(parent.getCcdMotionThreshold());
     btVector3 centre;
@@ -63,7 +66,6 @@ void inheritMotionRules(const btRigidBody& parent, const btVector3& world_gravit
     const btScalar slow_turn = slow_surface * parent.getLinearSleepingThreshold() / radius;
     piece.setSleepingThresholds(parent.getLinearSleepingThreshold(),
                                 std::max(parent.getAngularSleepingThreshold(), slow_turn));
-    if (parent.getActivationState() == DISABLE_DEACTIVATION) piece.setActivationState(DISABLE_DEACTIVATION);
 }
 
 void inheritAppData(btRigidBody& parent, btRigidBody& piece) {
