@@ -1,5 +1,6 @@
 #include <sherd/breakable_asset.h>
 
+#include <algorithm>
 #include <cmath>
 #include <locale>
 #include <sstream>
@@ -42,7 +43,8 @@ Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Ma
 
 namespace {
 
-/// Of numbers that no brittle material has, but that its table has in another unit.
+/// Of numbers that no brittle material has, but that its table has in another unit. One that is scaled with
+/// the density (Material::withDensity) is right.
 std::vector<std::string> unitWarnings(const Material& material) {
     std::vector<std::string> warnings;
     const auto warn = [&](const char* name, double value, double least, const char* unit) {
@@ -53,12 +55,15 @@ std::vector<std::string> unitWarnings(const Material& material) {
              << unit << "?";
         warnings.push_back(text.str());
     };
-    warn("youngs_modulus_pa", material.youngs_modulus_pa, 1e6, "Pa, not in GPa or MPa");
-    warn("tensile_strength_pa", material.tensile_strength_pa, 500, "Pa, not in MPa");
-    warn("density_kg_m3", material.density_kg_m3, 5,
-         "kg/m^3, not in g/cm^3? That of a body of the program's own (makeBreakable) is its mass over its "
-         "volume: is "
-         "that as it should be");
+    constexpr double lightest_kg_m3 = 5;
+    const double lighter = std::min(1.0, material.density_kg_m3 / lightest_kg_m3);
+    warn("youngs_modulus_pa", material.youngs_modulus_pa, 1e6 * lighter, "Pa, not in GPa or MPa");
+    warn("tensile_strength_pa", material.tensile_strength_pa, 500 * lighter, "Pa, not in MPa");
+    warn(
+        "density_kg_m3", material.density_kg_m3, lightest_kg_m3,
+        "kg/m^3, not in g/cm^3? That of a body of the program's own (makeBreakable) is its mass over its "
+        "volume: if it is to be as light as that, Material::withDensity has what breaks as a heavy one does. "
+        "Is that as it should be");
     return warnings;
 }
 

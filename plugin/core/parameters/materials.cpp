@@ -59,6 +59,16 @@ Material Material::wood() {
     return {"wood", 12.3e9, 0.33, 510, 3.2e6, 0.2, 170, 49e6};
 }
 
+Material Material::withDensity(double kg_m3) const {
+    Material scaled = *this;
+    const double factor = kg_m3 / density_kg_m3;
+    scaled.density_kg_m3 = kg_m3;
+    for (double Material::*field : {&Material::youngs_modulus_pa, &Material::tensile_strength_pa,
+                                    &Material::fracture_energy_j_m2, &Material::compressive_strength_pa})
+        scaled.*field *= factor;
+    return scaled;
+}
+
 Result<Material> Material::named(const std::string& name) {
     std::string known;
     for (const Material& material :

@@ -70,6 +70,18 @@ TEST(Material, IsFoundByItsName) {
         "There is no material 'glas'; there are ceramic, plaster, glass, concrete, brick, stone, ice, wood.");
 }
 
+TEST(Material, OfAnotherDensityHasTheSameSpeeds) {
+    const Material given = Material::stone(), light = given.withDensity(0.125);
+    EXPECT_EQ(light.density_kg_m3, 0.125);
+    EXPECT_TRUE(light.validate().ok()) << light.validate().error();
+    // Of sound, at which it breaks, and at which what breaks off flies away.
+    for (double Material::*field : {&Material::youngs_modulus_pa, &Material::tensile_strength_pa,
+                                    &Material::compressive_strength_pa, &Material::fracture_energy_j_m2})
+        EXPECT_DOUBLE_EQ(light.*field / light.density_kg_m3, given.*field / given.density_kg_m3);
+    EXPECT_EQ(light.poisson_ratio, given.poisson_ratio);
+    EXPECT_FALSE(given.withDensity(0).validate().ok());
+}
+
 TEST(Material, NoNumberAndInfinityAreOutOfRange) {
     for (const double wrong :
          {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
