@@ -1,6 +1,7 @@
 // Which blows break their bodies: at once, or when it is their turn.
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -25,6 +26,15 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
         warnings.push_back(
             "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
             "prepare what BreakableAsset::anchored makes of it, and add bodies of that");
+    const BreakableSolid& solid = *breakable.asset.solid();
+    const double off_m = (breakable.body_from_asset * toBullet(solid.moments().centroid)).length();
+    constexpr double far = 0.02;  // of its radius
+    if (!breakable.ownedHere() && off_m > far * solid.boundingRadius())
+        warnings.push_back("the body turns about a point that is " +
+                           std::to_string(std::lround(1000 * off_m)) +
+                           " mm from the centre of its solid, about which its pieces turn: they fall and "
+                           "spin otherwise than it "
+                           "did; in a btCompoundShape the shape can be shifted so that both are one");
     const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
                            breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
     if (is_scaled)

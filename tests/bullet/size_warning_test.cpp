@@ -82,6 +82,32 @@ TEST(SizeWarning, UsualBodiesAndTheirFragmentsGoWithout) {
     for (const BlowEvent& event : events) EXPECT_FALSE(warns(event));
 }
 
+TEST(SizeWarning, FirstBlowOnABodyThatTurnsAboutAnotherPointSaysIt) {
+    for (const btScalar shift : {btScalar(0), btScalar(0.1)}) {
+        TestWorld scene;
+        scene.addFloor();
+        btBoxShape box(btVector3(0.1f, 0.1f, 0.3f));
+        btCompoundShape shape;
+        shape.addChildShape(at(0, 0, shift), &box);
+        btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(5, nullptr, &shape, btVector3(1, 1, 1)));
+        body.setWorldTransform(at(0, 0, 0.6f));
+        body.setLinearVelocity(btVector3(0, 0, -4));
+        scene.world->addRigidBody(&body);
+        {
+            FractureWorld fracture(scene.world.get());
+            ASSERT_TRUE(fracture.makeBreakable(&body, crumbly(), coarse(0.06)).ok());
+            std::vector<BlowEvent> events;
+            for (int i = 0; i < 60 && events.empty(); ++i) {
+                scene.step();
+                events = fracture.takeEvents();
+            }
+            ASSERT_FALSE(events.empty());
+            EXPECT_EQ(warns(events[0], "100 mm from the centre of its solid"), shift > 0);
+        }
+        if (body.isInWorld()) scene.world->removeRigidBody(&body);
+    }
+}
+
 // Every body of an asset shares the shape, so all of them grow; the pieces would not.
 TEST(SizeWarning, FirstBlowOnABodyWithAScaledShapeSaysIt) {
     Settings settings = coarse(0.03);
