@@ -7,6 +7,7 @@
 #include "bullet/body_token.h"
 #include "bullet/contact_collector.h"
 #include "bullet/decided_blow.h"
+#include "bullet/simulated_time.h"
 
 namespace sherd {
 
@@ -21,10 +22,7 @@ struct ForeseenBlow {
     std::shared_ptr<DecidedBlow> decided;
     bool is_solved_in_full = false;
 
-    bool isSolvedInTime() const {
-        constexpr double rounding_s = 1e-9;
-        return solved_by_s <= strikes_at_s + rounding_s;
-    }
+    bool isSolvedInTime() const { return solved_by_s <= strikes_at_s + time_rounding_s; }
 };
 
 /// Whether a blow is the foreseen one, so that the same comes of it: the same strikes by the same bodies, as

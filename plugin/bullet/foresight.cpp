@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <utility>
 
+#include "bullet/simulated_time.h"
 #include "bullet/waiting_blows.h"
 #include "core/numerics/stopwatch.h"
 
@@ -14,7 +15,6 @@ namespace sherd {
 
 namespace {
 
-constexpr double rounding_s = 1e-9;  // of the simulated time
 constexpr int most_surprises = 3;
 constexpr double shortest_rest_s = 0.25, longest_rest_s = 4;
 constexpr btScalar off_the_way_m = btScalar(5e-4);
@@ -109,7 +109,7 @@ int Foresight::follow(const btDiscreteDynamicsWorld& world, double time_s) {
     };
     outlooks_.erase(std::remove_if(outlooks_.begin(), outlooks_.end(), is_forgotten), outlooks_.end());
     const auto is_vain = [&](const ForeseenBlow& blow) {
-        return blow.strikes_at_s <= time_s + rounding_s || !of(blow.mover) ||
+        return blow.strikes_at_s <= time_s + time_rounding_s || !of(blow.mover) ||
                std::find(strayed.begin(), strayed.end(), blow.mover) != strayed.end();
     };
     const auto vain = std::remove_if(blows_.begin(), blows_.end(), is_vain);
@@ -172,6 +172,12 @@ void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) co
         if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0 && blow.isSolvedInTime())
             blow.decided->waitIfBegun(left_ms);
     waiting_ms += watch.milliseconds() - solved_here_ms;
+}
+
+void Foresight::workUntil(double time_s) const {
+    double none = 0;  // nobody else does any
+    for (const ForeseenBlow& blow : blows_)
+        if (blow.isSolvedInTime() && blow.solved_by_s <= time_s + time_rounding_s) blow.decided->finish(none);
 }
 
 const ForeseenBlow* Foresight::find(const StruckBreakable& struck, const BlowToDecide& blow) const {

@@ -46,6 +46,8 @@ class Foresight {
     /// nothing to wait for here: nor have blows for which the budget has no time until they fall. What comes
     /// of the blows does not depend on it.
     void keepUp(double time_s, double time_step_s, double& waiting_ms) const;
+    /// Does here what the one worker would have done by then: for worlds without an executor.
+    void workUntil(double time_s) const;
     /// What comes of a blow that falls as it was foreseen; nullptr for others.
     std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow);
 

@@ -75,8 +75,11 @@ void FractureWorld::Impl::afterIntegration() {
     if (!released_ && (awake_ || !foresight_.empty()))
         timed(times_.whole, [&] {
             lookAhead();
+            const ThreadsAsAllowed threads(*this);
             if (mayHaveThreads())
                 foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, times_.steps.waiting);
+            else
+                foresight_.workUntil(time_s_);
         });
     deleteIfReleased();
 }

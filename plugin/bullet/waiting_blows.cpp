@@ -6,11 +6,11 @@
 #include <limits>
 #include <utility>
 
+#include "bullet/simulated_time.h"
+
 namespace sherd {
 
 namespace {
-
-constexpr double rounding_s = 1e-9;  // of the simulated time
 
 /// Whether a worker may have the blow already: a little ahead of the plan, so that nothing waits for it where
 /// it is slower. Of simulated time alone, since what a solid keeps of a blow serves its next one.
@@ -118,12 +118,12 @@ void WaitingBlows::submit(const Executor& executor, double time_s) {
 void WaitingBlows::workUntil(double time_s) {
     double none = 0;  // nobody else does any
     for (std::size_t i = 0; i < blows_.size(); ++i)
-        if (blows_[i].worked_by_s <= time_s + rounding_s && isFirstOfItsBody(i))
+        if (blows_[i].worked_by_s <= time_s + time_rounding_s && isFirstOfItsBody(i))
             blows_[i].decided->finish(none);
 }
 
 const WaitingBlow* WaitingBlows::due(double time_s) const {
-    return !blows_.empty() && blows_.front().due_s <= time_s + rounding_s ? &blows_.front() : nullptr;
+    return !blows_.empty() && blows_.front().due_s <= time_s + time_rounding_s ? &blows_.front() : nullptr;
 }
 
 void WaitingBlows::finishFirst(double until_s, double& waiting_ms) {
