@@ -15,7 +15,7 @@ namespace sherd {
 namespace {
 
 // How deep hulls are in each other Bullet tells anew in each step: what that differs by must not push.
-constexpr btScalar fastest_push_m_s = btScalar(0.005);
+constexpr btScalar fastest_nested_push_m_s = btScalar(0.005);
 
 /// The distance by the two points, which Bullet keeps up to date whatever was written into the contact's
 /// distance.
@@ -172,7 +172,7 @@ void BirthOverlaps::applyAllowances(btDiscreteDynamicsWorld& world) {
     for (auto& entry : pairs_)
         if (isAwake(entry.second)) update(entry.second);
     const btContactSolverInfo& info = world.getSolverInfo();
-    const btScalar deepest_nested = fastest_push_m_s * info.m_timeStep / info.m_erp2;
+    const btScalar deepest_nested = fastest_nested_push_m_s * info.m_timeStep / info.m_erp2;
     for (const auto& [pair, manifold] : touching)
         for (int i = 0; i < manifold->getNumContacts(); ++i) {
             btManifoldPoint& point = manifold->getContactPoint(i);

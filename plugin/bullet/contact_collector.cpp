@@ -12,12 +12,12 @@
 #include "bullet/birth_overlaps.h"
 #include "bullet/contact_motion.h"
 #include "bullet/conversions.h"
-#include "bullet/first_touch.h"
 #include "bullet/met_on_the_way.h"
 #include "bullet/piles.h"
 #include "bullet/same_blow.h"
 #include "bullet/shapes.h"
 #include "bullet/torn_out.h"
+#include "core/loads/first_touch.h"
 #include "core/loads/strike.h"
 
 namespace sherd {

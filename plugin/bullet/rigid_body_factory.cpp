@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "bullet/conversions.h"
-#include "bullet/convex_decomposition.h"
-#include "bullet/convex_hull.h"
 #include "bullet/piece_hull.h"
+#include "geometry/convex/convex_decomposition.h"
+#include "geometry/convex/convex_hull.h"
 
 namespace sherd {
 

@@ -16,16 +16,15 @@ struct PaintedSurface {
     TriangleTree tree;
 
     explicit PaintedSurface(const TriangleMesh& painted) : mesh(painted), tree(mesh) {
-        tree.tree.accelerate_distance_queries();
+        tree.prepareNearest();
     }
 
     /// Mean of the colour's three channels at the surface point nearest to x.
     double brightnessNear(const Vec3& x) const {
-        const auto [nearest, triangle] = tree.tree.closest_point_and_primitive(TriangleTree::toPoint(x));
-        const auto& corners = mesh.triangles[tree.indexOf(triangle)];
+        const auto [p, triangle] = tree.nearest(x);
+        const auto& corners = mesh.triangles[triangle];
         const Vec3 &a = mesh.vertices[corners[0]], &b = mesh.vertices[corners[1]],
                    &c = mesh.vertices[corners[2]];
-        const Vec3 p = TriangleTree::toVec3(nearest);
         const Vec3 weights((b - p).cross(c - p).norm(), (c - p).cross(a - p).norm(),
                            (a - p).cross(b - p).norm());
         Vec3 colour = Vec3::Zero();

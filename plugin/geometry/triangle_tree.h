@@ -1,43 +1,46 @@
 #pragma once
 
-#include <CGAL/AABB_traits.h>
-#include <CGAL/AABB_tree.h>
-#include <CGAL/AABB_triangle_primitive.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <sherd/triangle_mesh.h>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 namespace sherd {
 
-/// CGAL's search tree over the triangles of a mesh. Triangles keep the mesh's order.
-struct TriangleTree {
-    using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-    using Triangles = std::vector<Kernel::Triangle_3>;
-    using Primitive = CGAL::AABB_triangle_primitive<Kernel, Triangles::const_iterator>;
-    using Tree = CGAL::AABB_tree<CGAL::AABB_traits<Kernel, Primitive>>;
+/// CGAL's search tree over the triangles of a mesh, which have the mesh's numbers. Built again for each mesh:
+/// it does not follow changes. Once `prepareNearest` was called, several threads may ask at once.
+class TriangleTree {
+  public:
+    explicit TriangleTree(const TriangleMesh& mesh);
+    ~TriangleTree();
+    TriangleTree(const TriangleTree&) = delete;
+    TriangleTree& operator=(const TriangleTree&) = delete;
 
-    Triangles triangles;
-    Tree tree;
+    /// A point of the surface.
+    struct Foot {
+        Vec3 position = Vec3::Zero();
+        int triangle = -1;
+    };
+    /// What a ray meets.
+    struct Hit {
+        std::optional<Vec3> place;  ///< none if the ray runs along the triangle
+        int triangle = -1;
+    };
 
-    explicit TriangleTree(const TriangleMesh& mesh)
-        : triangles(trianglesOf(mesh)), tree(triangles.cbegin(), triangles.cend()) {}
-
-    int indexOf(Triangles::const_iterator triangle) const {
-        return static_cast<int>(triangle - triangles.cbegin());
-    }
-    static Kernel::Point_3 toPoint(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
-    static Vec3 toVec3(const Kernel::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+    void prepareNearest();
+    /// The point of the surface that is nearest to x.
+    Foot nearest(const Vec3& x) const;
+    /// From x to one of the triangles.
+    double distance(const Vec3& x, int triangle) const;
+    /// The first triangle, but for `left_out`, that the ray from a point through another one meets.
+    std::optional<Hit> firstHit(const Vec3& from, const Vec3& through, int left_out = -1) const;
+    /// The triangles that are no further from x than `distance`, ascending.
+    std::vector<int> within(double distance, const Vec3& x) const;
 
   private:
-    static Triangles trianglesOf(const TriangleMesh& mesh) {
-        Triangles triangles;
-        triangles.reserve(mesh.triangles.size());
-        for (const auto& [a, b, c] : mesh.triangles)
-            triangles.emplace_back(toPoint(mesh.vertices[a]), toPoint(mesh.vertices[b]),
-                                   toPoint(mesh.vertices[c]));
-        return triangles;
-    }
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
 };
 
 }  // namespace sherd

@@ -10,8 +10,6 @@
 namespace sherd {
 namespace {
 
-using Kernel = TriangleTree::Kernel;
-
 constexpr int ray_count = 2000;
 // So that a thin wall counts if it has a tenth of the surface, and a sharp edge does not.
 constexpr double percentile = 0.1;
@@ -48,13 +46,9 @@ double thicknessByRays(const TriangleMesh& mesh) {
     const TriangleTree surface(mesh);
     std::vector<double> distances;
     for (const Ray& ray : inwardRays(mesh)) {
-        const auto own = surface.triangles.cbegin() + static_cast<std::ptrdiff_t>(ray.triangle);
-        const Kernel::Ray_3 query(TriangleTree::toPoint(ray.origin),
-                                  TriangleTree::toPoint(ray.origin + ray.direction));
-        const auto hit = surface.tree.first_intersection(query, [&](const auto& id) { return id == own; });
-        if (!hit) continue;
-        if (const auto* point = boost::get<Kernel::Point_3>(&hit->first))
-            distances.push_back((TriangleTree::toVec3(*point) - ray.origin).norm());
+        const auto hit =
+            surface.firstHit(ray.origin, ray.origin + ray.direction, static_cast<int>(ray.triangle));
+        if (hit && hit->place) distances.push_back((*hit->place - ray.origin).norm());
     }
     if (distances.empty()) return 0;
     const auto thin =

@@ -1,10 +1,10 @@
 // What stands for bodies in collisions, and that fragments are not pushed apart when they are born.
 
 #include "bullet/conversions.h"
-#include "bullet/convex_decomposition.h"
-#include "bullet/convex_hull.h"
 #include "bullet/rigid_body_factory.h"
 #include "bullet/support.h"
+#include "geometry/convex/convex_decomposition.h"
+#include "geometry/convex/convex_hull.h"
 #include "geometry/mass_properties.h"
 
 namespace {

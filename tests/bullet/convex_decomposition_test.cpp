@@ -1,19 +1,19 @@
 // The hulls that follow a solid, and what they are made with.
 
-#include "bullet/convex_decomposition.h"
+#include "geometry/convex/convex_decomposition.h"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "bullet/convex_hull.h"
-#include "bullet/cut_tree.h"
-#include "bullet/growing_hull.h"
-#include "bullet/oriented_polytope.h"
-#include "bullet/possible_cuts.h"
-#include "bullet/surface_cloud.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
+#include "geometry/convex/convex_hull.h"
+#include "geometry/convex/cut_tree.h"
+#include "geometry/convex/growing_hull.h"
+#include "geometry/convex/oriented_polytope.h"
+#include "geometry/convex/possible_cuts.h"
+#include "geometry/convex/surface_cloud.h"
 #include "geometry/mass_properties.h"
 #include "support/exact_hull.h"
 #include "support/shapes.h"

@@ -1,6 +1,6 @@
 // Where a ball met the surface of a body that hulls stand for in collisions.
 
-#include "bullet/first_touch.h"
+#include "core/loads/first_touch.h"
 
 #include <cmath>
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bullet/conversions.h"
-#include "bullet/convex_hull.h"
+#include "geometry/convex/convex_hull.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "bullet/first_touch.h"
+#include "core/loads/first_touch.h"
 
 #include <cmath>
 

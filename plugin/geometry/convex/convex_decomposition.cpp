@@ -1,15 +1,15 @@
-#include "bullet/convex_decomposition.h"
+#include "geometry/convex/convex_decomposition.h"
 
 #include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
 
-#include "bullet/cut_tree.h"
-#include "bullet/possible_cuts.h"
-#include "bullet/surface_cloud.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
+#include "geometry/convex/cut_tree.h"
+#include "geometry/convex/possible_cuts.h"
+#include "geometry/convex/surface_cloud.h"
 
 namespace sherd {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bullet/convex_hull.h"
+#include "geometry/convex/convex_hull.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "bullet/convex_hull.h"
+#include "geometry/convex/convex_hull.h"
 
 #include <algorithm>
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "bullet/growing_hull.h"
+#include "geometry/convex/growing_hull.h"
 
 namespace sherd {
 

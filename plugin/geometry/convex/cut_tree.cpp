@@ -1,4 +1,4 @@
-#include "bullet/cut_tree.h"
+#include "geometry/convex/cut_tree.h"
 
 #include <algorithm>
 #include <cmath>

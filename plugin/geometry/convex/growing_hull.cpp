@@ -1,12 +1,12 @@
-#include "bullet/growing_hull.h"
+#include "geometry/convex/growing_hull.h"
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <utility>
 
-#include "bullet/point_columns.h"
 #include "core/numerics/mesh_measures.h"
+#include "geometry/convex/point_columns.h"
 
 namespace sherd {
 

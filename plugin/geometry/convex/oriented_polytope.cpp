@@ -1,4 +1,4 @@
-#include "bullet/oriented_polytope.h"
+#include "geometry/convex/oriented_polytope.h"
 
 #include <algorithm>
 #include <limits>

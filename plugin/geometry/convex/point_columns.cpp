@@ -1,4 +1,4 @@
-#include "bullet/point_columns.h"
+#include "geometry/convex/point_columns.h"
 
 #include <algorithm>
 

@@ -1,12 +1,12 @@
-#include "bullet/possible_cuts.h"
+#include "geometry/convex/possible_cuts.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "bullet/oriented_polytope.h"
 #include "core/numerics/mesh_measures.h"
+#include "geometry/convex/oriented_polytope.h"
 
 namespace sherd {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "bullet/surface_cloud.h"
+#include "geometry/convex/surface_cloud.h"
 
 namespace sherd {
 

@@ -1,4 +1,4 @@
-#include "bullet/surface_cloud.h"
+#include "geometry/convex/surface_cloud.h"
 
 #include <algorithm>
 #include <cmath>

@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "bullet/cut_tree.h"
+#include "geometry/convex/cut_tree.h"
 
 namespace sherd {
 

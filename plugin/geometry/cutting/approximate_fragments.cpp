@@ -1,5 +1,6 @@
 #include "geometry/cutting/approximate_fragments.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Side_of_triangle_mesh.h>
 #include <CGAL/Surface_mesh.h>
 
@@ -25,7 +26,7 @@ namespace sherd {
 
 namespace {
 
-using Kernel = TriangleTree::Kernel;
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using CgalMesh = CGAL::Surface_mesh<Kernel::Point_3>;
 
 constexpr double largest_lattice = 2e5;  // nodes
@@ -35,7 +36,7 @@ constexpr double largest_volume_change = 1.25;  // more means that walls are mis
 
 CgalMesh toCgal(const TriangleMesh& mesh) {
     CgalMesh result;
-    for (const Vec3& v : mesh.vertices) result.add_vertex(TriangleTree::toPoint(v));
+    for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
     for (const auto& [a, b, c] : mesh.triangles)
         result.add_face(CgalMesh::Vertex_index(a), CgalMesh::Vertex_index(b), CgalMesh::Vertex_index(c));
     return result;
@@ -45,10 +46,11 @@ CgalMesh toCgal(const TriangleMesh& mesh) {
 void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattice) {
     const CgalMesh mesh = toCgal(surface);
     const CGAL::Side_of_triangle_mesh<CgalMesh, Kernel> side(mesh);
-    for (std::size_t node = 0; node < lattice.nodes.size(); ++node)
-        if (lattice.labels[node] >= 0 &&
-            side(TriangleTree::toPoint(lattice.nodes[node])) != CGAL::ON_BOUNDED_SIDE)
+    for (std::size_t node = 0; node < lattice.nodes.size(); ++node) {
+        const Vec3& x = lattice.nodes[node];
+        if (lattice.labels[node] >= 0 && side(Kernel::Point_3(x.x(), x.y(), x.z())) != CGAL::ON_BOUNDED_SIDE)
             lattice.labels[node] = outside;
+    }
 }
 
 // For each triangle the number of the connected set within one label that it belongs to.

@@ -3,18 +3,10 @@
 #include <utility>
 #include <vector>
 
-#include "geometry/cutting/edge_table.h"
 #include "geometry/cutting/plane_projection.h"
+#include "geometry/cutting/triangle_subdivision.h"
 
 namespace sherd {
-
-/// The polygons that segments cut a triangle into, which the triangles in them connect.
-struct TrianglePolygons {
-    int count = 0;
-    std::vector<int> of_part;                         ///< #triangles, the polygon that each is part of
-    std::vector<int> at_edge;                         ///< #loop, that at the edge which begins at each point
-    std::vector<std::array<int, 2>> beside_segments;  ///< #segments, those on their left and right
-};
 
 /// Splits a triangle along segments that form chains from one point of its boundary to another, as nearly all
 /// do: the chains leave polygons, and these are triangulated, Delaunay within each. The same triangles as a

@@ -6,9 +6,10 @@
 #include <map>
 #include <numeric>
 
+#include "core/clustering/way_out.h"
+#include "core/numerics/fibonacci_sphere.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
-#include "core/numerics/pi.h"
 #include "core/numerics/union_find.h"
 #include "geometry/cutting/stray_pieces.h"
 
@@ -17,7 +18,6 @@ namespace sherd {
 namespace {
 
 constexpr double most_in_the_way = 0.04;  // of the crack area
-constexpr double tolerance = 0.1736;      // sine of 10 degrees
 constexpr int directions = 400;
 
 /// A crack face of a piece.
@@ -32,7 +32,7 @@ bool isFree(const std::vector<Face>& faces, double allowed, const Vec3& directio
     constexpr std::size_t step = 16;
     for (std::size_t first = 0; first < step; ++first)
         for (std::size_t f = first; f < faces.size(); f += step) {
-            if (faces[f].normal.dot(direction) > tolerance) allowed -= faces[f].area;
+            if (faces[f].normal.dot(direction) > most_facing) allowed -= faces[f].area;
             if (allowed < 0) return false;
         }
     return true;
@@ -53,11 +53,8 @@ bool isHooked(const std::vector<Face>& faces) {
     const auto free = [&](const Vec3& direction) { return isFree(faces, allowed, direction); };
     const Vec3 along = Eigen::SelfAdjointEigenSolver<Mat3>(facing).eigenvectors().col(0);
     if (free(-sum.normalized()) || free(along) || free(-along)) return false;
-    for (int k = 0; k < directions; ++k) {
-        const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z),
-                     angle = k * pi * (3 - std::sqrt(5.0));
-        if (free(Vec3(r * std::cos(angle), r * std::sin(angle), z))) return false;
-    }
+    for (int k = 0; k < directions; ++k)
+        if (free(fibonacciDirection(k, directions))) return false;
     return true;
 }
 

@@ -4,8 +4,6 @@ namespace sherd {
 
 namespace {
 
-using Kernel = TriangleTree::Kernel;
-
 class SurfaceFitting {
   public:
     SurfaceFitting(const TriangleTree& surface, const LabelLattice& lattice, int outside)
@@ -33,15 +31,12 @@ class SurfaceFitting {
         const Vec3 &inside = lattice_.nodes[point.nodes[starts_inside ? 0 : 1]],
                    &outside = lattice_.nodes[point.nodes[starts_inside ? 1 : 0]];
         point.fixed = true;
-        const Kernel::Ray_3 ray(TriangleTree::toPoint(inside), TriangleTree::toPoint(outside));
-        const auto hit = surface_.tree.first_intersection(ray);
-        const auto* place = hit ? boost::get<Kernel::Point_3>(&hit->first) : nullptr;
-        if (!place)  // the edge runs along a triangle: the point stays in its middle
-            return surface_.indexOf(
-                surface_.tree.closest_point_and_primitive(TriangleTree::toPoint(outside)).second);
-        const double t = (TriangleTree::toVec3(*place) - inside).norm() / (outside - inside).norm();
+        const auto hit = surface_.firstHit(inside, outside);
+        if (!hit || !hit->place)  // the edge runs along a triangle: the point stays in its middle
+            return surface_.nearest(outside).triangle;
+        const double t = (*hit->place - inside).norm() / (outside - inside).norm();
         point.t = clampToEdge(starts_inside ? t : 1 - t, lattice_.smallest_edge_place);
-        return surface_.indexOf(hit->second);
+        return hit->triangle;
     }
 
     // A point where a crack meets the surface lies between two points on the surface and one on the crack

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "core/numerics/union_find.h"
+#include "geometry/cutting/chain_subdivision.h"
 
 namespace sherd {
 

@@ -80,15 +80,7 @@ class Look {
     }
 
   private:
-    struct Foot {
-        int triangle;
-        Vec3 position;
-    };
-
-    Foot nearest(const Vec3& x) const {
-        const auto [foot, triangle] = tree_.tree.closest_point_and_primitive(TriangleTree::toPoint(x));
-        return {tree_.indexOf(triangle), TriangleTree::toVec3(foot)};
-    }
+    using Foot = TriangleTree::Foot;
 
     Vec3 weightsOf(int triangle, const Vec3& x) const { return weights(cornersOf(from_, triangle), x); }
 
@@ -112,11 +104,11 @@ class Look {
 
     void addNearest(TriangleMesh& mesh, const TriangleCorners& corners) const {
         const Vec3 middle = (corners[0] + corners[1] + corners[2]) / 3;
-        const Foot centre = nearest(middle);
+        const Foot centre = tree_.nearest(middle);
         constexpr double inward =
             0.05;  // of the way to the middle, so that a corner on a seam takes its own side
         std::array<Foot, 3> feet{centre, centre, centre};
-        for (int i = 0; i < 3; ++i) feet[i] = nearest(corners[i] + inward * (middle - corners[i]));
+        for (int i = 0; i < 3; ++i) feet[i] = tree_.nearest(corners[i] + inward * (middle - corners[i]));
         if (!from_.texture_coordinates.empty()) {
             auto& uv = mesh.texture_coordinates.emplace_back();
             for (int i = 0; i < 3; ++i) uv[i] = textureAt(feet[i], centre, corners[i]);
@@ -145,7 +137,7 @@ class Look {
     }
 
     Vec3 colourAt(const Vec3& x) const {
-        const Foot foot = nearest(x);
+        const Foot foot = tree_.nearest(x);
         const Triangle& t = from_.triangles[foot.triangle];
         for (const int corner : t)
             if (from_.vertices[corner] == x) return from_.colours[corner];

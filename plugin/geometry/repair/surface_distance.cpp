@@ -1,7 +1,5 @@
 #include "geometry/repair/surface_distance.h"
 
-#include <CGAL/squared_distance_3.h>
-
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -31,24 +29,24 @@ class DistanceSearch {
 
   private:
     /// The triangle of `to` that is nearest to x.
-    const TriangleTree::Kernel::Triangle_3& look(const Vec3& x) {
-        const auto [foot, nearest] = tree_.tree.closest_point_and_primitive(TriangleTree::toPoint(x));
-        largest_ = std::max(largest_, (TriangleTree::toVec3(foot) - x).norm());
-        return *nearest;
+    int look(const Vec3& x) {
+        const TriangleTree::Foot foot = tree_.nearest(x);
+        largest_ = std::max(largest_, (foot.position - x).norm());
+        return foot.triangle;
     }
 
     void search(const TriangleCorners& part) {
         const Vec3 middle = (part[0] + part[1] + part[2]) / 3;
-        const auto& nearest = look(middle);
+        const int nearest = look(middle);
         double bound = 0;
         int longest = 0;
         for (int k = 0; k < 3; ++k) {
-            bound = std::max(bound, CGAL::squared_distance(TriangleTree::toPoint(part[k]), nearest));
+            bound = std::max(bound, tree_.distance(part[k], nearest));
             const auto side = [&](int i) { return (part[(i + 1) % 3] - part[i]).squaredNorm(); };
             if (side(k) > side(longest)) longest = k;
         }
         const Vec3 &a = part[longest], &b = part[(longest + 1) % 3], &c = part[(longest + 2) % 3];
-        if (std::sqrt(bound) <= largest_ + tolerance_ || (b - a).norm() <= tolerance_) return;
+        if (bound <= largest_ + tolerance_ || (b - a).norm() <= tolerance_) return;
         search({a, (a + b) / 2, c});
         search({(a + b) / 2, b, c});
     }

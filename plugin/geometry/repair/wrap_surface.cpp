@@ -51,9 +51,9 @@ std::vector<RepairKernel::Point_3> deepestPoints(const TriangleMesh& solid, doub
                 const Vec3 x = start + step * Vec3(i, j, k);
                 const RepairKernel::Point_3 point(x.x(), x.y(), x.z());
                 points[index(i, j, k)] = point;
-                const double squared = tree.tree.squared_distance(point);
-                if (squared > depth * depth && side(point) == CGAL::ON_BOUNDED_SIDE)
-                    depths[index(i, j, k)] = std::sqrt(squared);
+                const double distance = (tree.nearest(x).position - x).norm();
+                if (distance > depth && side(point) == CGAL::ON_BOUNDED_SIDE)
+                    depths[index(i, j, k)] = distance;
             }
     UnionFind regions(total);
     for (int k = 0; k < count.z(); ++k)
