@@ -13,7 +13,7 @@ picture_packages=(povray webp)
 viewer_packages=(libglfw3-dev libimgui-dev libepoxy-dev libstb-dev libassimp-dev libopenal-dev libgl1-mesa-dri libegl-mesa0
   libegl1)
 # shellcheck disable=SC2034
-test_packages=(libgtest-dev libbenchmark-dev libassimp-dev clang python3 xvfb xauth doxygen)
+test_packages=(libgtest-dev libassimp-dev clang python3 xvfb xauth doxygen)
 
 say() { printf '%s\n' "$*" >&2; }
 die() {

@@ -83,14 +83,4 @@ void Recorder::extend(const btRigidBody* body, const BodyState& state, double ti
     }
 }
 
-std::vector<BodyState> statesAt(const std::vector<Track>& tracks, double time_s) {
-    std::vector<BodyState> states;
-    for (const Track& track : tracks) {
-        if (!track.isThereAt(time_s)) continue;
-        states.push_back(track.body);
-        states.back().placed = track.placedAt(time_s);
-    }
-    return states;
-}
-
 }  // namespace demo

@@ -47,7 +47,4 @@ class Recorder {
     std::unordered_map<const btRigidBody*, Key> birth_keys_;       ///< of the fragments of this step
 };
 
-/// Everything that is there at that time, where it is then.
-std::vector<BodyState> statesAt(const std::vector<Track>& tracks, double time_s);
-
 }  // namespace demo

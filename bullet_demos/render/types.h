@@ -7,7 +7,6 @@ namespace render {
 
 using Vec2 = Eigen::Vector2f;
 using Vec3 = Eigen::Vector3f;
-using Vec4 = Eigen::Vector4f;
 using Mat4 = Eigen::Matrix4f;
 
 /// What the graphics driver or the window system cannot do; `what()` is a sentence for the user.

@@ -73,9 +73,6 @@ struct BreakableBody {
     Vec3 position = Vec3::Zero();
     Vec3 velocity = Vec3::Zero();  ///< m/s
     Vec3 spin = Vec3::Zero();      ///< rad/s, about the world's axes
-
-    /// Of where the strength scatters, and of where cracks run.
-    void setSeed(std::uint64_t seed) { settings.strength.seed = settings.fracture.seed = seed; }
 };
 
 /// A steel ball that strikes.

@@ -11,8 +11,7 @@ namespace {
 
 /// What CLI11 fills in before it is looked at.
 struct Raw {
-    std::string scene = "coffee_cup", scenes = "bullet_demos/scenes", material, up, quality, show,
-                preset_size;
+    std::string scene = "coffee_cup", scenes = "bullet_demos/scenes", material, up, quality, show;
     std::vector<std::string> throws_at;
     std::vector<int> at_steps;
 };

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "core/loads/contact_field.h"
+#include "core/loads/foundation.h"
 #include "core/numerics/pi.h"
 #include "fracture/blow_stress.h"
 #include "fracture/per_newton.h"
@@ -106,15 +107,14 @@ class Quick {
         return force * std::pow(static_cast<double>(contacts.size()), power);
     }
 
-    /// Contacts that push alike are one.
+    /// Contacts that push alike are one, as in foundations, but of all partners.
     std::vector<Support> supports() const {
-        constexpr double alike = 0.9;
         std::vector<Support> found;
         std::vector<Vec3> firsts;
         for (const ContactImpulse& contact : blow_.contacts) {
             if (!contact.supports()) continue;
             std::size_t own = 0;
-            while (own < found.size() && firsts[own].dot(contact.normal) <= alike) ++own;
+            while (own < found.size() && firsts[own].dot(contact.normal) <= push_alike) ++own;
             if (own == found.size()) {
                 found.emplace_back();
                 firsts.push_back(contact.normal);

@@ -50,7 +50,8 @@ void measure(Scene scene, int seeds) {
     std::vector<double> sizes;
     int breaks = 0;
     for (int seed = 1; seed <= seeds; ++seed) {
-        for (BreakableBody& body : scene.bodies) body.setSeed(static_cast<std::uint64_t>(seed));
+        for (BreakableBody& body : scene.bodies)
+            body.settings.strength.seed = body.settings.fracture.seed = static_cast<std::uint64_t>(seed);
         const auto assets = makeAssets(scene, SHERD_MESHES, [](const std::string&) {});
         if (!assets) return void(std::puts(assets.error().c_str()));
         const FirstBreak first = breakOf(scene, assets.value());

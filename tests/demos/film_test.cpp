@@ -19,6 +19,14 @@ namespace {
 using namespace demo;
 namespace fs = std::filesystem;
 
+/// What is there at that time.
+std::vector<BodyState> statesAt(const std::vector<Track>& tracks, double time_s) {
+    std::vector<BodyState> states;
+    for (const Track& track : tracks)
+        if (track.isThereAt(time_s)) states.push_back(track.body);
+    return states;
+}
+
 double volumeOf(const std::vector<BodyState>& states) {
     double volume = 0;
     for (const BodyState& state : states)

@@ -70,7 +70,8 @@ class SeededScene {
     /// The strength scatters otherwise with another seed, and cracks run elsewhere.
     Stage stage(std::uint64_t seed) const {
         Scene scene = scene_;
-        for (BreakableBody& body : scene.bodies) body.setSeed(seed);
+        for (BreakableBody& body : scene.bodies)
+            body.settings.strength.seed = body.settings.fracture.seed = seed;
         SceneAssets assets = assets_;
         for (sherd::BreakableAsset& body : assets.bodies) body = body.ofBody(seed);
         return Stage(scene, std::move(assets));

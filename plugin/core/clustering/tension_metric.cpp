@@ -13,7 +13,6 @@ namespace {
 
 constexpr double floor_stretch = 0.15;  // of a distance across all tension, relative to one along the largest
 constexpr double finest = 1.0;  // pieces, in particle spacings: dust at the contact is of single particles
-constexpr double near_to_failure = 0.5;   // overstress from which on it counts
 constexpr double highest_overstress = 3;  // right under a contact the stress is that of the load's patch
 
 /// Principal values (max(s, 0) / largest * overstress)^4, in the plane of the wall where its axis is known.

@@ -3,16 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/numerics/pi.h"
+#include "core/numerics/fibonacci_sphere.h"
 
 namespace sherd {
 
 bool hasWayOut(const std::vector<Vec3>& normals) {
-    constexpr double tolerance = 0.1736;  // sine of 10 degrees
     constexpr int directions = 300;
     const auto isFree = [&](const Vec3& direction) {
         return std::all_of(normals.begin(), normals.end(),
-                           [&](const Vec3& normal) { return normal.dot(direction) <= tolerance; });
+                           [&](const Vec3& normal) { return normal.dot(direction) <= most_facing; });
     };
     // Along two of the cracks, as in walls; the widest way out is often between them.
     for (std::size_t a = 0; a < normals.size(); ++a)
@@ -21,11 +20,8 @@ bool hasWayOut(const std::vector<Vec3>& normals) {
             if (!along.isZero(1e-6) && (isFree(along.normalized()) || isFree(-along.normalized())))
                 return true;
         }
-    for (int k = 0; k < directions; ++k) {
-        const double z = 1 - (2 * k + 1.0) / directions, r = std::sqrt(1 - z * z),
-                     angle = k * pi * (3 - std::sqrt(5.0));
-        if (isFree(Vec3(r * std::cos(angle), r * std::sin(angle), z))) return true;
-    }
+    for (int k = 0; k < directions; ++k)
+        if (isFree(fibonacciDirection(k, directions))) return true;
     return false;
 }
 

@@ -53,7 +53,6 @@ Damage damagedParticles(const StressField& stress, double scale, const Discretis
     for (std::size_t q = 0; q < sampling.surface_points.size(); ++q)
         include(sampling.cells[sampling.surface_points[q].cell].particle, n + q, stress.surface[q]);
     // Finding what a point counts for takes long: only where that may matter. Its strength is the particle's.
-    constexpr double near_to_failure = 0.5;
     const double weakest =
         n > 0 ? *std::min_element(strength.at_points.begin(), strength.at_points.end()) : 0;
     for (std::size_t i = 0; i < points.size(); ++i) {

@@ -10,6 +10,9 @@
 
 namespace sherd {
 
+/// Overstress from which on a place steers where cracks run, and is read for that.
+constexpr double near_to_failure = 0.5;
+
 /// Two-state damage of every particle (paper, section 6.1, its damage rate C_d infinite).
 struct Damage {
     std::vector<char> damaged;  ///< #particles, 1 where the strength is exceeded

@@ -135,10 +135,6 @@ void setToProduct(const double* a, int rows, const double* b, int columns, int d
     dgemm_("N", "N", &rows, &columns, &depth, &one<double>, a, &rows, b, &depth, &zero<double>, c, &rows);
 }
 
-void subtractSquare(const float* a, int size, int depth, float* c, int c_stride) {
-    ssyrk_("L", "T", &size, &depth, &minus_one<float>, a, &depth, &one<float>, c, &c_stride);
-}
-
 bool symmetricEigenvectors(double* a, int size, double* values) {
     int info = 0;
     std::vector<double> work(1 + 6 * std::size_t(size) + 2 * std::size_t(size) * size);

@@ -34,9 +34,6 @@ void subtractProduct(const Number* a, int rows, int columns, int stride, bool tr
 /// C = A B, with A of `rows` x `depth`, B of `depth` x `columns`, all without gaps between columns.
 void setToProduct(const double* a, int rows, const double* b, int columns, int depth, double* c);
 
-/// C -= A^T A, with A of `depth` x `size` without gaps between columns.
-void subtractSquare(const float* a, int size, int depth, float* c, int c_stride);
-
 /// Eigenvalues in ascending order, and orthonormal eigenvectors in the place of the matrix. False if the
 /// iteration does not end.
 bool symmetricEigenvectors(double* a, int size, double* values);

@@ -15,11 +15,10 @@ namespace sherd {
 
 namespace {
 
-constexpr double alike = 0.9;          // cosine of the angle below which contacts of a partner push alike
-constexpr double flatness = 0.05;      // depth of a foundation, in wall thicknesses
-constexpr double largest_tilt = 2e-3;  // of a body that rests, against its foundation
-constexpr double faint = 1e-3;         // stiffness that counts, against the foundation's greatest
-constexpr double widest = 4;           // heights over a foundation within which it is not faint
+constexpr double flatness = 0.05;             // depth of a foundation, in wall thicknesses
+constexpr double largest_tilt = 2e-3;         // of a body that rests, against its foundation
+constexpr double faint = 1e-3;                // stiffness that counts, against the foundation's greatest
+constexpr double widest = 4;                  // heights over a foundation within which it is not faint
 constexpr std::size_t most_foundations = 16;  // in a heap: those that carry most, which most of it goes to
 constexpr double most_points = 200;           // of a foundation, about
 constexpr double points_in_all = 400;         // of those of a heap, which have 25 each at least
@@ -50,7 +49,8 @@ std::vector<Group> groupsOf(const Blow& blow) {
     for (const ContactImpulse& contact : blow.contacts) {
         if (!contact.supports()) continue;
         const auto same = std::find_if(groups.begin(), groups.end(), [&](const Group& group) {
-            return group.first->partner == contact.partner && group.first->normal.dot(contact.normal) > alike;
+            return group.first->partner == contact.partner &&
+                   group.first->normal.dot(contact.normal) > push_alike;
         });
         Group& group = same == groups.end() ? groups.emplace_back() : *same;
         if (!group.first) group.first = &contact;

@@ -25,6 +25,9 @@ struct Foundation {
     Mobility partner;
 };
 
+/// Cosine of the angle below which contacts of a partner push alike.
+constexpr double push_alike = 0.9;
+
 /// The foundations of a struck body: contacts of one partner that push alike are one. Its part of the true
 /// surface is what lies at the contacts' depth within their convex hull, for Bullet keeps four points of a
 /// flat contact. The bed is stiffest below the strike, as the pressure below a layer that carries a point

@@ -38,7 +38,7 @@ struct Strike {
     double hertzDuration() const;
 };
 
-/// The contact that strikes hard and is met first; nullptr if none strikes. It brings at least two thirds of
+/// The contact that strikes hard and is met first; nullptr if none strikes. It brings at least 0.64 of
 /// the energy of the hardest, and most of those that are met at the same time. One across the way that closes
 /// more slowly than others is not it: how deep it is over how fast it closes is longer ago than it was met.
 const ContactImpulse* leadingTouch(const Blow& blow, double mass_kg);

@@ -1,5 +1,7 @@
 #include "core/sampling/moment_flux.h"
 
+#include <sherd/settings.h>
+
 #include <algorithm>
 #include <array>
 
@@ -11,9 +13,9 @@
 namespace sherd {
 namespace {
 
-constexpr int most_points = 64;  // that are summed up at a time
-constexpr int most_powers = 7;   // a direction
-constexpr int group = 8;         // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
+constexpr int most_points = 64;                             // that are summed up at a time
+constexpr int most_powers = 2 * largest_spline_degree + 1;  // a direction
+constexpr int group = 8;  // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
 
 using Group = double __attribute__((vector_size(group * sizeof(double))));
 

@@ -1,5 +1,7 @@
 #include "core/sampling/voxel_points.h"
 
+#include <sherd/settings.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,7 @@
 namespace sherd {
 namespace {
 
-constexpr int most_powers = 7;  // a direction
+constexpr int most_powers = 2 * largest_spline_degree + 1;  // a direction
 
 /// Lower triangular L with L L^T = `second` as far as rounding left that positive, in edges of a voxel.
 Mat3 rootOf(const Mat3& second) {

@@ -32,8 +32,6 @@ struct PartDisplacement {
 /// `contact` and `strength` outlive it.
 class DamageReader {
   public:
-    static constexpr double near_to_failure = 0.5;  ///< overstress from which it steers cracks
-
     /// `scale` multiplies displacement and contact.
     DamageReader(const DamageSource& source, const PartDisplacement& displacement,
                  const ContactReading& contact, double scale, const Strength& strength, const Damage& before);

@@ -162,8 +162,7 @@ void DamageReading::addDamage(const Eigen::VectorXf& unknowns, const ContactRead
     };
     const bool fails_at_once = has_failed();
     if (!fails_at_once) read(1);
-    if (fails_at_once || has_failed())
-        read(DamageReader::near_to_failure);  // what is near to failure steers the cracks
+    if (fails_at_once || has_failed()) read(near_to_failure);  // what is near to failure steers the cracks
 
     sum.damaged.clear();
     for (const double overstress : sum.overstress) sum.damaged.push_back(overstress > 1);

@@ -21,8 +21,6 @@ struct UnitResponses {
     std::vector<Load> loads;        ///< per patch
     Eigen::MatrixXd accelerations;  ///< 6 #components x 3 #patches: the rigid ones that balance the loads
     Eigen::MatrixXd displacements;  ///< #unknowns x 3 #patches, without rigid motion, m
-
-    int patchCount() const { return static_cast<int>(loads.size()); }
 };
 
 /// An error if the factor cannot be used. `pinned`: unknowns that the factor holds.

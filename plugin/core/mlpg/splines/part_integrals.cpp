@@ -1,5 +1,7 @@
 #include "core/mlpg/splines/part_integrals.h"
 
+#include <sherd/settings.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -17,8 +19,9 @@ Eigen::VectorXd product(const Eigen::VectorXd& a, const Eigen::VectorXd& b, int 
     return c;
 }
 
-// Of cubic splines, in one direction.
-constexpr long most_powers = 7, most_pairs = 16;
+// Of products of two splines, in one direction.
+constexpr long most_powers = 2 * largest_spline_degree + 1,
+               most_pairs = (largest_spline_degree + 1) * (largest_spline_degree + 1);
 /// The most numbers that are contracted: the last direction is there by its powers still.
 constexpr long largest_array = most_pairs * most_pairs * most_powers;
 
