@@ -49,8 +49,8 @@ struct Budget {
     /// many these are.
     double longest_wait_s = 0.5;
     /// Computing time for blows that wait or may wait, ms a step: of one core of about 2020, estimated from
-    /// the size of the bodies. At 0 it is half of the step's own length. A foreseen blow has it from when it
-    /// was found; one that is solved by then waits no more.
+    /// the size of the bodies. At 0 it is half of the step's own length. Foreseen
+    /// blows have as much of their own from when they are found; one that is solved by then waits no more.
     double milliseconds_per_step = 0;
     /// So many blows that wait are decided a step at most, each with its share of the step's computing time
     /// at least; and so many of those that may wait.

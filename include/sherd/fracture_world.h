@@ -113,9 +113,9 @@ class FractureWorld {
     void onFragment(FragmentCallback callback);
 
     /// Takes the blows that were solved since the last call (BlowEvent says which others), in order. Events
-    /// wait to be taken, up to 1000 of them, and with them the bodies that broke. Of more, those of blows that
-    /// the budget dropped are left out, then the oldest in which nothing broke, then the oldest; and counted
-    /// in `BlowCounts::events_dropped`.
+    /// wait to be taken, up to 1000 of them, and with them the bodies that broke. Of more, those of blows
+    /// that the budget dropped are left out, then the oldest that held, then the oldest; and counted in
+    /// `BlowCounts::events_dropped`.
     std::vector<BlowEvent> takeEvents();
 
     /// What breaking may cost a step, from the next blow on. The error says which field is out of range.

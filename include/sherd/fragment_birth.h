@@ -14,9 +14,9 @@ namespace sherd {
 /// - friction, rolling and spinning friction, anisotropic friction (the factors of its axes, turned to those
 ///   of the fragment), restitution, contact stiffness and damping, contact processing
 ///   threshold, collision flags, damping, sleeping thresholds (the angular one is larger
-///   for small fragments: a quarter of the linear one at their surface), linear and angular factor (unless the linear one
-///   is zero: what the app held in its place comes free), flags, gravity, threshold and (as far as it fits)
-///   radius of continuous collision;
+///   for small fragments: a quarter of the linear one at their surface), linear and angular factor (unless
+///   the linear one is zero: what the app held in its place comes free), flags, gravity, threshold and (as
+///   far as it fits) radius of continuous collision;
 /// - collision group and mask, objects that it does not collide with, user pointer, the three user indices,
 ///   custom debug colour, the name and the FractureSettings;
 /// - the strength of each of its places, and what earlier blows damaged there (Outcome::held);

@@ -57,6 +57,8 @@ struct Material {
 
     /// The same material for a body of another density, of a program whose masses are not those of real
     /// things: stiffness, strengths and fracture energy in proportion, so that it breaks at the same speeds.
+    /// What strikes it is as stiff as ever, unless ContactSettings::partner_youngs_modulus_pa is changed by
+    /// the same factor: it breaks at speeds that are up to a fifth lower then.
     Material withDensity(double kg_m3) const;
 
     /// One of the above by its name. The error lists the names.

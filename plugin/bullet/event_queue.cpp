@@ -23,7 +23,10 @@ void EventQueue::push(QueuedEvent event) {
     };
     if (event.event.outcome == Outcome::dropped) return;
     auto left_out = std::find_if(events_.begin(), events_.end(), is_of_no_weight);
-    if (left_out == events_.end()) left_out = events_.begin();
+    if (left_out == events_.end()) {
+        if (is_of_no_weight(event)) return;
+        left_out = events_.begin();
+    }
     if (left_out->broken) released_.push_back(std::move(left_out->broken));
     events_.erase(left_out);
     events_.push_back(std::move(event));

@@ -17,7 +17,7 @@ struct QueuedEvent {
 };
 
 /// The events that the app has not taken yet, in order. Holds a limited number: beyond that those of blows
-/// that the budget dropped are left out, then the oldest in which nothing broke, then the oldest.
+/// that the budget dropped are left out, then the oldest that held, then the oldest.
 class EventQueue {
   public:
     void push(QueuedEvent event);

@@ -16,7 +16,9 @@ struct ForeseenBlow {
     std::uint64_t serial = 0;                 ///< of the body that will be struck
     BodyToken mover = no_token;               ///< whose way was rehearsed
     double found_at_s = 0, strikes_at_s = 0;  ///< simulated time
-    double solved_by_s = 0;                   ///< simulated time, as the budget has it for one worker
+    /// When the one worker is done with it, as the budget has it, and for how long it is at it; simulated
+    /// time.
+    double solved_by_s = 0, turn_s = 0;
     std::vector<BodyToken> partners;
     BlowToDecide blow;
     std::shared_ptr<DecidedBlow> decided;

@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <functional>
 #include <unordered_map>
 #include <utility>
 
@@ -112,7 +113,9 @@ int Foresight::follow(const btDiscreteDynamicsWorld& world, double time_s) {
         return blow.strikes_at_s <= time_s + time_rounding_s || !of(blow.mover) ||
                std::find(strayed.begin(), strayed.end(), blow.mover) != strayed.end();
     };
-    const auto vain = std::remove_if(blows_.begin(), blows_.end(), is_vain);
+    const auto vain = std::stable_partition(blows_.begin(), blows_.end(), std::not_fn(is_vain));
+    const std::vector<ForeseenBlow> leaving(vain, blows_.end());
+    for (auto blow = leaving.rbegin(); blow != leaving.rend(); ++blow) leavePlan(*blow, time_s);
     const auto count = static_cast<int>(blows_.end() - vain);
     blows_.erase(vain, blows_.end());
     return count;
@@ -143,7 +146,15 @@ void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s
 void Foresight::note(ForeseenBlow blow, double turn_s) {
     busy_until_s_ = std::max(busy_until_s_, blow.found_at_s) + turn_s;
     blow.solved_by_s = busy_until_s_;
+    blow.turn_s = turn_s;
     blows_.push_back(std::move(blow));
+}
+
+void Foresight::leavePlan(const ForeseenBlow& blow, double time_s) {
+    const double left_s = std::clamp(blow.solved_by_s - time_s, 0.0, blow.turn_s);
+    for (ForeseenBlow& other : blows_)
+        if (other.solved_by_s > blow.solved_by_s) other.solved_by_s -= left_s;
+    busy_until_s_ -= left_s;
 }
 
 bool Foresight::isForeseen(std::uint64_t serial) const {
@@ -156,20 +167,21 @@ int Foresight::fullSolves() const {
                                           [](const ForeseenBlow& blow) { return blow.is_solved_in_full; }));
 }
 
-void Foresight::keepUp(double time_s, double time_step_s, double& waiting_ms) const {
+void Foresight::keepUp(double time_s, double time_step_s, int most_solves, double& waiting_ms) const {
+    const bool are_many = static_cast<int>(blows_.size()) > most_solves;
+    const auto is_worth_it = [&](const ForeseenBlow& blow) { return !are_many || blow.isSolvedInTime(); };
     double most_ms = 0;
     for (const ForeseenBlow& blow : blows_)
-        if (blow.isSolvedInTime() && !blow.decided->isDecided())
-            most_ms += shareOf(blow, time_s, time_step_s);
+        if (is_worth_it(blow) && !blow.decided->isDecided()) most_ms += shareOf(blow, time_s, time_step_s);
     if (!(most_ms > 0)) return;
     const Stopwatch watch;
     // Other threads take the first ones: of many that fall together this one does some meanwhile.
     for (auto last = blows_.rbegin(); last != blows_.rend(); ++last)
-        if (last->isSolvedInTime() && workOf(*last) <= most_ms - watch.milliseconds())
+        if (is_worth_it(*last) && workOf(*last) <= most_ms - watch.milliseconds())
             last->decided->decideIfFree();
     const double solved_here_ms = watch.milliseconds();  // which counts with the blows
     for (const ForeseenBlow& blow : blows_)
-        if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0 && blow.isSolvedInTime())
+        if (const double left_ms = most_ms - watch.milliseconds(); left_ms > 0 && is_worth_it(blow))
             blow.decided->waitIfBegun(left_ms);
     waiting_ms += watch.milliseconds() - solved_here_ms;
 }
@@ -187,10 +199,12 @@ const ForeseenBlow* Foresight::find(const StruckBreakable& struck, const BlowToD
     return known == blows_.end() ? nullptr : &*known;
 }
 
-std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow) {
+std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow,
+                                             double time_s) {
     const ForeseenBlow* const found = find(struck, blow);
     if (!found) return nullptr;
     const auto known = blows_.begin() + (found - blows_.data());
+    leavePlan(*known, time_s);
     std::shared_ptr<DecidedBlow> decided = std::move(known->decided);
     if (Outlook* outlook = of(known->mover)) {
         outlook->surprises = 0;

@@ -43,13 +43,13 @@ class Foresight {
     /// For the end of a step: waits a little for blows that other threads are at, or does some of those that
     /// none has begun, rather than all of it in the step in which they fall. In a program that steps as fast
     /// as it can, simulated time runs ahead of the other threads; one whose steps wait for real time has
-    /// nothing to wait for here: nor have blows for which the budget has no time until they fall. What comes
-    /// of the blows does not depend on it.
-    void keepUp(double time_s, double time_step_s, double& waiting_ms) const;
+    /// nothing to wait for here: nor have, of more than `most_solves`, those for which the budget has no time
+    /// until they fall. What comes of the blows does not depend on it.
+    void keepUp(double time_s, double time_step_s, int most_solves, double& waiting_ms) const;
     /// Does here what the one worker would have done by then: for worlds without an executor.
     void workUntil(double time_s) const;
     /// What comes of a blow that falls as it was foreseen; nullptr for others.
-    std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow);
+    std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow, double time_s);
 
   private:
     /// What is known of a body.
@@ -65,6 +65,8 @@ class Foresight {
     Outlook* of(BodyToken mover);
     static void surprised(Outlook& outlook, double time_s);
     /// Whether a body left the way that it was to go; forgets that.
+    /// Where a blow leaves the plan, the worker goes on with the next one at once.
+    void leavePlan(const ForeseenBlow& blow, double time_s);
     static bool strays(Outlook& outlook, const btRigidBody& body, double time_s);
 
     std::vector<Outlook> outlooks_;  // in the order in which they were noted

@@ -29,7 +29,8 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     const BreakableSolid& solid = *breakable.asset.solid();
     const double off_m = (breakable.body_from_asset * toBullet(solid.moments().centroid)).length();
     constexpr double far = 0.02;  // of its radius
-    if (!breakable.ownedHere() && off_m > far * solid.boundingRadius())
+    const bool turns = breakable.isDynamic() && !breakable.body->getAngularFactor().isZero();
+    if (!breakable.ownedHere() && turns && off_m > far * solid.boundingRadius())
         warnings.push_back("the body turns about a point that is " +
                            std::to_string(std::lround(1000 * off_m)) +
                            " mm from the centre of its solid, about which its pieces turn: they fall and "
@@ -181,10 +182,9 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
             (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
         }
     }
-    gated.solved_ahead.resize(struck.size());
+    gated.ahead.resize(struck.size());
     if (time_step_s > 0) {
-        const int room = gated.now.empty() ? 0 : roomForFragments();
-        for (const std::size_t i : gated.now) gated.solved_ahead[i] = isSolvedAhead(struck[i], room);
+        findSolvedAhead(struck, gated);
         tearOutFirst(struck, gated);
         thinOut(struck, time_step_s, gated);
     }
@@ -205,13 +205,10 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     std::vector<std::shared_ptr<DecidedBlow>> blows;
     const auto kept = std::count_if(gated.later.begin(), gated.later.end(),
                                     [&](std::size_t i) { return struck[i].isKept(); });
-    int deciding = 0,
-        taken = 0;  // those solved ahead have what they were promised, the others share the rest
+    int deciding = 0, taken = 0;  // the others share what is left by those that were solved before they fell
     for (const std::size_t i : now) {
-        if (gated.solved_ahead[i])
-            taken += mostFragments(*struck[i].breakable);
-        else
-            ++deciding;
+        taken += gated.ahead[i].value_or(0);
+        deciding += !gated.ahead[i];
     }
     const int sharing = std::max(1, deciding);
     const int share = std::max(0, room - taken) / (sharing + static_cast<int>(kept)),
@@ -221,8 +218,8 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         // A factor that one blow leaves serves the next; a reduced model has all that it needs.
         if (!breakable.asset.solid()->reducedStress())
             waiting_.settle(breakable.serial, times_.steps.waiting);
-        const int places = gated.solved_ahead[i] ? placesAhead(breakable, room)
-                                                 : std::min(share + breakable.ownPlaces(), share_of_step);
+        const int places = gated.ahead[i] ? placesAhead(breakable, room)
+                                          : std::min(share + breakable.ownPlaces(), share_of_step);
         BlowToDecide blow = toDecide(struck[i], places);
         if (auto foreseen = takeForeseen(struck[i], blow)) {
             times_.blows += gated.ms[i];

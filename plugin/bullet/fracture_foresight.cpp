@@ -54,7 +54,7 @@ void FractureWorld::Impl::makeSolversFor(const btRigidBody& mover) {
 /// What comes of a blow that falls as it was foreseen; nullptr for others.
 std::shared_ptr<DecidedBlow> FractureWorld::Impl::takeForeseen(const StruckBreakable& struck,
                                                                const BlowToDecide& blow) {
-    auto foreseen = foresight_.take(struck, blow);
+    auto foreseen = foresight_.take(struck, blow, time_s_);
     if (!foreseen) return nullptr;
     ++counts_.foreseen;
     foreseen->is_foreseen = true;
@@ -135,22 +135,33 @@ ForeseenBlow FractureWorld::Impl::asForeseen(const StruckBreakable& struck, doub
     return blow;
 }
 
-int FractureWorld::Impl::mostFragments(const Breakable& breakable) const {
-    return std::min(breakable.fracture->largest_fragment_count, budget_.fragments_per_step);
-}
-
 /// Fragments at most of a body whose blow is solved before it falls, when nobody knows what else breaks then.
 int FractureWorld::Impl::placesAhead(const Breakable& body, int room) const {
     return std::min(room + body.ownPlaces(), budget_.fragments_per_step);
 }
 
-/// Whether a blow falls as it was foreseen, early enough for the budget's time to have solved it by now: the
-/// step only swaps the body.
-bool FractureWorld::Impl::isSolvedAhead(const StruckBreakable& struck, int room) const {
-    const Breakable& body = *struck.breakable;
-    if (!foresight_.isForeseen(body.serial)) return false;
-    const ForeseenBlow* foreseen = foresight_.find(struck, toDecide(struck, placesAhead(body, room)));
-    return foreseen && foreseen->isSolvedInTime();
+/// The pieces that come of each blow of `gated.now` that falls as it was foreseen, early enough for the
+/// budget's time to have solved it by now: the step only swaps the body. None if there is no room for all of
+/// them: then they are solved anew for fewer, as others are.
+void FractureWorld::Impl::findSolvedAhead(const std::vector<StruckBreakable>& struck, Gated& gated) {
+    const int room = gated.now.empty() ? 0 : roomForFragments();
+    int room_left = room, places_left = budget_.fragments_per_step - new_fragments_;
+    for (const std::size_t i : gated.now) {
+        const Breakable& body = *struck[i].breakable;
+        if (foresight_.isForeseen(body.serial)) {
+            const BlowToDecide blow = toDecide(struck[i], placesAhead(body, room));
+            const ForeseenBlow* foreseen = foresight_.find(struck[i], blow);
+            if (foreseen && foreseen->isSolvedInTime()) {
+                foreseen->decided->finish(times_.steps.waiting);
+                gated.ahead[i] = static_cast<int>(foreseen->decided->outcome.fragments.size());
+            }
+        }
+        const int pieces = gated.ahead[i].value_or(fewest_fragments);
+        if (pieces > 0) room_left -= pieces - body.ownPlaces();
+        places_left -= pieces;
+    }
+    if (room_left < 0 || (places_left < 0 && budget_.shortest_wait_s == 0))
+        std::fill(gated.ahead.begin(), gated.ahead.end(), std::nullopt);
 }
 
 }  // namespace sherd

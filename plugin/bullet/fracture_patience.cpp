@@ -96,7 +96,7 @@ bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck
 /// has solves, or where a ball breaks others, and those that fragments strike. Of the last, and of an
 /// explosion's, one is decided in any case if the step has no more. Of a crowd that something heavy runs
 /// into, as many are as the step has solves. What was solved before it fell takes none of the step's time,
-/// only places for its fragments: where these run out it waits, or is solved anew for fewer.
+/// only places for its fragments: where these run out it waits, or is solved anew for fewer if it may not.
 void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
                                   Gated& gated) const {
     if (budget_.shortest_wait_s == 0) return;
@@ -104,11 +104,11 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     constexpr btScalar than_each_of_a_crowd = 10;
     const auto begin = gated.now.begin(), end = gated.now.end();
     const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i], much_heavier); };
-    const auto is_solved = [&](std::size_t i) { return gated.solved_ahead[i]; };
+    const auto is_solved = [&](std::size_t i) { return gated.ahead[i].has_value(); };
     const auto solved = std::count_if(begin, end, is_solved);
     const auto to_solve = end - begin - solved;
     const int pieces = std::accumulate(
-        begin, end, 0, [&](int sum, std::size_t i) { return sum + mostFragments(*struck[i].breakable); });
+        begin, end, 0, [&](int sum, std::size_t i) { return sum + gated.ahead[i].value_or(0); });
     const bool are_many = decided_now_ + to_solve > budget_.solves_per_step ||
                           (solved > 0 && new_fragments_ + pieces > budget_.fragments_per_step);
     const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
@@ -141,24 +141,25 @@ void FractureWorld::Impl::fillStep(const std::vector<StruckBreakable>& struck, c
                                    double most_ms, Gated& gated) const {
     double ms = decided_now_ms_;
     int count = decided_now_, places = budget_.fragments_per_step - new_fragments_;
-    bool some_are_solved = false, others_wait = false;
+    // Those that have to be solved in this step are left a fair share of the places.
+    const int share = std::max(fewest_fragments, places / std::max(1, static_cast<int>(gated.now.size())));
+    bool others_wait = false;
     std::vector<std::size_t> now;
     for (std::size_t turn = 0; turn < gated.now.size(); ++turn) {
         const std::size_t i = gated.now[turn];
-        const int pieces = mostFragments(*struck[i].breakable);
-        const bool may_wait = turn >= turns.first_that_may_wait, has_places = pieces <= places;
-        bool waits = may_wait && gated.solved_ahead[i] && !has_places;
-        if (gated.solved_ahead[i] && has_places) {
-            some_are_solved = true;
-        } else if (!waits) {
-            gated.solved_ahead[i] = false;
+        const bool may_wait = turn >= turns.first_that_may_wait;
+        const int pieces =
+            gated.ahead[i].value_or(std::min(share, struck[i].breakable->fracture->largest_fragment_count));
+        const bool has_places = pieces <= places;
+        bool waits = may_wait && gated.ahead[i] && !has_places;
+        if (!waits && !(gated.ahead[i] && has_places)) {
+            gated.ahead[i].reset();
             ms += estimatedMilliseconds(*struck[i].breakable->asset.solid(), struck[i].blow);
             const bool has_no_solves = count >= budget_.solves_per_step;
             const bool may_be_none = turns.is_crowd && !struck[i].is_of_explosion;
             const bool has_no_time = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);
-            const bool has_no_room = (turn < turns.first_that_needs_time ? has_no_solves : has_no_time) ||
-                                     (some_are_solved && !has_places);
-            others_wait = others_wait || (may_wait && has_no_room);
+            const bool has_no_room = turn < turns.first_that_needs_time ? has_no_solves : has_no_time;
+            others_wait = others_wait || (may_wait && (has_no_room || !has_places));
             waits = others_wait;
             if (!waits) ++count;
         }
@@ -177,9 +178,11 @@ void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struc
     const auto is_solved = [&](std::size_t i) { return !mayBeTornOut(struck[i]); };
     const auto begin = gated.now.begin(), end = gated.now.end();
     const auto rests = std::stable_partition(begin, end, is_solved);
+    const auto solves =
+        std::count_if(begin, rests, [&](std::size_t i) { return !gated.ahead[i].has_value(); });
     std::stable_sort(rests, end,
                      [&](std::size_t a, std::size_t b) { return isMoreUrgent(struck[a], struck[b]); });
-    const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - (rests - begin));
+    const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - solves);
     const auto first = rests + std::min(left, end - rests);
     for (auto i = first; i != end; ++i) gated.torn[*i] = Torn::first;
     gated.now.erase(first, end);

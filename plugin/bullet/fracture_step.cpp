@@ -77,7 +77,8 @@ void FractureWorld::Impl::afterIntegration() {
             lookAhead();
             const ThreadsAsAllowed threads(*this);
             if (mayHaveThreads())
-                foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, times_.steps.waiting);
+                foresight_.keepUp(time_s_, world_.getSolverInfo().m_timeStep, budget_.solves_per_step,
+                                  times_.steps.waiting);
             else
                 foresight_.workUntil(time_s_);
         });

@@ -107,7 +107,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         std::vector<StageTimes> ms;                    // all of them
         std::vector<std::size_t> now, later;           // what is to be decided, ascending
         std::vector<Torn> torn;                        // all of them
-        std::vector<bool> solved_ahead;                // all of them
+        std::vector<std::optional<int>> ahead;  // all of them: pieces, where it was solved before it fell
     };
     /// The order in which blows get their room in a step.
     struct Turns {
@@ -137,9 +137,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     std::vector<ForeseenBlow> worthSolving(std::vector<StruckBreakable> struck, double strikes_at_s) const;
     bool mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const;
     ForeseenBlow asForeseen(const StruckBreakable& struck, double strikes_at_s) const;
-    int mostFragments(const Breakable& breakable) const;
     int placesAhead(const Breakable& body, int room) const;
-    bool isSolvedAhead(const StruckBreakable& struck, int room) const;
+    void findSolvedAhead(const std::vector<StruckBreakable>& struck, Gated& gated);
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;

@@ -97,13 +97,14 @@ std::vector<Foot> without(const std::vector<Foot>& known, std::vector<Foot> feet
     return feet;
 }
 
-/// Those that come next to the ground: for one of the upper side of a body, steeply above another one, that
-/// would have to roll.
+/// Those that come next to the ground: for one of the upper side of a body, straight above another one, that
+/// would have to roll over.
 std::vector<Foot> lowerSide(const std::vector<Foot>& feet) {
+    constexpr btScalar straight = 8;  // tangent
     std::vector<Foot> lower;
     std::copy_if(feet.begin(), feet.end(), std::back_inserter(lower), [&](const Foot& foot) {
         return std::none_of(feet.begin(), feet.end(), [&](const Foot& other) {
-            return foot.above - other.above > std::hypot(foot.x - other.x, foot.y - other.y);
+            return foot.above - other.above > straight * std::hypot(foot.x - other.x, foot.y - other.y);
         });
     });
     return lower;

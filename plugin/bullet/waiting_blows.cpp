@@ -79,7 +79,7 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budg
     blow.begun_s = place == blows_.end() ? std::max(busy_until_s_, time_s) : place->begun_s;
     turn_s = std::clamp(blow.solved_by_s - blow.begun_s, 0.0, turn_s);
     const double done_s = blow.begun_s + turn_s;
-    if (!is_alone && !blow.is_kept && done_s > last_s) return Fate::dropped;
+    if (!is_alone && !blow.is_kept && turn_s > 0 && done_s > last_s) return Fate::dropped;
     busy_until_s_ = is_alone ? std::min(done_s, last_s) : busy_until_s_ + turn_s;
     for (auto later = place; later != blows_.end(); ++later)
         for (double* moment : {&later->begun_s, &later->worked_by_s, &later->due_s}) *moment += turn_s;

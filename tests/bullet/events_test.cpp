@@ -121,8 +121,18 @@ TEST(Events, BlowsThatTheBudgetDroppedCrowdOutNoBreak) {
     EXPECT_EQ(queue.dropped(), 4000);
     const std::vector<BlowEvent> events = queue.take();
     ASSERT_EQ(events.size(), 1000u);
-    EXPECT_EQ(count(events, Outcome::broke), 50);
-    EXPECT_EQ(count(events, Outcome::failed), 50);
+    const auto those = [&](Outcome outcome) {
+        return std::count_if(events.begin(), events.end(),
+                             [&](const BlowEvent& event) { return event.outcome == outcome; });
+    };
+    EXPECT_EQ(those(Outcome::broke), 50);
+    EXPECT_EQ(those(Outcome::failed), 50);
+    for (int i = 0; i < 1001; ++i) {
+        QueuedEvent queued{BlowEvent(asset), nullptr};
+        queued.event.outcome = i < 1000 ? Outcome::broke : Outcome::held;
+        queue.push(std::move(queued));
+    }
+    for (const BlowEvent& event : queue.take()) EXPECT_EQ(event.outcome, Outcome::broke);
     for (std::size_t i = 1; i < events.size(); ++i)
         EXPECT_LT(events[i - 1].impulse_n_s, events[i].impulse_n_s) << "in order";
 }

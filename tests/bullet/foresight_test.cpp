@@ -386,16 +386,24 @@ TEST(Foresight, AFlatLandingIsForeseen) {
     }
 }
 
-/// Twelve plates that fall side by side: the events of their breaks.
-std::vector<BlowEvent> breaksOfFallingPlates(const Budget& budget) {
+/// Plates that fall side by side, after another one that is not prepared if there is such a one: the events
+/// of their breaks.
+std::vector<BlowEvent> breaksOfFallingPlates(const Budget& budget, int count = 12,
+                                             const BreakableAsset* before = nullptr) {
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, -9.81f));
     scene.addFloor();
     FractureWorld fracture(scene.world.get());
     EXPECT_TRUE(fracture.setBudget(budget).ok());
-    for (int i = 0; i < 12; ++i) {
+    if (before) {
         BodyOptions options;
-        options.start = at(0.7f * btScalar(i % 4), 0.7f * btScalar(i / 4), 0.8f);
+        options.start = at(-2, 0, 0.5f);
+        options.name = "before";
+        EXPECT_TRUE(fracture.add(*before, options).ok());
+    }
+    for (int i = 0; i < count; ++i) {
+        BodyOptions options;
+        options.start = at(0.7f * btScalar(i % 4), 0.7f * btScalar(i / 4), before ? 4 : 0.8f);
         options.name = std::to_string(i);
         EXPECT_TRUE(fracture.add(preparedPlate(), options).ok());
     }
@@ -403,9 +411,10 @@ std::vector<BlowEvent> breaksOfFallingPlates(const Budget& budget) {
     for (int step = 0; step < 90; ++step) {
         scene.step(1, 1.0 / 60);
         for (BlowEvent& event : fracture.takeEvents())
-            if (event.outcome == Outcome::broke && event.generation == 0) breaks.push_back(std::move(event));
+            if (event.outcome == Outcome::broke && event.generation == 0 && event.name != "before")
+                breaks.push_back(std::move(event));
     }
-    EXPECT_EQ(breaks.size(), 12u);
+    EXPECT_EQ(breaks.size(), static_cast<std::size_t>(count));
     return breaks;
 }
 
@@ -435,7 +444,10 @@ TEST(Foresight, WhatWasSolvedForMorePiecesThanAStepHasRoomForWaits) {
     budget.milliseconds_per_step = 1000;
     budget.solves_per_step = 1000;
     const std::vector<BlowEvent> breaks = breaksOfFallingPlates(budget);
-    budget.fragments_per_step = 3 * preparedPlate().settings().fracture.largest_fragment_count;
+    const std::size_t pieces = breaks.front().fragments.size();
+    ASSERT_GT(pieces, 6u);
+    for (const BlowEvent& event : breaks) ASSERT_EQ(event.fragments.size(), pieces);
+    budget.fragments_per_step = 3 * static_cast<int>(pieces);
     const std::vector<BlowEvent> in_turn = breaksOfFallingPlates(budget);
     EXPECT_EQ(brokenAtOnce(in_turn), 3);
     const auto piecesOf = [](const std::vector<BlowEvent>& events) {
@@ -444,6 +456,24 @@ TEST(Foresight, WhatWasSolvedForMorePiecesThanAStepHasRoomForWaits) {
         return pieces;
     };
     EXPECT_EQ(piecesOf(breaks), piecesOf(in_turn));
+}
+
+TEST(Foresight, ALargeBlowThatIsOverTakesNoTimeFromLaterOnes) {
+    const BreakableAsset large = plate(crumbly(), 0.02);
+    const std::vector<BlowEvent> breaks = breaksOfFallingPlates(Budget(), 6, &large);
+    EXPECT_GE(brokenAtOnce(breaks), 2);
+}
+
+TEST(Foresight, WhereRoomIsShortAllHaveAShareOfIt) {
+    Budget budget;
+    budget.milliseconds_per_step = 1000;
+    budget.solves_per_step = 1000;
+    budget.fragments_alive = 24;
+    for (const BlowEvent& event : breaksOfFallingPlates(budget, 6)) EXPECT_EQ(event.fragments.size(), 4u);
+    budget = Budget();
+    budget.shortest_wait_s = 0;
+    budget.fragments_per_step = 20;
+    for (const BlowEvent& event : breaksOfFallingPlates(budget, 6)) EXPECT_LE(event.fragments.size(), 3u);
 }
 
 /// Bullet looks for no contacts of what sleeps, but has those of before when it wakes.
