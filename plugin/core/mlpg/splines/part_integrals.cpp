@@ -185,8 +185,9 @@ Eigen::MatrixXd PartIntegrals::divergences(const CellPart& part,
             const auto factor = [&](int d) -> const Eigen::MatrixXd& {
                 return (d == i ? slopes_ : functions_)[monomials[m][d]];
             };
-            result.row(static_cast<long>(m))(Eigen::seqN(i, functions, 3)) =
+            const Eigen::VectorXd sums =
                 edges_.prod() / edges_[i] * contract(factor(0), factor(1), factor(2), moments);
+            for (int f = 0; f < functions; ++f) result(static_cast<long>(m), 3L * f + i) = sums[f];
         }
     return result;
 }
