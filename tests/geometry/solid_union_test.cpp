@@ -2,12 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 #include <mutex>
 #include <random>
 #include <thread>
 
 #include "core/numerics/fibonacci_sphere.h"
+#include "core/numerics/pi.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
 #include "geometry/surface_topology.h"
@@ -38,26 +41,34 @@ void expectUnion(const std::vector<std::vector<Vec3>>& parts, double volume, int
     EXPECT_EQ(shellCount(mesh.value()), shells);
 }
 
-/// The points of a ball, and of another one beside it, with flat faces and many that lie in one plane.
-std::vector<std::vector<Vec3>> ballAndSteps() {
-    std::vector<Vec3> ball, steps;
-    constexpr int count = 200;
-    for (int i = 0; i < count; ++i) ball.push_back(fibonacciDirection(i, count));
-    for (int i = 0; i < 60; ++i) steps.emplace_back(0.5 * (i % 5), 0.3 * (i % 4), 0.4 * (i % 3));
-    return {ball, steps, box(Vec3(-1, -1, -0.2), Vec3(0.3, 0.3, 0.2))};
+std::vector<Vec3> capsule(const Vec3& along, double radius) {
+    constexpr int count = 256;
+    std::vector<Vec3> points;
+    for (int i = 0; i < count; ++i) {
+        const Vec3 out = fibonacciDirection(i, count);
+        points.push_back(radius * out + (out.dot(along) > 0 ? 1 : -1) * along);
+    }
+    return points;
 }
 
-// CGAL goes by addresses where it has a choice, and those differ with what else there is.
-TEST(SolidUnion, GivesTheSameBitsWhateverElseIsInMemory) {
-    const auto parts = ballAndSteps();
+std::vector<Vec3> prism(int sides) {
+    std::vector<Vec3> points;
+    for (const double z : {0.0, 0.1, 0.2})
+        for (int i = 0; i < sides; ++i)
+            points.emplace_back(std::cos(2 * pi * i / sides), std::sin(2 * pi * i / sides), z);
+    return points;
+}
+
+/// How many of 30 unions of the same parts, in three threads, differ from the first one.
+int othersThanTheFirst(const std::vector<std::vector<Vec3>>& parts) {
     std::mutex mutex;
     std::vector<TriangleMesh> meshes;
     const auto work = [&](unsigned seed) {
         std::mt19937 random(seed);
         std::vector<std::unique_ptr<char[]>> others;
-        for (int i = 0; i < 8; ++i) {
-            for (int k = 0; k < 200; ++k) {
-                others.push_back(std::make_unique<char[]>(16 + random() % 4000));
+        for (int i = 0; i < 10; ++i) {
+            for (int k = 0; k < 500; ++k) {
+                others.push_back(std::make_unique<char[]>(16 + random() % 30000));
                 if (random() % 2) others[random() % others.size()] = nullptr;
             }
             const Result<TriangleMesh> mesh = uniteConvexParts(parts);
@@ -68,12 +79,18 @@ TEST(SolidUnion, GivesTheSameBitsWhateverElseIsInMemory) {
     std::vector<std::thread> threads;
     for (unsigned seed = 1; seed <= 3; ++seed) threads.emplace_back(work, seed);
     for (std::thread& thread : threads) thread.join();
-    ASSERT_EQ(meshes.size(), 24u);
-    ASSERT_FALSE(meshes[0].vertices.empty());
-    for (const TriangleMesh& mesh : meshes) {
-        EXPECT_EQ(mesh.vertices, meshes[0].vertices);
-        EXPECT_EQ(mesh.triangles, meshes[0].triangles);
-    }
+    EXPECT_FALSE(meshes[0].vertices.empty());
+    return static_cast<int>(std::count_if(meshes.begin(), meshes.end(), [&](const TriangleMesh& mesh) {
+        return mesh.vertices != meshes[0].vertices || mesh.triangles != meshes[0].triangles;
+    }));
+}
+
+// CGAL goes by addresses where it has a choice, and those differ with what else there is.
+TEST(SolidUnion, GivesTheSameBitsWhateverElseIsInMemory) {
+    EXPECT_EQ(othersThanTheFirst({prism(60)}), 0);
+    EXPECT_EQ(othersThanTheFirst({capsule(Vec3(0, 0.2, 0), 0.07), capsule(Vec3(0.19, 0.07, 0.02), 0.06),
+                                  box(Vec3(-0.1, -0.1, -0.03), Vec3(0.3, 0.3, 0.03))}),
+              0);
 }
 
 TEST(SolidUnion, AHullHasNoPointsInsideOfItsFacesOrEdges) {
