@@ -17,11 +17,11 @@ void EventQueue::push(QueuedEvent event) {
         return;
     }
     ++dropped_;
+    if (event.event.outcome == Outcome::dropped) return;
     // In a heap the budget drops hundreds of blows a step: none of these is worth the news of a break.
     const auto is_of_no_weight = [](const QueuedEvent& queued) {
         return queued.event.outcome == Outcome::dropped || queued.event.outcome == Outcome::held;
     };
-    if (event.event.outcome == Outcome::dropped) return;
     auto left_out = std::find_if(events_.begin(), events_.end(), is_of_no_weight);
     if (left_out == events_.end()) {
         if (is_of_no_weight(event)) return;

@@ -114,8 +114,7 @@ int Foresight::follow(const btDiscreteDynamicsWorld& world, double time_s) {
                std::find(strayed.begin(), strayed.end(), blow.mover) != strayed.end();
     };
     const auto vain = std::stable_partition(blows_.begin(), blows_.end(), std::not_fn(is_vain));
-    const std::vector<ForeseenBlow> leaving(vain, blows_.end());
-    for (auto blow = leaving.rbegin(); blow != leaving.rend(); ++blow) leavePlan(*blow, time_s);
+    for (auto blow = blows_.end(); blow != vain;) leavePlan(*--blow, time_s);
     const auto count = static_cast<int>(blows_.end() - vain);
     blows_.erase(vain, blows_.end());
     return count;
@@ -199,21 +198,21 @@ const ForeseenBlow* Foresight::find(const StruckBreakable& struck, const BlowToD
     return known == blows_.end() ? nullptr : &*known;
 }
 
-std::shared_ptr<DecidedBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow,
-                                             double time_s) {
+std::optional<ForeseenBlow> Foresight::take(const StruckBreakable& struck, const BlowToDecide& blow,
+                                            double time_s) {
     const ForeseenBlow* const found = find(struck, blow);
-    if (!found) return nullptr;
+    if (!found) return std::nullopt;
+    leavePlan(*found, time_s);
     const auto known = blows_.begin() + (found - blows_.data());
-    leavePlan(*known, time_s);
-    std::shared_ptr<DecidedBlow> decided = std::move(known->decided);
-    if (Outlook* outlook = of(known->mover)) {
+    ForeseenBlow taken = std::move(*known);
+    if (Outlook* outlook = of(taken.mover)) {
         outlook->surprises = 0;
         outlook->rest_s = 0;
         outlook->way.clear();  // it goes on another way
         outlook->until_s = 0;
     }
     blows_.erase(known);
-    return decided;
+    return taken;
 }
 
 }  // namespace sherd

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <optional>
 #include <vector>
 
 #include "bullet/body_token.h"
@@ -48,8 +48,8 @@ class Foresight {
     void keepUp(double time_s, double time_step_s, int most_solves, double& waiting_ms) const;
     /// Does here what the one worker would have done by then: for worlds without an executor.
     void workUntil(double time_s) const;
-    /// What comes of a blow that falls as it was foreseen; nullptr for others.
-    std::shared_ptr<DecidedBlow> take(const StruckBreakable& struck, const BlowToDecide& blow, double time_s);
+    /// The blow that falls as it was foreseen, which is foreseen no longer; none for others.
+    std::optional<ForeseenBlow> take(const StruckBreakable& struck, const BlowToDecide& blow, double time_s);
 
   private:
     /// What is known of a body.

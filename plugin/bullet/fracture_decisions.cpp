@@ -31,11 +31,10 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     constexpr double far = 0.02;  // of its radius
     const bool turns = breakable.isDynamic() && !breakable.body->getAngularFactor().isZero();
     if (!breakable.ownedHere() && turns && off_m > far * solid.boundingRadius())
-        warnings.push_back("the body turns about a point that is " +
-                           std::to_string(std::lround(1000 * off_m)) +
-                           " mm from the centre of its solid, about which its pieces turn: they fall and "
-                           "spin otherwise than it "
-                           "did; in a btCompoundShape the shape can be shifted so that both are one");
+        warnings.push_back(
+            "the body turns about a point that is " + std::to_string(std::lround(1000 * off_m)) +
+            " mm from the centre of its solid, about which its pieces turn: they fall and "
+            "spin otherwise than it did; in a btCompoundShape the shape can be shifted so that both are one");
     const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
                            breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
     if (is_scaled)
@@ -223,7 +222,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         BlowToDecide blow = toDecide(struck[i], places);
         if (auto foreseen = takeForeseen(struck[i], blow)) {
             times_.blows += gated.ms[i];
-            blows.push_back(std::move(foreseen));
+            blows.push_back(std::move(foreseen->decided));
             continue;
         }
         decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid(), blow.blow);

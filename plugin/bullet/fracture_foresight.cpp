@@ -51,13 +51,13 @@ void FractureWorld::Impl::makeSolversFor(const btRigidBody& mover) {
         solvers_ahead_.addStruckSoon(*body, time_s_, mayHaveThreads());
 }
 
-/// What comes of a blow that falls as it was foreseen; nullptr for others.
-std::shared_ptr<DecidedBlow> FractureWorld::Impl::takeForeseen(const StruckBreakable& struck,
-                                                               const BlowToDecide& blow) {
+/// The blow that falls as it was foreseen; none for others.
+std::optional<ForeseenBlow> FractureWorld::Impl::takeForeseen(const StruckBreakable& struck,
+                                                              const BlowToDecide& blow) {
     auto foreseen = foresight_.take(struck, blow, time_s_);
-    if (!foreseen) return nullptr;
+    if (!foreseen) return std::nullopt;
     ++counts_.foreseen;
-    foreseen->is_foreseen = true;
+    foreseen->decided->is_foreseen = true;
     return foreseen;
 }
 

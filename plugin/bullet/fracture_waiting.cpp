@@ -130,10 +130,12 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
             blow.striker_token = giveToken(*const_cast<btCollisionObject*>(struck->striker));
         }
         BlowToDecide question = toDecide(*struck, most_fragments);
-        if (const ForeseenBlow* foreseen = foresight_.find(*struck, question))
+        if (auto foreseen = takeForeseen(*struck, question)) {
             blow.solved_by_s = foreseen->solved_by_s;
-        blow.decided = takeForeseen(*struck, question);
-        if (!blow.decided) blow.decided = DecidedBlow::make(std::move(question));
+            blow.decided = std::move(foreseen->decided);
+        } else {
+            blow.decided = DecidedBlow::make(std::move(question));
+        }
         blow.is_kept = struck->isKept();
         blow.promised =
             std::min(most_fragments, breakable.fracture->largest_fragment_count) - breakable.ownPlaces();

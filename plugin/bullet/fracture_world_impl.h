@@ -132,7 +132,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         }
         std::optional<OnThisThreadAlone> alone;
     };
-    std::shared_ptr<DecidedBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
+    std::optional<ForeseenBlow> takeForeseen(const StruckBreakable& struck, const BlowToDecide& blow);
     void rehearse(const btRigidBody& mover, BodyToken token, const std::vector<Role>& roles);
     std::vector<ForeseenBlow> worthSolving(std::vector<StruckBreakable> struck, double strikes_at_s) const;
     bool mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const;

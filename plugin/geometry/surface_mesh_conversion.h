@@ -23,7 +23,7 @@ SurfaceMesh toSurfaceMesh(const TriangleMesh& mesh) {
 
 /// The nearest double: that of an interval depends on what of a number was worked out before.
 template <class Number>
-double toDouble(const Number& number) {
+double nearestDouble(const Number& number) {
     return CGAL::to_double(CGAL::exact(number));
 }
 
@@ -36,7 +36,7 @@ TriangleMesh fromSurfaceMesh(const SurfaceMesh& mesh) {
         if (mesh.is_isolated(vertex)) continue;
         number[vertex] = static_cast<int>(result.vertices.size());
         const auto& p = mesh.point(vertex);
-        result.vertices.emplace_back(toDouble(p.x()), toDouble(p.y()), toDouble(p.z()));
+        result.vertices.emplace_back(nearestDouble(p.x()), nearestDouble(p.y()), nearestDouble(p.z()));
     }
     for (const auto face : mesh.faces()) {
         std::array<int, 3> triangle{};
