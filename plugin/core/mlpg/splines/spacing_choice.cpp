@@ -13,10 +13,9 @@ namespace {
 
 constexpr int attempts = 6;
 constexpr double supernodal_surplus = 1.25;  // dense blocks store zeros too; 1.22 to 1.37 was measured
-constexpr double good_use = 0.6;  // of the entries that are allowed; closer is not worth another attempt
-constexpr double aim = 0.8;       // the middle of what is good
-// Entries grow about as h^-3, from h^-2.5 of sheets to h^-4 of compact bodies.
-constexpr double entries_power = 3, smallest_power = 2, largest_power = 4;
+constexpr double good_use = 0.75;    // of the entries that are allowed; closer is not worth another attempt
+constexpr double aim = 0.87;         // the middle of what is good
+constexpr double entries_power = 3;  // they grow about as h^-3, from h^-2.5 of sheets to h^-4 of blocks
 
 Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int degree,
                                int cells_per_spacing) {
@@ -88,13 +87,8 @@ class Search {
         for (const auto& [seen, entries] : entries_)
             if (judge(seen, entries)) return good;
         for (int attempt = 0; attempt < attempts; ++attempt) {
-            const double seen = spacing, entries = look(seen);
-            if (judge(seen, entries)) return good;
-            // No look where every power that entries may grow with says the same.
-            const double step = spacing / seen;
-            if (good == 0 && entries * std::pow(step, -smallest_power) <= largest &&
-                entries * std::pow(step, -largest_power) > good_use * largest)
-                return spacing;
+            const double seen = spacing;
+            if (judge(seen, look(seen))) return good;
         }
         return good > 0 ? good : spacing;
     }
