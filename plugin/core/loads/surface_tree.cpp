@@ -26,6 +26,7 @@ SurfaceTree::SurfaceTree(const TriangleMesh& surface) : surface_(surface) {
     nodes_.reserve(items.size() / 2 + 1);
     if (items.empty()) return;
     build(0, static_cast<int>(items.size()), items);
+    nodes_.shrink_to_fit();  // a body keeps its tree; a third was never needed
     triangles_.reserve(items.size());
     for (const Item& item : items) triangles_.push_back(item.triangle);
     const Vec3 grown = Vec3::Constant(slack * nodes_[0].box.diagonal().norm());

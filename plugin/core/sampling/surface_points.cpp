@@ -132,6 +132,7 @@ std::vector<SurfacePoint> surfacePoints(const SamplingGrid& grid, const CutSurfa
         for (std::size_t side = 0; side < normals.size(); ++side)
             addPoints(begin, end, int(side), int(c), points);
     }
+    points.shrink_to_fit();  // kept with the body
     return points;
 }
 

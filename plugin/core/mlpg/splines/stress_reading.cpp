@@ -7,6 +7,7 @@ namespace sherd {
 
 std::vector<GridPoint> locateSamples(const Discretisation& solid) {
     std::vector<GridPoint> samples;
+    samples.reserve(solid.particles.size() + solid.surface_points.size());
     for (const Particle& particle : solid.particles)
         samples.push_back(locate(solid.parts, particle.position));
     for (const SurfacePoint& point : solid.surface_points)
