@@ -98,12 +98,12 @@ FirstBlow firstBlow(const TriangleMesh& surface) {
     });
     const SplineProblem problem =
         timed([&] { return valueOrExit(makeSplineProblem(solid, material, settings.stress.basis, {}, {})); });
-    SparseMatrix stiffness = timed([&] { return stiffnessOf(problem); });
+    BlockMatrix stiffness = timed([&] { return stiffnessOf(problem); });
     const PinnedSystem system = timed([&] {
-        return valueOrExit(PinnedSystem::factor(stiffness, pinnedUnknowns(problem, stiffness), 3,
+        return valueOrExit(PinnedSystem::factor(stiffness, pinnedUnknowns(problem, stiffness),
                                                 problem.space->highest_cells, Precision::refined));
     });
-    blow.unknowns = stiffness.size;
+    blow.unknowns = stiffness.size();
     blow.factor_entries = system.solver().factorEntries();
 
     StressSettings plain = settings.stress;

@@ -28,22 +28,19 @@ class Newmark {
         for (double& value : mass_.values) value *= problem.density_kg_m3;
     }
 
-    int unknowns() const { return stiffness_.size; }
+    int unknowns() const { return stiffness_.size(); }
 
     /// K + shift M.
     Result<std::unique_ptr<SparseSolver>> shifted(double shift) const {
-        SparseMatrix sum = stiffness_;
-        for (int column = 0; column < sum.size; ++column)
-            for (int k = sum.starts[column]; k < sum.starts[column + 1]; ++k) {
-                const int row = sum.indices[k];
-                if (row % 3 != column % 3) continue;
-                const auto begin = mass_.indices.begin() + mass_.starts[column / 3];
-                const auto end = mass_.indices.begin() + mass_.starts[column / 3 + 1];
-                const auto at = std::lower_bound(begin, end, row / 3);
-                if (at != end && *at == row / 3)
-                    sum.values[k] += shift * mass_.values[at - mass_.indices.begin()];
+        BlockMatrix sum = stiffness_;
+        for (int column = 0; column < sum.blockColumns(); ++column)
+            for (int k = mass_.starts[column]; k < mass_.starts[column + 1]; ++k) {
+                const auto begin = sum.rows.begin() + sum.starts[column];
+                const auto end = sum.rows.begin() + sum.starts[column + 1];
+                const long place = std::lower_bound(begin, end, mass_.indices[k]) - begin;
+                for (int i = 0; i < 3; ++i) sum.column(column, i)[3 * place + i] += shift * mass_.values[k];
             }
-        return factorCholesky(sum, 3);
+        return factorCholesky(sum);
     }
     /// What goes on in steps of that length.
     Result<std::unique_ptr<SparseSolver>> stepper(double step_s) const {
@@ -66,7 +63,8 @@ class Newmark {
     }
 
   private:
-    SparseMatrix stiffness_, mass_;
+    BlockMatrix stiffness_;
+    SparseMatrix mass_;  ///< its pattern is among that of the stiffness
 };
 
 }  // namespace sherd

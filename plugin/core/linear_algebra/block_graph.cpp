@@ -4,16 +4,13 @@
 
 namespace sherd {
 
-BlockGraph blockGraph(const SparseMatrix& lower, int block_size) {
-    const int count = lower.size / block_size;
+BlockGraph blockGraph(const std::vector<int>& starts, const std::vector<int>& rows) {
+    const int count = static_cast<int>(starts.size()) - 1;
     // visit(column, row, position) for every block below the diagonal, by columns.
     const auto forEachBlock = [&](const auto& visit) {
-        for (int column = 0; column < count; ++column) {
-            const int begin = lower.starts[column * block_size], end = lower.starts[column * block_size + 1];
-            for (int k = begin; k < end; k += block_size)
-                if (const int row = lower.indices[k] / block_size; row > column)
-                    visit(column, row, (k - begin) / block_size);
-        }
+        for (int column = 0; column < count; ++column)
+            for (int k = starts[column]; k < starts[column + 1]; ++k)
+                if (rows[k] > column) visit(column, rows[k], k - starts[column]);
     };
     BlockGraph graph;
     graph.starts.assign(count + 1, 0);

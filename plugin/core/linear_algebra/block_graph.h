@@ -2,8 +2,6 @@
 
 #include <vector>
 
-#include "core/linear_algebra/sparse_matrix.h"
-
 namespace sherd {
 
 /// Which blocks of a symmetric matrix differ from zero, as a graph: every block column is a vertex, and the
@@ -17,8 +15,7 @@ struct BlockGraph {
     int size() const { return static_cast<int>(starts.size()) - 1; }
 };
 
-/// Of a matrix in CSC, in blocks of `block_size` squared with equal patterns, from the diagonal blocks
-/// (complete) downwards. Values are not used.
-BlockGraph blockGraph(const SparseMatrix& lower, int block_size);
+/// `starts`, `rows`: of the block columns, from the diagonal downwards, as of a BlockMatrix.
+BlockGraph blockGraph(const std::vector<int>& starts, const std::vector<int>& rows);
 
 }  // namespace sherd

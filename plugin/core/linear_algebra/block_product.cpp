@@ -4,22 +4,21 @@
 
 namespace sherd {
 
-Eigen::VectorXd symmetricBlockProduct(const SparseMatrix& lower, const Eigen::VectorXd& x) {
-    // Three columns of blocks at a time: one index for nine entries, and a sum that stays in registers.
+Eigen::VectorXd blockProduct(const BlockMatrix& matrix, const Eigen::VectorXd& x) {
     Eigen::VectorXd product = Eigen::VectorXd::Zero(x.size());
-    for (int column = 0; column < lower.size; column += 3) {
-        const int rows = lower.starts[column + 1] - lower.starts[column];
-        const int* row = lower.indices.data() + lower.starts[column];
-        const double* value = lower.values.data() + lower.starts[column];
-        const Vec3 own = x.segment<3>(column);
+    for (int column = 0; column < matrix.blockColumns(); ++column) {
+        const long height = matrix.height(column);
+        const double* value = matrix.column(column, 0);
+        const Vec3 own = x.segment<3>(3L * column);
         Vec3 sum = Vec3::Zero();
-        for (int k = 0; k < rows; k += 3) {
+        for (int k = matrix.starts[column]; k < matrix.starts[column + 1]; ++k, value += 3) {
+            const int row = matrix.rows[k];
             Mat3 block;
-            for (int j = 0; j < 3; ++j) block.col(j) = Eigen::Map<const Vec3>(value + j * rows + k);
-            product.segment<3>(row[k]) += block * own;
-            if (row[k] > column) sum += block.transpose() * x.segment<3>(row[k]);
+            for (int j = 0; j < 3; ++j) block.col(j) = Eigen::Map<const Vec3>(value + j * height);
+            product.segment<3>(3L * row) += block * own;
+            if (row > column) sum += block.transpose() * x.segment<3>(3L * row);
         }
-        product.segment<3>(column) += sum;
+        product.segment<3>(3L * column) += sum;
     }
     return product;
 }

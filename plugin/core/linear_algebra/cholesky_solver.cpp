@@ -45,10 +45,10 @@ class CholeskySolver : public SparseSolver {
     bool isSingle() const override { return std::is_same_v<Number, float>; }
 
     /// False where the matrix, with the shift, is not safely positive definite.
-    bool factor(const BlockGraph& graph, const SparseMatrix& lower, double relative_shift) {
+    bool factor(const BlockGraph& graph, const BlockMatrix& matrix, double relative_shift) {
         relative_shift_ = relative_shift;
-        const double shift = relative_shift > 0 ? relative_shift * meanOf(diagonalOf(lower)) : 0;
-        if (!factor_.factor(graph, lower, shift)) return false;
+        const double shift = relative_shift > 0 ? relative_shift * meanOf(diagonalOf(matrix)) : 0;
+        if (!factor_.factor(graph, matrix, shift)) return false;
         reciprocal_condition_ = factor_.reciprocalCondition();
         return reciprocal_condition_ > smallest_reciprocal_condition;
     }
@@ -61,41 +61,41 @@ class CholeskySolver : public SparseSolver {
 
 /// Whether refinements get anywhere: no pivot is small enough to be what rounding made of none, and a first
 /// one takes enough off the residual of a load that moves the softest motions.
-bool isRefinable(const CholeskySolver<float>& solver, const SparseMatrix& lower) {
+bool isRefinable(const CholeskySolver<float>& solver, const BlockMatrix& matrix) {
     constexpr double smallest_pivot = 3e-6, largest_left = 0.03;
-    if (!(solver.smallestPivotShare(diagonalOf(lower)) > smallest_pivot)) return false;
-    const Eigen::VectorXd load = Eigen::VectorXd::Ones(lower.size);
+    if (!(solver.smallestPivotShare(diagonalOf(matrix)) > smallest_pivot)) return false;
+    const Eigen::VectorXd load = Eigen::VectorXd::Ones(matrix.size());
     Eigen::VectorXd answer;
     if (!solver.solve(load, answer) || !answer.allFinite()) return false;
-    return (load - symmetricBlockProduct(lower, answer)).norm() <= largest_left * load.norm();
+    return (load - blockProduct(matrix, answer)).norm() <= largest_left * load.norm();
 }
 
 }  // namespace
 
-Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size,
+Result<std::unique_ptr<SparseSolver>> factorCholesky(const BlockMatrix& matrix,
                                                      const std::vector<Eigen::Vector3i>& places,
                                                      Precision precision) {
-    const BlockGraph graph = blockGraph(lower, block_size);
+    const BlockGraph graph = blockGraph(matrix.starts, matrix.rows);
+    const int block_size = matrix.block_size;
     const EliminationTree tree = leastFill(graph, places);
     if (static_cast<int>(tree.order.size()) != graph.size()) return Error{no_order};
     if (precision == Precision::refined && block_size == 3) {
         auto solver = std::make_unique<CholeskySolver<float>>(graph, tree, block_size);
-        if (solver->factor(graph, lower, 0) && isRefinable(*solver, lower))
+        if (solver->factor(graph, matrix, 0) && isRefinable(*solver, matrix))
             return std::unique_ptr<SparseSolver>(std::move(solver));
     }
     auto solver = std::make_unique<CholeskySolver<double>>(graph, tree, block_size);
     for (const double shift : diagonal_shifts)
-        if (solver->factor(graph, lower, shift)) return std::unique_ptr<SparseSolver>(std::move(solver));
+        if (solver->factor(graph, matrix, shift)) return std::unique_ptr<SparseSolver>(std::move(solver));
     return Error{
         "The stiffness matrix is singular beyond repair; try another particle spacing or support radius."};
 }
 
-Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size,
-                               const std::vector<Eigen::Vector3i>& places) {
-    const BlockGraph graph = blockGraph(blocks, 1);
+Result<double> factorEntriesOf(const BlockMatrix& pattern, const std::vector<Eigen::Vector3i>& places) {
+    const BlockGraph graph = blockGraph(pattern.starts, pattern.rows);
     const EliminationTree tree = leastFill(graph, places);
     if (static_cast<int>(tree.order.size()) != graph.size()) return Error{no_order};
-    return tree.blocks() * block_size * block_size;
+    return tree.blocks() * pattern.block_size * pattern.block_size;
 }
 
 }  // namespace sherd

@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 
-#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/linear_algebra/sparse_solver.h"
 
 namespace sherd {
@@ -16,18 +16,15 @@ enum class Precision {
     full      ///< double
 };
 
-/// Cholesky factorisation of a symmetric positive definite matrix, given in CSC in blocks of `block_size`
-/// squared with equal patterns, from the diagonal blocks (complete) downwards. `places`: of the block columns
-/// on a lattice where they couple with near ones only, or empty; they make it quick to find an order with
-/// little fill. A matrix that is not safely positive definite gets a small shift of its diagonal
-/// (`relativeShift`), and one that is too badly conditioned for single precision gets double.
-Result<std::unique_ptr<SparseSolver>> factorCholesky(const SparseMatrix& lower, int block_size,
+/// Cholesky factorisation of a positive definite matrix. `places`: of the block columns on a lattice where
+/// they couple with near ones only, or empty; they make it quick to find an order with little fill. A matrix
+/// that is not safely positive definite gets a small shift of its diagonal (`relativeShift`), and one that is
+/// too badly conditioned for single precision gets double.
+Result<std::unique_ptr<SparseSolver>> factorCholesky(const BlockMatrix& matrix,
                                                      const std::vector<Eigen::Vector3i>& places = {},
                                                      Precision precision = Precision::full);
 
-/// Numbers that the Cholesky factor of such a matrix has, from its pattern alone: CSC of blocks of
-/// `block_size`, each of them one entry, without values.
-Result<double> factorEntriesOf(const SparseMatrix& blocks, int block_size,
-                               const std::vector<Eigen::Vector3i>& places);
+/// Numbers that the Cholesky factor of such a matrix has, from its pattern alone: values are not used.
+Result<double> factorEntriesOf(const BlockMatrix& pattern, const std::vector<Eigen::Vector3i>& places);
 
 }  // namespace sherd

@@ -19,12 +19,12 @@ constexpr int strip = 192;           // columns or rows that are worked on at a 
 template <class Number>
 class MultifrontalFactor<Number>::Elimination {
   public:
-    Elimination(MultifrontalFactor& target, const BlockGraph& graph, const SparseMatrix& lower, double shift)
+    Elimination(MultifrontalFactor& target, const BlockGraph& graph, const BlockMatrix& matrix, double shift)
         : to_(target),
           fronts_(target.fronts_),
           block_(target.block_),
           graph_(graph),
-          lower_(lower),
+          matrix_(matrix),
           shift_(shift),
           updates_(fronts_.count(), nullptr) {}
 
@@ -119,8 +119,7 @@ class MultifrontalFactor<Number>::Elimination {
     /// Copies the block at a place in a block column of A.
     void takeBlock(int column, int position, bool transposed, Number* target, int stride) const {
         for (int j = 0; j < block_; ++j) {
-            const double* source =
-                lower_.values.data() + lower_.starts[column * block_ + j] + position * block_;
+            const double* source = matrix_.column(column, j) + position * block_;
             for (int i = 0; i < block_; ++i)
                 target[transposed ? i * stride + j : j * stride + i] = static_cast<Number>(source[i]);
         }
@@ -198,7 +197,7 @@ class MultifrontalFactor<Number>::Elimination {
     const FrontTree& fronts_;
     const int block_;
     const BlockGraph& graph_;
-    const SparseMatrix& lower_;
+    const BlockMatrix& matrix_;
     const double shift_;
     std::vector<Number*> updates_;  // per front
     std::atomic<bool> failed_{false};
@@ -215,10 +214,10 @@ MultifrontalFactor<Number>::MultifrontalFactor(const BlockGraph& graph, const El
 }
 
 template <class Number>
-bool MultifrontalFactor<Number>::factor(const BlockGraph& graph, const SparseMatrix& lower, double shift) {
+bool MultifrontalFactor<Number>::factor(const BlockGraph& graph, const BlockMatrix& matrix, double shift) {
     values_ = {};
     values_ = BigBuffer<Number>(panel_starts_.back());
-    return Elimination(*this, graph, lower, shift).run();
+    return Elimination(*this, graph, matrix, shift).run();
 }
 
 template <class Number>

@@ -3,6 +3,8 @@
 #include <Eigen/Dense>
 
 #include "core/linear_algebra/big_buffer.h"
+#include "core/linear_algebra/block_graph.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/linear_algebra/elimination_schedule.h"
 #include "core/linear_algebra/front_tree.h"
 
@@ -18,9 +20,8 @@ class MultifrontalFactor {
   public:
     MultifrontalFactor(const BlockGraph& graph, const EliminationTree& tree, int block_size);
 
-    /// A as for blockGraph, whose graph it has, plus `shift` on the diagonal. False where A is not positive
-    /// definite.
-    bool factor(const BlockGraph& graph, const SparseMatrix& lower, double shift);
+    /// A, whose graph is given, plus `shift` on the diagonal. False where that is not positive definite.
+    bool factor(const BlockGraph& graph, const BlockMatrix& matrix, double shift);
 
     /// A^-1 B for the columns of B; many at once take a fraction of the time that they take one by one, since
     /// the factor passes through memory once for dozens.

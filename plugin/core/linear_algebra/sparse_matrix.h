@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 namespace sherd {
@@ -14,14 +13,5 @@ struct SparseMatrix {
     std::vector<int> indices;    ///< #entries: rows in CSC, columns in CSR
     std::vector<double> values;  ///< #entries
 };
-
-/// #size; 0 where nothing is stored.
-inline std::vector<double> diagonalOf(const SparseMatrix& matrix) {
-    std::vector<double> diagonal(static_cast<std::size_t>(matrix.size), 0.0);
-    for (int line = 0; line < matrix.size; ++line)
-        for (int k = matrix.starts[line]; k < matrix.starts[line + 1]; ++k)
-            if (matrix.indices[k] == line) diagonal[line] = matrix.values[k];
-    return diagonal;
-}
 
 }  // namespace sherd

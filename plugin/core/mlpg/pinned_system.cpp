@@ -11,16 +11,16 @@ namespace {
 /// Pins unknowns of a matrix as long as it lives.
 class WhilePinned {
   public:
-    WhilePinned(SparseMatrix& lower, const std::vector<int>& unknowns)
-        : lower_(lower), replaced_(pinUnknowns(lower, unknowns)) {}
+    WhilePinned(BlockMatrix& matrix, const std::vector<int>& unknowns)
+        : matrix_(matrix), replaced_(pinUnknowns(matrix, unknowns)) {}
     ~WhilePinned() {
-        for (const ReplacedValue& replaced : replaced_) lower_.values[replaced.index] = replaced.value;
+        for (const ReplacedValue& replaced : replaced_) matrix_.values[replaced.index] = replaced.value;
     }
     WhilePinned(const WhilePinned&) = delete;
     WhilePinned& operator=(const WhilePinned&) = delete;
 
   private:
-    SparseMatrix& lower_;
+    BlockMatrix& matrix_;
     std::vector<ReplacedValue> replaced_;
 };
 
@@ -29,10 +29,10 @@ class WhilePinned {
 PinnedSystem::PinnedSystem(std::unique_ptr<SparseSolver> solver, std::vector<int> pinned)
     : solver_(std::move(solver)), pinned_(std::move(pinned)) {}
 
-Result<PinnedSystem> PinnedSystem::factor(SparseMatrix& lower, std::vector<int> pinned, int block_size,
+Result<PinnedSystem> PinnedSystem::factor(BlockMatrix& stiffness, std::vector<int> pinned,
                                           const std::vector<Eigen::Vector3i>& places, Precision precision) {
-    const WhilePinned while_pinned(lower, pinned);
-    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(lower, block_size, places, precision);
+    const WhilePinned while_pinned(stiffness, pinned);
+    Result<std::unique_ptr<SparseSolver>> solver = factorCholesky(stiffness, places, precision);
     if (!solver) return Error{solver.error()};
     return PinnedSystem(std::move(solver).value(), std::move(pinned));
 }

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/linear_algebra/cholesky_solver.h"
-#include "core/linear_algebra/sparse_matrix.h"
 
 namespace sherd {
 
@@ -15,10 +14,9 @@ namespace sherd {
 /// free components, and carry no reaction since loads are balanced. The direct solver is chosen here.
 class PinnedSystem {
   public:
-    /// `lower`: K in CSC, in blocks of `block_size`, from the diagonal blocks downwards. It is pinned
-    /// meanwhile, so nobody else may read it; a copy would take a tenth of the time of the factor. After
-    /// that it is as before. `places`: see factorCholesky.
-    static Result<PinnedSystem> factor(SparseMatrix& lower, std::vector<int> pinned, int block_size,
+    /// K is pinned meanwhile, so nobody else may read it; a copy would take a tenth of the time of the
+    /// factor. After that it is as before. `places`: see factorCholesky.
+    static Result<PinnedSystem> factor(BlockMatrix& stiffness, std::vector<int> pinned,
                                        const std::vector<Eigen::Vector3i>& places = {},
                                        Precision precision = Precision::full);
 

@@ -5,7 +5,7 @@
 
 namespace sherd {
 
-std::vector<int> unknownsToPin(const RigidMotions& motions, const SparseMatrix& stiffness) {
+std::vector<int> unknownsToPin(const RigidMotions& motions, const BlockMatrix& stiffness) {
     constexpr double smallest_norm = 1e-6;
     constexpr double least_weight = 1e-3;  // of the stiffest: a component may have no stiffness
     std::vector<double> weight = diagonalOf(stiffness);
@@ -35,21 +35,26 @@ std::vector<int> unknownsToPin(const RigidMotions& motions, const SparseMatrix& 
     return pinned;
 }
 
-std::vector<ReplacedValue> pinUnknowns(SparseMatrix& lower, const std::vector<int>& unknowns) {
-    std::vector<char> pinned(lower.size, 0);
+std::vector<ReplacedValue> pinUnknowns(BlockMatrix& matrix, const std::vector<int>& unknowns) {
+    std::vector<char> pinned(matrix.size(), 0);
     for (int unknown : unknowns) pinned[unknown] = 1;
     double largest = 0;
-    for (double value : lower.values) largest = std::max(largest, std::abs(value));
+    for (double value : matrix.values) largest = std::max(largest, std::abs(value));
     // Any positive diagonal will do. A component's own may be zero: where it is a single particle, values
     // alone make no strain.
     const double diagonal = largest > 0 ? largest : 1;
     std::vector<ReplacedValue> replaced;
-    for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k) {
-            const int row = lower.indices[k];
-            if (!pinned[column] && !pinned[row]) continue;
-            replaced.push_back({k, lower.values[k]});
-            lower.values[k] = row == column ? diagonal : 0;
+    const int size = matrix.block_size;
+    for (int c = 0; c < matrix.blockColumns(); ++c)
+        for (int j = 0; j < size; ++j) {
+            const int column = size * c + j;
+            auto index = static_cast<std::size_t>(matrix.column(c, j) - matrix.values.data());
+            for (int k = matrix.starts[c]; k < matrix.starts[c + 1]; ++k)
+                for (int row = size * matrix.rows[k]; row < size * (matrix.rows[k] + 1); ++row, ++index) {
+                    if (!pinned[column] && !pinned[row]) continue;
+                    replaced.push_back({index, matrix.values[index]});
+                    matrix.values[index] = row == column ? diagonal : 0;
+                }
         }
     return replaced;
 }

@@ -15,7 +15,7 @@ namespace {
 TEST(CholeskySolver, CholeskyMatchesDense) {
     const Eigen::MatrixXd root = randomMatrix(12);
     const Eigen::MatrixXd dense = root * root.transpose() + Eigen::MatrixXd::Identity(12, 12);
-    const auto solver = factorCholesky(compressed(dense, Layout::lower_columns), 3);
+    const auto solver = factorCholesky(inBlocks(dense));
     ASSERT_TRUE(solver.ok()) << solver.error();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(12, -1, 2);
     Eigen::VectorXd x;
@@ -28,7 +28,7 @@ TEST(CholeskySolver, CholeskyMatchesDense) {
 // Rank 9 of 12: a shift makes it possible to go on, and is reported.
 TEST(CholeskySolver, SingularCholeskyIsShiftedAndSaysSo) {
     const Eigen::MatrixXd root = randomMatrix(12).leftCols(9);
-    const auto solver = factorCholesky(compressed(root * root.transpose(), Layout::lower_columns), 3);
+    const auto solver = factorCholesky(inBlocks(root * root.transpose()));
     ASSERT_TRUE(solver.ok()) << solver.error();
     EXPECT_GT(solver.value()->relativeShift(), 0);
 }
@@ -51,12 +51,12 @@ Eigen::MatrixXd matrixWith(double smallest_eigenvalue) {
 TEST(CholeskySolver, SinglePrecisionIsTakenWhereItCanBeRefined) {
     for (const double smallest : {1e-1, 1e-3}) {
         const Eigen::MatrixXd dense = matrixWith(smallest);
-        const auto lower = compressed(dense, Layout::lower_columns);
-        const auto refined = factorCholesky(lower, 3, {}, Precision::refined);
+        const auto lower = inBlocks(dense);
+        const auto refined = factorCholesky(lower, {}, Precision::refined);
         ASSERT_TRUE(refined.ok()) << refined.error();
         EXPECT_GT(residualOf(*refined.value(), dense), 1e-9) << smallest;
         EXPECT_LT(residualOf(*refined.value(), dense), 1e-2) << smallest;
-        const auto full = factorCholesky(lower, 3);
+        const auto full = factorCholesky(lower);
         EXPECT_LT(residualOf(*full.value(), dense), 1e-11) << smallest;
         EXPECT_EQ(refined.value()->factorBytes(), 4 * refined.value()->factorEntries());
         EXPECT_EQ(full.value()->factorBytes(), 8 * full.value()->factorEntries());
@@ -65,7 +65,7 @@ TEST(CholeskySolver, SinglePrecisionIsTakenWhereItCanBeRefined) {
 
 TEST(CholeskySolver, WhatSinglePrecisionCannotHoldGetsDouble) {
     const Eigen::MatrixXd dense = matrixWith(1e-9);
-    const auto refined = factorCholesky(compressed(dense, Layout::lower_columns), 3, {}, Precision::refined);
+    const auto refined = factorCholesky(inBlocks(dense), {}, Precision::refined);
     ASSERT_TRUE(refined.ok()) << refined.error();
     EXPECT_LT(residualOf(*refined.value(), dense), 1e-6);
     EXPECT_EQ(refined.value()->relativeShift(), 0);
@@ -73,36 +73,35 @@ TEST(CholeskySolver, WhatSinglePrecisionCannotHoldGetsDouble) {
 
 TEST(CholeskySolver, SinglePrecisionFindsSingularMatricesToo) {
     const Eigen::MatrixXd root = randomMatrix(12).leftCols(9);
-    const auto solver =
-        factorCholesky(compressed(root * root.transpose(), Layout::lower_columns), 3, {}, Precision::refined);
+    const auto solver = factorCholesky(inBlocks(root * root.transpose()), {}, Precision::refined);
     ASSERT_TRUE(solver.ok()) << solver.error();
     EXPECT_GT(solver.value()->relativeShift(), 0);
 }
 
 TEST(PinnedSystem, LeavesTheMatrixAsItWas) {
     LatticeMatrix lattice(9, 8, 4);
-    const std::vector<double> before = lattice.lower.values;
+    const std::vector<double> before = lattice.matrix.values;
     const auto factored = [&](const std::vector<int>& pinned) {
-        return PinnedSystem::factor(lattice.lower, pinned, 3, lattice.places).ok();
+        return PinnedSystem::factor(lattice.matrix, pinned, lattice.places).ok();
     };
     EXPECT_TRUE(factored({0, 1, 2, 100, 431}));
-    EXPECT_EQ(lattice.lower.values, before);
+    EXPECT_EQ(lattice.matrix.values, before);
     // Nor where it has no factor.
-    lattice.lower.values[lattice.lower.starts[6]] = std::nan("");
-    lattice.lower.values[lattice.lower.starts[1]] = -2;
+    *lattice.matrix.column(2, 0) = std::nan("");
+    *lattice.matrix.column(0, 1) = -2;
     EXPECT_FALSE(factored({1}));
-    EXPECT_EQ(lattice.lower.values[lattice.lower.starts[1]], -2);
+    EXPECT_EQ(*lattice.matrix.column(0, 1), -2);
 }
 
 TEST(CholeskySolver, RefinedSolutionsAreThoseOfDouble) {
     LatticeMatrix lattice(9, 8, 4);
     for (const double size : {1.0, 1e-50, 1e50}) {
-        const Eigen::VectorXd b = size * randomVector(lattice.lower.size, 11);
+        const Eigen::VectorXd b = size * randomVector(lattice.matrix.size(), 11);
         const auto residual = [&](const Eigen::VectorXd& x) -> Eigen::VectorXd {
-            return b - symmetricBlockProduct(lattice.lower, x);
+            return b - blockProduct(lattice.matrix, x);
         };
         const auto solved = [&](Precision precision) {
-            const auto system = PinnedSystem::factor(lattice.lower, {}, 3, lattice.places, precision);
+            const auto system = PinnedSystem::factor(lattice.matrix, {}, lattice.places, precision);
             EXPECT_TRUE(system.ok());
             EXPECT_EQ(system.value().solver().isSingle(), precision == Precision::refined);
             return system.value().solve(b, residual, 1e-12).value();

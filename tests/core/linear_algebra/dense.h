@@ -2,24 +2,40 @@
 
 #include <Eigen/Dense>
 #include <random>
+#include <vector>
 
+#include "core/linear_algebra/block_matrix.h"
 #include "core/linear_algebra/sparse_matrix.h"
 
 namespace sherd {
 
-/// The lower half, from the diagonal blocks of 3 downwards, in CSC; or the whole matrix in CSR.
-enum class Layout { lower_columns, rows };
-inline SparseMatrix compressed(const Eigen::MatrixXd& dense, Layout layout) {
-    const bool columns = layout == Layout::lower_columns;
+/// In blocks of 3.
+inline BlockMatrix inBlocks(const Eigen::MatrixXd& dense) {
+    BlockMatrix matrix;
+    const int count = static_cast<int>(dense.rows()) / 3;
+    for (int column = 0; column < count; ++column) {
+        std::vector<int> rows;
+        for (int row = column; row < count; ++row) rows.push_back(row);
+        matrix.addColumn(rows);
+    }
+    matrix.setZero();
+    for (int column = 0; column < count; ++column)
+        for (int j = 0; j < 3; ++j)
+            Eigen::Map<Eigen::VectorXd>(matrix.column(column, j), matrix.height(column)) =
+                dense.col(3L * column + j).tail(matrix.height(column));
+    return matrix;
+}
+
+/// In CSR.
+inline SparseMatrix compressedRows(const Eigen::MatrixXd& dense) {
     SparseMatrix matrix;
     matrix.size = static_cast<int>(dense.rows());
     matrix.starts.push_back(0);
-    for (int line = 0; line < matrix.size; ++line) {
-        for (int k = columns ? line / 3 * 3 : 0; k < matrix.size; ++k) {
-            const double value = columns ? dense(k, line) : dense(line, k);
-            if (!columns && value == 0) continue;
-            matrix.indices.push_back(k);
-            matrix.values.push_back(value);
+    for (int row = 0; row < matrix.size; ++row) {
+        for (int column = 0; column < matrix.size; ++column) {
+            if (dense(row, column) == 0) continue;
+            matrix.indices.push_back(column);
+            matrix.values.push_back(dense(row, column));
         }
         matrix.starts.push_back(static_cast<int>(matrix.indices.size()));
     }

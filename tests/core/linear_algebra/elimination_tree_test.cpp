@@ -32,7 +32,7 @@ double blocksByElimination(const BlockGraph& graph, const std::vector<int>& orde
 
 TEST(EliminationTree, CountsTheBlocksOfTheFactor) {
     const LatticeMatrix matrix(7, 5, 3);
-    const BlockGraph graph = blockGraph(matrix.lower, 3);
+    const BlockGraph graph = blockGraph(matrix.matrix.starts, matrix.matrix.rows);
     std::vector<int> order(graph.size());
     std::iota(order.begin(), order.end(), 0);
     for (int shuffle = 0; shuffle < 3; ++shuffle) {
@@ -46,7 +46,7 @@ TEST(EliminationTree, CountsTheBlocksOfTheFactor) {
 
 TEST(LeastFill, PlacesOnALatticeGiveLessFill) {
     const LatticeMatrix block(11, 11, 11);
-    const BlockGraph graph = blockGraph(block.lower, 3);
+    const BlockGraph graph = blockGraph(block.matrix.starts, block.matrix.rows);
     const double by_places = leastFill(graph, block.places).blocks(), without = leastFill(graph, {}).blocks();
     std::vector<int> natural(graph.size());
     std::iota(natural.begin(), natural.end(), 0);

@@ -12,7 +12,7 @@ namespace {
 // The last part parts the rest in two that share no edge.
 TEST(NestedDissection, TheLastPartSeparatesTheRest) {
     const LatticeMatrix bar(24, 5, 4);
-    const BlockGraph graph = blockGraph(bar.lower, 3);
+    const BlockGraph graph = blockGraph(bar.matrix.starts, bar.matrix.rows);
     const std::vector<int> part = nestedDissection(graph, bar.places);
     const int last = *std::max_element(part.begin(), part.end());
     ASSERT_GT(last, 1);
@@ -37,7 +37,8 @@ TEST(NestedDissection, TheLastPartSeparatesTheRest) {
 
 TEST(NestedDissection, AFewVerticesAreOnePart) {
     const LatticeMatrix small(3, 3, 3);
-    EXPECT_EQ(nestedDissection(blockGraph(small.lower, 3), small.places), std::vector<int>(27, 0));
+    EXPECT_EQ(nestedDissection(blockGraph(small.matrix.starts, small.matrix.rows), small.places),
+              std::vector<int>(27, 0));
     EXPECT_TRUE(nestedDissection(BlockGraph{{0}, {}, {}}, {}).empty());
 }
 

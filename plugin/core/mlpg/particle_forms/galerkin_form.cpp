@@ -65,11 +65,10 @@ std::vector<Eigen::Vector3i> placesOf(const Discretisation& solid) {
 
 Result<std::unique_ptr<WeakForm>> makeGalerkinForm(const StressProblem& problem, double& factor_ms,
                                                    std::vector<std::string>& warnings) {
-    SparseMatrix stiffness = galerkinStiffness(problem.solid, problem.cells, problem.elasticity);
+    BlockMatrix stiffness = galerkinStiffness(problem.solid, problem.cells, problem.elasticity);
     std::vector<int> pinned = unknownsToPin(problem.motions, stiffness);
     Stopwatch watch;
-    Result<PinnedSystem> system = PinnedSystem::factor(
-        stiffness, std::move(pinned), problem.space.unknownsPerParticle(), placesOf(problem.solid));
+    Result<PinnedSystem> system = PinnedSystem::factor(stiffness, std::move(pinned), placesOf(problem.solid));
     factor_ms = watch.milliseconds();
     if (!system) return Error{system.error()};
     if (system.value().solver().relativeShift() > 0)

@@ -55,28 +55,12 @@ std::vector<std::vector<int>> blockPattern(const Reach& reach) {
     return rows;
 }
 
-/// Every column of a block column holds all rows of its blocks.
-SparseMatrix allocate(const std::vector<std::vector<int>>& pattern, int block) {
-    SparseMatrix matrix;
-    matrix.size = static_cast<int>(pattern.size()) * block;
-    matrix.starts.reserve(matrix.size + 1);
-    matrix.starts.push_back(0);
-    for (const std::vector<int>& rows : pattern)
-        for (int k = 0; k < block; ++k) {
-            for (int row : rows)
-                for (int i = 0; i < block; ++i) matrix.indices.push_back(row * block + i);
-            matrix.starts.push_back(static_cast<int>(matrix.indices.size()));
-        }
-    matrix.values.assign(matrix.indices.size(), 0.0);
-    return matrix;
-}
-
 /// Adds up the Gram matrix A_ab = sum_c V_c g_ca g_cb^T, which knows no material, for a range of block
 /// columns.
 class GramAssembly {
   public:
     GramAssembly(const Discretisation& solid, const CellGradients& cells, const Reach& reach,
-                 const std::vector<std::vector<int>>& pattern, SparseMatrix& matrix)
+                 const std::vector<std::vector<int>>& pattern, BlockMatrix& matrix)
         : solid_(solid),
           cells_(cells),
           reach_(reach),
@@ -136,8 +120,7 @@ class GramAssembly {
         for (size_t n = column; n < local.size(); ++n) {
             while (rows[position] != local[n]) ++position;
             for (int k = 0; k < block_; ++k) {
-                double* target =
-                    matrix_.values.data() + matrix_.starts[local[column] * block_ + k] + position * block_;
+                double* target = matrix_.column(local[column], k) + position * block_;
                 const double* source = &product_((static_cast<long>(n) - strip_begin) * block_,
                                                  (column - strip_begin) * block_ + k);
                 for (int i = 0; i < block_; ++i) target[i] += source[i];
@@ -149,40 +132,44 @@ class GramAssembly {
     const CellGradients& cells_;
     const Reach& reach_;
     const std::vector<std::vector<int>>& pattern_;
-    SparseMatrix& matrix_;
+    BlockMatrix& matrix_;
     int block_;
     std::vector<int> place_;
     Eigen::MatrixXd scaled_, product_;
 };
 
-/// K_ab = lambda A_ab + mu A_ab^T + mu tr(A_ab) I, in place, for a range of unknowns.
-void applyElasticity(SparseMatrix& matrix, const Elasticity& elasticity, int begin, int end) {
-    for (int column = begin; column < end; column += 3) {
-        const int length = matrix.starts[column + 1] - matrix.starts[column];
-        using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
-        Columns columns(matrix.values.data() + matrix.starts[column], length, 3);
-        for (int row = 0; row < length; row += 3) {
-            const Mat3 gram = columns.middleRows<3>(row);
-            columns.middleRows<3>(row) = elasticity.lambda_pa * gram + elasticity.mu_pa * gram.transpose() +
-                                         elasticity.mu_pa * gram.trace() * Mat3::Identity();
+/// K_ab = lambda A_ab + mu A_ab^T + mu tr(A_ab) I, in place, for a range of block columns.
+void applyElasticity(BlockMatrix& matrix, const Elasticity& elasticity, int begin, int end) {
+    for (int block_column = begin; block_column < end; ++block_column)
+        for (int j = 0; j < matrix.block_size; j += 3) {
+            const long height = matrix.height(block_column);
+            using Columns = Eigen::Map<Eigen::Matrix<double, Eigen::Dynamic, 3>>;
+            Columns columns(matrix.column(block_column, j), height, 3);
+            for (long row = 0; row < height; row += 3) {
+                const Mat3 gram = columns.middleRows<3>(row);
+                columns.middleRows<3>(row) = elasticity.lambda_pa * gram +
+                                             elasticity.mu_pa * gram.transpose() +
+                                             elasticity.mu_pa * gram.trace() * Mat3::Identity();
+            }
         }
-    }
 }
 
 }  // namespace
 
-SparseMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
-                               const Elasticity& elasticity) {
+BlockMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
+                              const Elasticity& elasticity) {
     const Reach reach = findReach(solid, cells);
     const std::vector<std::vector<int>> pattern = blockPattern(reach);
-    const int block = 3 * cells.functions_per_particle;
     const int particles = static_cast<int>(solid.particles.size());
-    SparseMatrix matrix = allocate(pattern, block);
+    BlockMatrix matrix;
+    matrix.block_size = 3 * cells.functions_per_particle;
+    for (const std::vector<int>& rows : pattern) matrix.addColumn(rows);
+    matrix.setZero();
     forEachChunk(chunk_count, [&](int chunk) {
         const int begin = chunkBegin(chunk, chunk_count, particles);
         const int end = chunkBegin(chunk + 1, chunk_count, particles);
         GramAssembly(solid, cells, reach, pattern, matrix).addColumns(begin, end);
-        applyElasticity(matrix, elasticity, begin * block, end * block);
+        applyElasticity(matrix, elasticity, begin, end);
     });
     return matrix;
 }

@@ -25,26 +25,22 @@ void forEachAmong(const std::vector<int>& blocks, const PackedStiffness& stiffne
 
 }  // namespace
 
-PackedStiffness::PackedStiffness(const SparseMatrix& lower) : starts(1, 0) {
-    roots.reserve(static_cast<std::size_t>(lower.size));
-    for (int column = 0; column < lower.size; ++column) {
-        const double diagonal = lower.values[lower.starts[column] + column % 3];
+PackedStiffness::PackedStiffness(const BlockMatrix& stiffness)
+    : starts(stiffness.starts), rows(stiffness.rows) {
+    roots.reserve(static_cast<std::size_t>(stiffness.size()));
+    for (const double diagonal : diagonalOf(stiffness))
         roots.push_back(static_cast<float>(std::sqrt(diagonal / largest_entry)));
-    }
-    for (int column = 0; column < lower.size; column += 3) {
-        const int first = lower.starts[column], height = lower.starts[column + 1] - first;
-        for (int k = 0; k < height; k += 3) {
-            const int row = lower.indices[first + k];
-            rows.push_back(row / 3);
-            for (int j = 0; j < 3; ++j)
+    entries.reserve(stiffness.values.size());
+    for (int column = 0; column < stiffness.blockColumns(); ++column)
+        for (int k = starts[column]; k < starts[column + 1]; ++k)
+            for (int j = 0; j < 3; ++j) {
+                const double* value = stiffness.column(column, j) + 3L * (k - starts[column]);
                 for (int i = 0; i < 3; ++i)
-                    entries.push_back(static_cast<std::int16_t>(
-                        std::clamp(std::round(lower.values[lower.starts[column + j] + k + i] /
-                                              (double(roots[row + i]) * double(roots[column + j]))),
-                                   -largest_entry, largest_entry)));
-        }
-        starts.push_back(static_cast<int>(rows.size()));
-    }
+                    entries.push_back(static_cast<std::int16_t>(std::clamp(
+                        std::round(value[i] /
+                                   (double(roots[3 * rows[k] + i]) * double(roots[3 * column + j]))),
+                        -largest_entry, largest_entry)));
+            }
 }
 
 Eigen::MatrixXf PackedStiffness::lowerPart(const std::vector<int>& blocks) const {

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/numerics/unset_vector.h"
 
 namespace sherd {
@@ -18,8 +18,7 @@ struct PackedStiffness {
     std::vector<float> roots;           ///< per unknown: sqrt(K_ii / 32767)
 
     PackedStiffness() = default;
-    /// `lower`: in CSC, in blocks of 3, from the diagonal blocks (complete) downwards.
-    explicit PackedStiffness(const SparseMatrix& lower);
+    explicit PackedStiffness(const BlockMatrix& stiffness);
 
     int blockCount() const { return static_cast<int>(starts.size()) - 1; }
 

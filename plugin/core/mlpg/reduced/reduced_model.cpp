@@ -36,7 +36,7 @@ ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, PackedS
 }
 
 Result<ReducedModel> ReducedModel::make(std::shared_ptr<const SplineProblem> problem,
-                                        const SparseMatrix& stiffness, const UnitResponses& unit,
+                                        const BlockMatrix& stiffness, const UnitResponses& unit,
                                         const ReducedModelLimits& limits) {
     auto modes = ProperModes::make(*problem, unit, limits.modes, diagonalOf(stiffness));
     if (!modes) return Error{modes.error()};
@@ -75,13 +75,13 @@ ReducedModel::ReducedModel(std::shared_ptr<const SplineProblem> problem, Complia
 
 /// The largest energy of what 16 bits take from the softest modes, of which each has 1/2: slender solids move
 /// far and strain little.
-double ReducedModel::roundingOfModes(const SparseMatrix& stiffness) const {
+double ReducedModel::roundingOfModes(const BlockMatrix& stiffness) const {
     constexpr int softest = 4;
     double largest = 0;
     for (int m = 0; m < std::min(softest, modes_.count); ++m) {
         const Eigen::VectorXd mode =
             modes_.displacement(Eigen::VectorXf::Unit(modes_.count, m)).cast<double>();
-        largest = std::max(largest, std::abs(mode.dot(symmetricBlockProduct(stiffness, mode)) - 1));
+        largest = std::max(largest, std::abs(mode.dot(blockProduct(stiffness, mode)) - 1));
     }
     return largest;
 }

@@ -36,7 +36,7 @@ class ReducedModel {
   public:
     /// `stiffness` is that of the problem; `unit` is what loads on `limits.patches` patches do.
     static Result<ReducedModel> make(std::shared_ptr<const SplineProblem> problem,
-                                     const SparseMatrix& stiffness, const UnitResponses& unit,
+                                     const BlockMatrix& stiffness, const UnitResponses& unit,
                                      const ReducedModelLimits& limits = {});
 
     /// Of a solid with no more unknowns than `direct_unknowns`: by its compliance matrix. `pinned`: unknowns
@@ -105,7 +105,7 @@ class ReducedModel {
 
   private:
     bool coversAComponent(const std::vector<int>& functions) const;
-    double roundingOfModes(const SparseMatrix& stiffness) const;
+    double roundingOfModes(const BlockMatrix& stiffness) const;
     bool factorBlock(LocalSystem::Block& block) const;
     bool addBlock(std::vector<int> functions, float stiffening, LocalSystem& before,
                   LocalSystem& system) const;

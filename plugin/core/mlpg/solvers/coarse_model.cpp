@@ -29,9 +29,9 @@ Result<CoarseModel> CoarseModel::make(const TriangleMesh& surface, double spacin
     solid->parts = std::move(parts).value();
     Result<SplineProblem> problem = makeSplineProblem(solid, material, basis, supports, {});
     if (!problem) return Error{problem.error()};
-    SparseMatrix stiffness = stiffnessOf(problem.value());
+    BlockMatrix stiffness = stiffnessOf(problem.value());
     Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness),
-                                                       3, problem.value().space->highest_cells);
+                                                       problem.value().space->highest_cells);
     if (!system) return Error{system.error()};
     const SparseSolver& factor = system.value().solver();
     if (factor.relativeShift() > 0 || factor.reciprocalCondition() < doubtful_condition)

@@ -19,7 +19,7 @@ namespace {
 /// Galerkin on splines.
 class SplineSolver : public StressSolver::Impl {
   public:
-    SplineSolver(std::shared_ptr<const SplineProblem> problem, SparseMatrix stiffness, PinnedSystem system,
+    SplineSolver(std::shared_ptr<const SplineProblem> problem, BlockMatrix stiffness, PinnedSystem system,
                  Resampling resampling, const Material& material)
         : shared_problem_(std::move(problem)),
           problem_(*shared_problem_),
@@ -52,7 +52,7 @@ class SplineSolver : public StressSolver::Impl {
 
     std::shared_ptr<const SplineProblem> shared_problem_;
     const SplineProblem& problem_;
-    SparseMatrix stiffness_;
+    BlockMatrix stiffness_;
     PinnedSystem system_;
     Resampling resampling_;
     Material material_;
@@ -64,7 +64,7 @@ class SplineSolver : public StressSolver::Impl {
 Result<PinnedSystem::Solution> SplineSolver::solveForces(const Eigen::VectorXd& forces,
                                                          double good_residual) const {
     const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {
-        return forces - symmetricBlockProduct(stiffness_, unknowns);
+        return forces - blockProduct(stiffness_, unknowns);
     };
     return system_.solve(forces, residual_of, good_residual);
 }
@@ -203,8 +203,8 @@ Result<std::shared_ptr<const ReducedStress>> SplineSolver::reduced(const Progres
     // A thousand solves in double precision take less than as many that are refined.
     std::optional<PinnedSystem> precise;
     if (system_.solver().isSingle()) {
-        SparseMatrix stiffness = stiffness_;  // others may solve with it now
-        auto made = PinnedSystem::factor(stiffness, system_.pinned(), 3, problem_.space->highest_cells);
+        BlockMatrix stiffness = stiffness_;  // others may solve with it now
+        auto made = PinnedSystem::factor(stiffness, system_.pinned(), problem_.space->highest_cells);
         if (!made) return Error{made.error()};
         precise = std::move(made).value();
     }
@@ -257,16 +257,16 @@ Result<std::unique_ptr<StressSolver::Impl>> StressSolver::Impl::overSplines(
         makeSplineProblem(std::move(solid), material, settings.basis, supports, damaged);
     if (!problem) return Error{problem.error()};
     const Stopwatch assembly_watch;
-    SparseMatrix stiffness = stiffnessOf(problem.value());
+    BlockMatrix stiffness = stiffnessOf(problem.value());
     StressSolverReport report;
     report.assemble_ms = assembly_watch.milliseconds();
     const Stopwatch factor_watch;
     Result<PinnedSystem> system = PinnedSystem::factor(stiffness, pinnedUnknowns(problem.value(), stiffness),
-                                                       3, problem.value().space->highest_cells, precision);
+                                                       problem.value().space->highest_cells, precision);
     if (!system) return Error{system.error()};
     report.factor_ms = factor_watch.milliseconds();
     const SparseSolver& factor = system.value().solver();
-    report.unknowns = stiffness.size;
+    report.unknowns = stiffness.size();
     report.factor_entries = factor.factorEntries();
     report.factor_bytes = factor.factorBytes();
     report.reciprocal_condition = factor.reciprocalCondition();

@@ -11,8 +11,9 @@ namespace sherd {
 
 SparseMatrix splineMass(const CellParts& solid, const SplineSpace& space) {
     const StiffnessPattern pattern(space);
-    SparseMatrix mass = blockMatrix(pattern);
-    mass.values.assign(mass.indices.size(), 0.0);
+    const BlockMatrix blocks = blocksOf(pattern);
+    SparseMatrix mass{blocks.blockColumns(), blocks.starts, blocks.rows,
+                      std::vector<double>(blocks.rows.size(), 0.0)};
     const PartIntegrals integrals(space.degree, solid.edges);
     for (std::size_t part = 0; part < solid.parts.size(); ++part) {
         const std::vector<int>& functions = pattern.functions_of_part[part];

@@ -57,13 +57,13 @@ Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector
     return problem.space->gather(raw);
 }
 
-SparseMatrix stiffnessOf(const SplineProblem& problem) {
+BlockMatrix stiffnessOf(const SplineProblem& problem) {
     return splineStiffness(problem.parts(), *problem.space, problem.elasticity,
                            springsOf(problem.parts(), problem.supports), problem.projection.get(),
                            problem.shares);
 }
 
-std::vector<int> pinnedUnknowns(const SplineProblem& problem, const SparseMatrix& stiffness) {
+std::vector<int> pinnedUnknowns(const SplineProblem& problem, const BlockMatrix& stiffness) {
     std::vector<int> pinned;
     for (const int unknown : unknownsToPin(problem.motions, stiffness))
         if (!problem.held[problem.motions.componentOfUnknown(unknown)]) pinned.push_back(unknown);

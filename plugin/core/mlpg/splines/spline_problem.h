@@ -2,7 +2,7 @@
 
 #include <sherd/settings.h>
 
-#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/mlpg/splines/spline_inertia.h"
 #include "core/mlpg/splines/spline_supports.h"
 #include "core/mlpg/splines/volumetric_projection.h"
@@ -37,10 +37,10 @@ Result<SplineProblem> makeSplineProblem(std::shared_ptr<const Discretisation> so
 Result<Eigen::VectorXd> forcesAt(const SplineProblem& problem, const std::vector<PointForce>& loads);
 
 /// The stiffness that supports and undamaged material give, see splineStiffness.
-SparseMatrix stiffnessOf(const SplineProblem& problem);
+BlockMatrix stiffnessOf(const SplineProblem& problem);
 
 /// Unknowns that hold the rigid motions of components without supports.
-std::vector<int> pinnedUnknowns(const SplineProblem& problem, const SparseMatrix& stiffness);
+std::vector<int> pinnedUnknowns(const SplineProblem& problem, const BlockMatrix& stiffness);
 
 /// Sets the resultants of held components to zero: their supports balance the loads.
 void clearHeld(const SplineProblem& problem, Eigen::Matrix<double, 6, Eigen::Dynamic>& resultants);

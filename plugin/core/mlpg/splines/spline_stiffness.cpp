@@ -88,22 +88,21 @@ SHERD_WIDE_VECTORS void addRuns(const std::vector<Run>& runs, const double* sour
 /// Adds a part's blocks to those of K that belong to `functions`, in every `stride`-th column of blocks from
 /// `first` on.
 void scatter(const std::vector<double>& blocks, const std::vector<int>& functions,
-             const StiffnessPattern& pattern, int first, int stride, SparseMatrix& matrix) {
+             const StiffnessPattern& pattern, int first, int stride, BlockMatrix& matrix) {
     const int count = static_cast<int>(functions.size());
     std::vector<Run> runs;
     for (int b = 0; b < count; ++b) {
         if (functions[b] % stride != first) continue;
         findRuns(functions, b, pattern.rows_of_column[functions[b]], runs);
         for (int j = 0; j < 3; ++j)
-            addRuns(runs, blocks.data() + (3 * b + j) * count * 3,
-                    matrix.values.data() + matrix.starts[3 * functions[b] + j]);
+            addRuns(runs, blocks.data() + (3 * b + j) * count * 3, matrix.column(functions[b], j));
     }
 }
 
 /// Adds the blocks of sets of functions, `blocks_of(set, storage)`, laid out as in blocksOf.
 template <class BlocksOf>
 void addBlocks(const std::vector<std::vector<int>>& sets, const StiffnessPattern& pattern,
-               const BlocksOf& blocks_of, SparseMatrix& matrix) {
+               const BlocksOf& blocks_of, BlockMatrix& matrix) {
     const int set_count = static_cast<int>(sets.size());
     std::vector<std::vector<double>> storage(batch_size);
     std::vector<const std::vector<double>*> batch(batch_size);
@@ -153,15 +152,16 @@ void blocksOf(const VolumetricProjection::MacroCell& cell, const SplineSpace& sp
 
 }  // namespace
 
-SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs, const VolumetricProjection* projection,
-                             const std::vector<double>& share_of_part) {
+BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
+                            const std::vector<PointSpring>& springs, const VolumetricProjection* projection,
+                            const std::vector<double>& share_of_part) {
     const int part_count = static_cast<int>(solid.parts.size());
     std::vector<std::vector<int>> springs_of(part_count);
     for (size_t s = 0; s < springs.size(); ++s) springs_of[springs[s].part].push_back(static_cast<int>(s));
 
     const StiffnessPattern pattern(space, projection);
-    SparseMatrix matrix = zeroStiffness(pattern);
+    BlockMatrix matrix = blocksOf(pattern);
+    matrix.setZero();
     const PartIntegrals integrals(space.degree, solid.edges);
     const Elasticity by_parts = projection ? withoutLambda(elasticity) : elasticity;
     std::vector<double> whole;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/mlpg/splines/spline_supports.h"
 #include "core/mlpg/splines/volumetric_projection.h"
 
@@ -14,9 +14,9 @@ namespace sherd {
 /// scales what each part adds (#parts, or empty: 1). With a `projection` (that has these shares) the
 /// volumetric strain that lambda acts on is the projected one. CSC; entries from the diagonal blocks
 /// (complete) downwards, in blocks of 3.
-SparseMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
-                             const std::vector<PointSpring>& springs,
-                             const VolumetricProjection* projection = nullptr,
-                             const std::vector<double>& share_of_part = {});
+BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
+                            const std::vector<PointSpring>& springs,
+                            const VolumetricProjection* projection = nullptr,
+                            const std::vector<double>& share_of_part = {});
 
 }  // namespace sherd

@@ -42,31 +42,13 @@ StiffnessPattern::StiffnessPattern(const SplineSpace& space, const VolumetricPro
     }
 }
 
-SparseMatrix zeroStiffness(const StiffnessPattern& pattern) {
-    SparseMatrix matrix;
-    matrix.size = static_cast<int>(pattern.rows_of_column.size()) * 3;
-    size_t entries = 0;
-    for (const std::vector<int>& rows : pattern.rows_of_column) entries += 9 * rows.size();
-    matrix.indices.reserve(entries);
-    matrix.starts.assign(1, 0);
-    for (const std::vector<int>& rows : pattern.rows_of_column)
-        for (int k = 0; k < 3; ++k) {
-            for (const int row : rows)
-                for (int i = 0; i < 3; ++i) matrix.indices.push_back(3 * row + i);
-            matrix.starts.push_back(static_cast<int>(matrix.indices.size()));
-        }
-    matrix.values.assign(matrix.indices.size(), 0.0);
-    return matrix;
-}
-
-SparseMatrix blockMatrix(const StiffnessPattern& pattern) {
-    SparseMatrix blocks;
-    blocks.size = static_cast<int>(pattern.rows_of_column.size());
-    blocks.starts.assign(1, 0);
-    for (const std::vector<int>& rows : pattern.rows_of_column) {
-        blocks.indices.insert(blocks.indices.end(), rows.begin(), rows.end());
-        blocks.starts.push_back(static_cast<int>(blocks.indices.size()));
-    }
+BlockMatrix blocksOf(const StiffnessPattern& pattern) {
+    BlockMatrix blocks;
+    std::size_t count = 0;
+    for (const std::vector<int>& rows : pattern.rows_of_column) count += rows.size();
+    blocks.starts.reserve(pattern.rows_of_column.size() + 1);
+    blocks.rows.reserve(count);
+    for (const std::vector<int>& rows : pattern.rows_of_column) blocks.addColumn(rows);
     return blocks;
 }
 

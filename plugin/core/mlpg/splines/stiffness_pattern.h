@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/linear_algebra/sparse_matrix.h"
+#include "core/linear_algebra/block_matrix.h"
 #include "core/mlpg/splines/volumetric_projection.h"
 
 namespace sherd {
@@ -15,11 +15,7 @@ struct StiffnessPattern {
     explicit StiffnessPattern(const SplineSpace& space, const VolumetricProjection* projection = nullptr);
 };
 
-/// A symmetric matrix of that pattern in CSC, all entries zero: from the diagonal blocks (complete)
-/// downwards, in blocks of 3.
-SparseMatrix zeroStiffness(const StiffnessPattern& pattern);
-
-/// The pattern alone, a column for each column of 3 x 3 blocks; no values.
-SparseMatrix blockMatrix(const StiffnessPattern& pattern);
+/// The blocks of 3 x 3 of that pattern, without values.
+BlockMatrix blocksOf(const StiffnessPattern& pattern);
 
 }  // namespace sherd

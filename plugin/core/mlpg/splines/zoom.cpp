@@ -36,30 +36,30 @@ CellBox onFineGrid(const CellBox& box) {
     return {begin, begin + 2 * (box.upper - box.lower)};
 }
 
-/// The rows and columns of some functions of a matrix in CSC, in blocks of 3 from the diagonal downwards.
-SparseMatrix blocksOf(const SparseMatrix& matrix, const std::vector<int>& functions) {
-    std::vector<int> place(matrix.size / 3, -1);
+/// The rows and columns of some functions, which ascend.
+BlockMatrix blocksAmong(const std::vector<int>& functions, const BlockMatrix& matrix) {
+    std::vector<int> place(matrix.blockColumns(), -1);
     for (size_t f = 0; f < functions.size(); ++f) place[functions[f]] = static_cast<int>(f);
-    SparseMatrix part;
-    part.size = 3 * static_cast<int>(functions.size());
-    part.starts.push_back(0);
-    for (const int function : functions)
-        for (int column = 3 * function; column < 3 * function + 3; ++column) {
-            for (int k = matrix.starts[column]; k < matrix.starts[column + 1]; ++k) {
-                const int row = matrix.indices[k];
-                if (place[row / 3] < 0) continue;
-                part.indices.push_back(3 * place[row / 3] + row % 3);
-                part.values.push_back(matrix.values[k]);
-            }
-            part.starts.push_back(static_cast<int>(part.indices.size()));
+    BlockMatrix part;
+    std::vector<int> rows;
+    for (const int function : functions) {
+        rows.clear();
+        for (int k = matrix.starts[function]; k < matrix.starts[function + 1]; ++k)
+            if (const int row = place[matrix.rows[k]]; row >= 0) rows.push_back(row);
+        part.addColumn(rows);
+        for (int j = 0; j < 3; ++j) {
+            const double* value = matrix.column(function, j);
+            for (int k = matrix.starts[function]; k < matrix.starts[function + 1]; ++k, value += 3)
+                if (place[matrix.rows[k]] >= 0) part.values.insert(part.values.end(), value, value + 3);
         }
+    }
     return part;
 }
 
 /// Where all of a component moves and no support holds it, six unknowns against its rigid motions; as
 /// unknowns of the moving functions.
 std::vector<int> heldUnknowns(const CellParts& fine, const SplineSpace& space, const std::vector<int>& moving,
-                              const std::vector<PointSpring>& springs, const SparseMatrix& stiffness) {
+                              const std::vector<PointSpring>& springs, const BlockMatrix& stiffness) {
     std::vector<int> place(space.function_count, -1);
     for (size_t f = 0; f < moving.size(); ++f) place[moving[f]] = static_cast<int>(f);
     std::vector<char> is_held(space.component_count, 0);
@@ -80,7 +80,7 @@ Result<Eigen::VectorXd> solveCorrection(const ZoomGrid& grid, const Eigen::Vecto
     constexpr double tolerance = 1e-5;  // far below what the grid resolves
     if (!grid.factor) return solveByConjugateGradients(grid.stiffness, residual, tolerance);
     const auto residual_of = [&](const Eigen::VectorXd& unknowns) -> Eigen::VectorXd {
-        return residual - symmetricBlockProduct(grid.stiffness, unknowns);
+        return residual - blockProduct(grid.stiffness, unknowns);
     };
     Result<PinnedSystem::Solution> solved = grid.factor->solve(residual, residual_of, tolerance);
     if (!solved) return Error{solved.error()};
@@ -107,11 +107,11 @@ Result<ZoomGrid> zoomGrid(const TriangleMesh& surface, const CellParts& coarse, 
     grid.box = onFineGrid(box);
     const Eigen::Vector3i rim = Eigen::Vector3i::Constant(cells_of_rim);
     grid.inner = {grid.box.lower + rim, grid.box.upper - rim};
-    const SparseMatrix stiffness =
+    const BlockMatrix stiffness =
         splineStiffness(*grid.parts, *grid.space, elasticity, grid.springs, grid.projection.get());
     grid.moving = functionsInside(*grid.space, grid.box);
     grid.held = heldUnknowns(*grid.parts, *grid.space, grid.moving, grid.springs, stiffness);
-    grid.stiffness = blocksOf(stiffness, grid.moving);
+    grid.stiffness = blocksAmong(grid.moving, stiffness);
     pinUnknowns(grid.stiffness, grid.held);
     return grid;
 }
@@ -119,8 +119,7 @@ Result<ZoomGrid> zoomGrid(const TriangleMesh& surface, const CellParts& coarse, 
 Status factorZoom(ZoomGrid& grid) {
     std::vector<Eigen::Vector3i> places;
     for (const int function : grid.moving) places.push_back(grid.space->highest_cells[function]);
-    Result<PinnedSystem> system =
-        PinnedSystem::factor(grid.stiffness, grid.held, 3, places, Precision::refined);
+    Result<PinnedSystem> system = PinnedSystem::factor(grid.stiffness, grid.held, places, Precision::refined);
     if (!system) return Error{system.error()};
     grid.factor = std::make_shared<const PinnedSystem>(std::move(system).value());
     return success();
@@ -140,7 +139,7 @@ Result<Zoom> zoomIn(const ZoomGrid& grid, const SplineField& coarse, const Elast
     addPointForces(fine, space, zoom.loads.forces, external);
     const Eigen::VectorXd all = space.gather(
         external - splineInternalForces(fine, space, elasticity, grid.springs, grid.projection.get(), raw));
-    Eigen::VectorXd residual(grid.stiffness.size);
+    Eigen::VectorXd residual(grid.stiffness.size());
     for (size_t f = 0; f < grid.moving.size(); ++f)
         residual.segment<3>(3L * f) = all.segment<3>(3L * grid.moving[f]);
     for (const int unknown : grid.held) residual[unknown] = 0;

@@ -22,7 +22,7 @@ struct ZoomGrid {
     CellBox inner;            ///< where it is better than the coarser one: not at the border
     std::vector<int> moving;  ///< functions inside the box, ascending: the correction is theirs
     std::vector<int> held;    ///< unknowns of these that hold what nothing else does
-    SparseMatrix stiffness;   ///< of the moving functions
+    BlockMatrix stiffness;    ///< of the moving functions
     std::shared_ptr<const PinnedSystem> factor;  ///< null: each solve is iterative
 
     long long entries() const;  ///< numbers stored for its solves

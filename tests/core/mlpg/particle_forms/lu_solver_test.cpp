@@ -9,7 +9,7 @@ namespace {
 
 TEST(LuSolver, LuMatchesDense) {
     const Eigen::MatrixXd dense = randomMatrix(12);
-    const auto matrix = std::make_shared<const SparseMatrix>(compressed(dense, Layout::rows));
+    const auto matrix = std::make_shared<const SparseMatrix>(compressedRows(dense));
     const auto solver = factorLu(matrix);
     ASSERT_TRUE(solver.ok()) << solver.error();
     const Eigen::VectorXd b = Eigen::VectorXd::LinSpaced(12, -1, 2);
@@ -22,7 +22,7 @@ TEST(LuSolver, LuMatchesDense) {
 TEST(LuSolver, SingularLuGetsASentence) {
     Eigen::MatrixXd dense = randomMatrix(6);
     dense.row(2).setZero();
-    const auto solver = factorLu(std::make_shared<const SparseMatrix>(compressed(dense, Layout::rows)));
+    const auto solver = factorLu(std::make_shared<const SparseMatrix>(compressedRows(dense)));
     ASSERT_FALSE(solver.ok());
     EXPECT_NE(solver.error().find("singular"), std::string::npos);
 }

@@ -30,11 +30,17 @@ StressProblem problemOf(const Discretisation& solid, TrialFunction trial) {
     return StressProblem(solid, material, settings);
 }
 
-Eigen::MatrixXd symmetricDense(const SparseMatrix& lower) {
-    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(lower.size, lower.size);
-    for (int column = 0; column < lower.size; ++column)
-        for (int k = lower.starts[column]; k < lower.starts[column + 1]; ++k)
-            dense(lower.indices[k], column) = dense(column, lower.indices[k]) = lower.values[k];
+Eigen::MatrixXd denseOf(const BlockMatrix& matrix) {
+    const int size = matrix.block_size;
+    Eigen::MatrixXd dense = Eigen::MatrixXd::Zero(matrix.size(), matrix.size());
+    for (int c = 0; c < matrix.blockColumns(); ++c)
+        for (int j = 0; j < size; ++j) {
+            const double* value = matrix.column(c, j);
+            for (int k = matrix.starts[c]; k < matrix.starts[c + 1]; ++k)
+                for (int i = 0; i < size; ++i, ++value)
+                    dense(size * matrix.rows[k] + i, size * c + j) =
+                        dense(size * c + j, size * matrix.rows[k] + i) = *value;
+        }
     return dense;
 }
 
@@ -62,8 +68,7 @@ TEST(GalerkinStiffness, IsTheSumOverCells) {
             }
             expected += solid.cells[cell].moments.volume * strain.transpose() * law * strain;
         }
-        const Eigen::MatrixXd found =
-            symmetricDense(galerkinStiffness(solid, problem.cells, problem.elasticity));
+        const Eigen::MatrixXd found = denseOf(galerkinStiffness(solid, problem.cells, problem.elasticity));
         EXPECT_LT((found - expected).norm(), 1e-13 * expected.norm());
         EXPECT_LT((found * problem.motions.coefficients).norm(), 1e-12 * found.norm());
     }
@@ -73,11 +78,11 @@ TEST(GalerkinStiffness, IsTheSumOverCells) {
 TEST(GalerkinStiffness, PinsLeaveNoRigidMotion) {
     const Discretisation solid = cutBlock();
     const StressProblem problem = problemOf(solid, TrialFunction::gmls);
-    SparseMatrix matrix = galerkinStiffness(solid, problem.cells, problem.elasticity);
+    BlockMatrix matrix = galerkinStiffness(solid, problem.cells, problem.elasticity);
     const std::vector<int> pins = unknownsToPin(problem.motions, matrix);
     ASSERT_EQ(pins.size(), 6u);
     pinUnknowns(matrix, pins);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(symmetricDense(matrix));
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> spectrum(denseOf(matrix));
     EXPECT_GT(spectrum.eigenvalues()[0], 1e-6 * spectrum.eigenvalues().tail<1>()[0]);
 }
 

@@ -26,7 +26,7 @@ T valueOf(Result<T> result) {
 struct BothSolutions {
     std::shared_ptr<const Discretisation> solid;
     std::shared_ptr<const SplineProblem> problem;
-    SparseMatrix stiffness;
+    BlockMatrix stiffness;
     PinnedSystem factor;
     ReducedStress reduced;
     std::vector<UnitPatch> patches;
@@ -40,9 +40,9 @@ inline BothSolutions bothSolutions(const TriangleMesh& surface, double spacing,
     auto solid = std::make_shared<const Discretisation>(valueOf(sampleSolid(surface, spacing, sampling)));
     auto problem = std::make_shared<const SplineProblem>(
         valueOf(makeSplineProblem(solid, material, Basis::quadratic, supports, {})));
-    SparseMatrix stiffness = stiffnessOf(*problem);
-    PinnedSystem factor = valueOf(PinnedSystem::factor(stiffness, pinnedUnknowns(*problem, stiffness), 3,
-                                                       problem->space->highest_cells));
+    BlockMatrix stiffness = stiffnessOf(*problem);
+    PinnedSystem factor = valueOf(
+        PinnedSystem::factor(stiffness, pinnedUnknowns(*problem, stiffness), problem->space->highest_cells));
     std::vector<UnitPatch> patches = unitPatches(*solid, ReducedModelLimits{}.patches);
     UnitResponses unit = valueOf(unitResponses(*problem, factor.solver(), factor.pinned(), patches));
     ReducedStress reduced{valueOf(ReducedModel::make(problem, stiffness, unit)),
