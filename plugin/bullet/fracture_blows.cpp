@@ -81,9 +81,7 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
 }
 
 void FractureWorld::Impl::finishBetweenSteps() {
-    decided_now_ = 0;  // what the last step decided, and the pieces that it made, are done
-    decided_now_ms_ = 0;
-    new_fragments_ = 0;
+    spent_ = {};  // what the last step decided, and the pieces that it made, are done
     timed(times_.whole, [&] { finish(0); });
 }
 

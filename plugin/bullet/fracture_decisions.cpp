@@ -144,9 +144,8 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
 }
 
 /// What the gate says of each blow; nothing where a stress problem is to be solved.
-FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBreakable>& struck,
-                                                     btScalar time_step_s) {
-    Gated gated;
+GatedBlows FractureWorld::Impl::gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
+    GatedBlows gated;
     gated.held.resize(struck.size());
     gated.ms.resize(struck.size());
     gated.torn.resize(struck.size());
@@ -178,14 +177,14 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
             ++counts_.merged;
             times_.blows += gated.ms[i];
         } else if (body.breaksAt(time_s_)) {
-            (time_step_s > 0 && mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
+            (time_step_s > 0 && patience_.mayWait(struck[i]) ? gated.later : gated.now).push_back(i);
         }
     }
     gated.ahead.resize(struck.size());
     if (time_step_s > 0) {
         findSolvedAhead(struck, gated);
-        tearOutFirst(struck, gated);
-        thinOut(struck, time_step_s, gated);
+        patience_.tearOutFirst(struck, spent_, gated);
+        patience_.thinOut(struck, time_step_s, spent_, gated);
     }
     for (const std::size_t i : gated.later) times_.blows += gated.ms[i];
     for (std::size_t i = 0; i < struck.size(); ++i)
@@ -196,7 +195,7 @@ FractureWorld::Impl::Gated FractureWorld::Impl::gate(const std::vector<StruckBre
 std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     const std::vector<StruckBreakable>& struck, btScalar time_step_s) {
     const ThreadsAsAllowed threads(*this);
-    Gated gated = gate(struck, time_step_s);
+    GatedBlows gated = gate(struck, time_step_s);
     const std::vector<std::size_t>& now = gated.now;
     int room = now.empty() ? 0 : roomForFragments();
     const int room_before = room;
@@ -211,7 +210,8 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
     }
     const int sharing = std::max(1, deciding);
     const int share = std::max(0, room - taken) / (sharing + static_cast<int>(kept)),
-              share_of_step = std::max(0, budget_.fragments_per_step - new_fragments_ - taken) / sharing;
+              share_of_step =
+                  std::max(0, budget_.fragments_per_step - spent_.new_fragments - taken) / sharing;
     for (const std::size_t i : now) {
         const Breakable& breakable = *struck[i].breakable;
         // A factor that one blow leaves serves the next; a reduced model has all that it needs.
@@ -225,11 +225,11 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
             blows.push_back(std::move(foreseen->decided));
             continue;
         }
-        decided_now_ms_ += estimatedMilliseconds(*breakable.asset.solid(), blow.blow);
+        spent_.decided_ms += estimatedMilliseconds(*breakable.asset.solid(), blow.blow);
         blow.before = gated.ms[i];
         blows.push_back(DecidedBlow::make(std::move(blow)));
     }
-    decided_now_ += deciding;
+    spent_.decided += deciding;
     const auto decided = decideNow(std::move(blows));
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {

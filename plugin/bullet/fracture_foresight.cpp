@@ -98,12 +98,12 @@ std::vector<ForeseenBlow> FractureWorld::Impl::worthSolving(std::vector<StruckBr
     const bool are_many = static_cast<int>(struck.size()) > budget_.solves_per_step;
     if (are_many)
         std::stable_sort(struck.begin(), struck.end(),
-                         [&](const auto& a, const auto& b) { return isMoreUrgent(a, b); });
+                         [&](const auto& a, const auto& b) { return patience_.isMoreUrgent(a, b); });
     double ms = (strikes_at_s - time_s_) / time_step_s * millisecondsPerStep(budget_, time_step_s);
     int full_solves = foresight_.fullSolves();
     std::vector<ForeseenBlow> found;
     for (const StruckBreakable& blow : struck) {
-        const bool must_not_wait = !lastsWhileItWaits(blow, much_heavier);
+        const bool must_not_wait = !patience_.lastsWhileItWaits(blow, much_heavier);
         if (are_many && !must_not_wait && !(ms > 0)) continue;
         ms -= estimatedMilliseconds(*blow.breakable->asset.solid(), blow.blow);
         // Each full solve leaves its factor behind.
@@ -117,7 +117,7 @@ std::vector<ForeseenBlow> FractureWorld::Impl::worthSolving(std::vector<StruckBr
 bool FractureWorld::Impl::mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const {
     const Breakable& body = *struck.breakable;
     double gate_ms = 0;  // part of looking ahead
-    return isForeseeable(body, strikes_at_s) && !mayWait(struck) && !isLightRest(struck, time_s_) &&
+    return isForeseeable(body, strikes_at_s) && !patience_.mayWait(struck) && !isLightRest(struck, time_s_) &&
            !foresight_.isForeseen(body.serial) &&
            !heldByGate(*body.asset.solid(), struck.blow, *body.fracture, seedOf(body), gate_ms, body.damaged);
 }
@@ -143,9 +143,9 @@ int FractureWorld::Impl::placesAhead(const Breakable& body, int room) const {
 /// The pieces that come of each blow of `gated.now` that falls as it was foreseen, early enough for the
 /// budget's time to have solved it by now: the step only swaps the body. None if there is no room for all of
 /// them: then they are solved anew for fewer, as others are.
-void FractureWorld::Impl::findSolvedAhead(const std::vector<StruckBreakable>& struck, Gated& gated) {
+void FractureWorld::Impl::findSolvedAhead(const std::vector<StruckBreakable>& struck, GatedBlows& gated) {
     const int room = gated.now.empty() ? 0 : roomForFragments();
-    int room_left = room, places_left = budget_.fragments_per_step - new_fragments_;
+    int room_left = room, places_left = budget_.fragments_per_step - spent_.new_fragments;
     for (const std::size_t i : gated.now) {
         const Breakable& body = *struck[i].breakable;
         if (foresight_.isForeseen(body.serial)) {

@@ -177,7 +177,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     event.removed_multi_body_constraints = std::move(joints.multi_body_constraints);
     addToWorld(world_, born, time_step_s);
     for (Breakable* fragment : born) fragment->being_born = false;
-    new_fragments_ += static_cast<int>(born.size());
+    spent_.new_fragments += static_cast<int>(born.size());
     current_[broken.event].broken = breakables_.take(parent.token);
     return {event.fragments.begin(), event.fragments.end()};
 }

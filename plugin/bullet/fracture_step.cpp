@@ -23,8 +23,7 @@ constexpr int most_rounds = 8;  // of breaks in one step
 // `times_.whole` is measured here, and in `finishBetweenSteps`: these are all the ways in from outside.
 
 void FractureWorld::Impl::beforeSolve() {
-    new_fragments_ = decided_now_ = 0;
-    decided_now_ms_ = 0;
+    spent_ = {};
     write_back_.end(world_);  // where the app was called in the last step, and has thrown
     const bool was_awake = std::exchange(awake_, anythingAwake(world_));
     // The clock would take more time than a world asleep does.

@@ -47,7 +47,7 @@ int FractureWorld::Impl::roomForFragments() const {
 
 /// Tells of the blows on bodies that have no room for as few fragments as they may break into, and leaves
 /// them out: they are not solved.
-void FractureWorld::Impl::dropWithoutRoom(const std::vector<StruckBreakable>& struck, Gated& gated,
+void FractureWorld::Impl::dropWithoutRoom(const std::vector<StruckBreakable>& struck, GatedBlows& gated,
                                           int room) {
     const auto has_room = [&](std::size_t i) {
         return room + struck[i].breakable->ownPlaces() >= fewest_fragments;
@@ -77,7 +77,8 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
 /// until then.
 bool FractureWorld::Impl::isOutdone(const StruckBreakable& struck) const {
     const WaitingBlow* waiting = waiting_.keptFor(struck.breakable->serial);
-    return waiting && waiting->energy_j >= energyOf(struck) && lastsWhileItWaits(struck, much_heavier);
+    return waiting && waiting->energy_j >= energyOf(struck) &&
+           patience_.lastsWhileItWaits(struck, much_heavier);
 }
 
 double FractureWorld::Impl::energyOf(const StruckBreakable& struck) const {
@@ -101,7 +102,7 @@ double FractureWorld::Impl::hasteFor(const std::vector<const StruckBreakable*>& 
 void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int promised,
                                   btScalar time_step_s) {
     std::stable_sort(blows.begin(), blows.end(), [&](const StruckBreakable* a, const StruckBreakable* b) {
-        return isMoreUrgent(*a, *b);
+        return patience_.isMoreUrgent(*a, *b);
     });
     const auto kept =
         std::count_if(blows.begin(), blows.end(), [](const auto* blow) { return blow->isKept(); });
@@ -183,7 +184,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
             return breakable->serial == due->serial && isInWorld(world_, breakable->body);
         });
         const int count = static_cast<int>(due->decided->outcome.fragments.size());
-        if (new_fragments_ > 0 && count > budget_.fragments_per_step - new_fragments_)
+        if (spent_.new_fragments > 0 && count > budget_.fragments_per_step - spent_.new_fragments)
             return;  // the next step has room
         const WaitingBlow blow = waiting_.takeFirst();
         if (found == all.end() || isToBeRemoved(**found) || !(*found)->canBeStruck()) {

@@ -16,6 +16,7 @@
 #include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/patience.h"
 #include "bullet/piece_contacts.h"
 #include "bullet/roles.h"
 #include "bullet/shape_store.h"
@@ -95,30 +96,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
         BodyToken token = no_token;
     };
 
-    static constexpr int fewest_fragments = 2;
-
     void prepareSolve();
     void endIntegration();
-    /// Whether a piece comes out of its supports whole, and whether it is to break after that.
-    enum class Torn : char { not_at_all, for_good, first };
-    /// Blows of one step, by their numbers.
-    struct Gated {
-        std::vector<std::optional<BlowOutcome>> held;  // all of them; empty where the gate does not say
-        std::vector<StageTimes> ms;                    // all of them
-        std::vector<std::size_t> now, later;           // what is to be decided, ascending
-        std::vector<Torn> torn;                        // all of them
-        std::vector<std::optional<int>> ahead;  // all of them: pieces, where it was solved before it fell
-    };
-    /// The order in which blows get their room in a step.
-    struct Turns {
-        std::size_t first_that_may_wait, first_that_needs_time;
-        bool is_crowd;
-    };
-    Gated gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
-    void thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, Gated& gated) const;
-    void fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns, double most_ms,
-                  Gated& gated) const;
-    void tearOutFirst(const std::vector<StruckBreakable>& struck, Gated& gated) const;
+    GatedBlows gate(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<Break> evaluateBlows(const std::vector<StruckBreakable>& struck, btScalar time_step_s);
     std::vector<std::shared_ptr<DecidedBlow>> decideNow(std::vector<std::shared_ptr<DecidedBlow>> blows);
     void lookAhead();
@@ -138,7 +118,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool mayBreakSoon(const StruckBreakable& struck, double strikes_at_s) const;
     ForeseenBlow asForeseen(const StruckBreakable& struck, double strikes_at_s) const;
     int placesAhead(const Breakable& body, int room) const;
-    void findSolvedAhead(const std::vector<StruckBreakable>& struck, Gated& gated);
+    void findSolvedAhead(const std::vector<StruckBreakable>& struck, GatedBlows& gated);
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;
@@ -147,22 +127,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
                               const std::shared_ptr<DecidedBlow>& decided);
     void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
     void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
-    double urgency(const StruckBreakable& struck) const;
-    bool isMoreUrgent(const StruckBreakable& a, const StruckBreakable& b) const {
-        return urgency(a) > urgency(b);
-    }
-    bool mayWait(const StruckBreakable& struck) const;
-    /// Whole or broken, a body takes a few percent of the speed of what is so many times as heavy.
-    static constexpr btScalar much_heavier = 50;
-    bool lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const;
-    bool isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const;
-    bool isBacked(const StruckBreakable& struck) const;
-    bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
     int roomForPrepared() const;
-    void dropWithoutRoom(const std::vector<StruckBreakable>& struck, Gated& gated, int room);
+    void dropWithoutRoom(const std::vector<StruckBreakable>& struck, GatedBlows& gated, int room);
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
@@ -236,9 +205,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     WaitingBlows waiting_;
     Foresight foresight_;
     SolversAhead solvers_ahead_;
-    int new_fragments_ = 0, decided_now_ = 0;  // in this step
-    double decided_now_ms_ = 0;                // what these are estimated to take
-    Stopwatch solve_watch_;                    // of Bullet's own solve
+    StepSpent spent_;
+    Patience patience_{budget_, breakables_, [this](const auto& object) { return isFragmentOfAny(object); }};
+    Stopwatch solve_watch_;  // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
     std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
     std::deque<QueuedBlow> blows_;   // the same

@@ -1,4 +1,4 @@
-// Which blows wait, as the budget has it.
+#include "bullet/patience.h"
 
 #include <algorithm>
 #include <limits>
@@ -6,13 +6,23 @@
 #include <utility>
 
 #include "bullet/conversions.h"
-#include "bullet/fracture_world_impl.h"
 #include "bullet/torn_out.h"
+#include "bullet/waiting_blows.h"
 
 namespace sherd {
 
+namespace {
+
+/// What strikes at a contact; nullptr where the app does, or nothing.
+const btCollisionObject* strikerAt(const ContactImpulse& contact, const StruckBreakable& struck) {
+    const bool is_of_app = contact.partner >= static_cast<int>(struck.partners.size());
+    return contact.strikes() && !is_of_app ? struck.partners[contact.partner] : nullptr;
+}
+
+}  // namespace
+
 /// The larger, the sooner.
-double FractureWorld::Impl::urgency(const StruckBreakable& struck) const {
+double Patience::urgency(const StruckBreakable& struck) const {
     switch (budget_.priority) {
         case Priority::nearest:
             return -(struck.position - budget_.viewpoint).norm();
@@ -24,24 +34,20 @@ double FractureWorld::Impl::urgency(const StruckBreakable& struck) const {
     return normalImpulse(struck.blow);
 }
 
-/// Whether the blow may be decided later: one on a fragment, unless a body that strikes it would be turned
-/// back by what is broken in truth.
-bool FractureWorld::Impl::mayWait(const StruckBreakable& struck) const {
+bool Patience::mayWait(const StruckBreakable& struck) const {
     const Breakable& breakable = *struck.breakable;
     if (budget_.shortest_wait_s == 0 || !breakable.isFragment() || struck.isKept()) return false;
     const double mass =
         breakable.isDynamic() ? 1 / breakable.body->getInvMass() : std::numeric_limits<double>::infinity();
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
-        if (!partner || partner->getInvMass() == 0 || isFragmentOfAny(*partner)) continue;
+        if (!partner || partner->getInvMass() == 0 || is_fragment_(*partner)) continue;
         if (struck.blow.isStruckBy(static_cast<int>(p)) && 1 / partner->getInvMass() < mass) return false;
     }
     return true;
 }
 
-/// Whether the blow on a whole body may be decided later: nothing flies through the body, it is struck by
-/// other breakable bodies, by what does not move, or by what is so many times as heavy.
-bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const {
+bool Patience::lastsWhileItWaits(const StruckBreakable& struck, btScalar times_as_heavy) const {
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
         if (struck.partners[p]->isStaticObject() || breakables_.of(*struck.partners[p])) continue;
         const btRigidBody* partner = btRigidBody::upcast(struck.partners[p]);
@@ -54,14 +60,13 @@ bool FractureWorld::Impl::lastsWhileItWaits(const StruckBreakable& struck, btSca
 
 /// Whether a body that cannot break runs into it, which is free and would not stop that: each that strikes it
 /// is many times as heavy, as kinematic ones are. A lift at rest runs into nothing.
-bool FractureWorld::Impl::isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const {
+bool Patience::isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const {
     constexpr double of_approach = 0.25;
     if (!struck.breakable->isDynamic() || !lastsWhileItWaits(struck, times_as_heavy)) return false;
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
-        const bool is_of_app = contact.partner >= static_cast<int>(struck.partners.size());
-        if (!contact.strikes() || is_of_app) return false;
-        const btRigidBody* partner = btRigidBody::upcast(struck.partners[contact.partner]);
+        const btCollisionObject* striker = strikerAt(contact, struck);
+        const btRigidBody* partner = striker ? btRigidBody::upcast(striker) : nullptr;
         if (!partner || breakables_.of(*partner)) return false;
         const btVector3 from_centre = toBullet(struck.position) - partner->getCenterOfMassPosition();
         return partner->getVelocityInLocalPoint(from_centre).length() > of_approach * contact.approach_m_s;
@@ -69,11 +74,12 @@ bool FractureWorld::Impl::isRunInto(const StruckBreakable& struck, btScalar time
 }
 
 /// Whether something that the body rests against pushes back at what runs into it: whole it would stop that.
-bool FractureWorld::Impl::isBacked(const StruckBreakable& struck) const {
+bool Patience::isBacked(const StruckBreakable& struck) const {
     constexpr double back = -0.5;  // cosine
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
     return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& strike) {
-        if (!strike.strikes() || breakables_.of(*struck.partners[strike.partner])) return false;
+        const btCollisionObject* striker = strikerAt(strike, struck);
+        if (!striker || breakables_.of(*striker)) return false;
         return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
             return contact.supports() && contact.normal.dot(strike.normal) < back;
         });
@@ -81,24 +87,18 @@ bool FractureWorld::Impl::isBacked(const StruckBreakable& struck) const {
 }
 
 /// Whether fragments strike the body, and nothing else does.
-bool FractureWorld::Impl::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
+bool Patience::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
     bool is_struck = false;
     for (std::size_t p = 0; p < struck.partners.size(); ++p) {
         if (!struck.blow.isStruckBy(static_cast<int>(p))) continue;
-        if (!isFragmentOfAny(*struck.partners[p])) return false;
+        if (!is_fragment_(*struck.partners[p])) return false;
         is_struck = true;
     }
     return is_struck;
 }
 
-/// Lets blows on whole bodies wait, the least urgent first, until the others take no longer than the budget
-/// has milliseconds: those that nothing flies through, where there is more to be decided in the step than it
-/// has solves, or where a ball breaks others, and those that fragments strike. Of the last, and of an
-/// explosion's, one is decided in any case if the step has no more. Of a crowd that something heavy runs
-/// into, as many are as the step has solves. What was solved before it fell takes none of the step's time,
-/// only places for its fragments: where these run out it waits, or is solved anew for fewer if it may not.
-void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s,
-                                  Gated& gated) const {
+void Patience::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, const StepSpent& spent,
+                       GatedBlows& gated) const {
     if (budget_.shortest_wait_s == 0) return;
     // Free bodies of a crowd take their parts of a striker's speed all the same, whole or broken.
     constexpr btScalar than_each_of_a_crowd = 10;
@@ -109,9 +109,9 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     const auto to_solve = end - begin - solved;
     const int pieces = std::accumulate(
         begin, end, 0, [&](int sum, std::size_t i) { return sum + gated.ahead[i].value_or(0); });
-    const bool are_many = decided_now_ + to_solve > budget_.solves_per_step ||
-                          (solved > 0 && new_fragments_ + pieces > budget_.fragments_per_step);
-    const bool is_crowd = are_many || decided_now_ > 0 || !std::all_of(begin, end, lasts);
+    const bool are_many = spent.decided + to_solve > budget_.solves_per_step ||
+                          (solved > 0 && spent.new_fragments + pieces > budget_.fragments_per_step);
+    const bool is_crowd = are_many || spent.decided > 0 || !std::all_of(begin, end, lasts);
     const auto is_run_into = [&](std::size_t i) {
         return are_many && isRunInto(struck[i], than_each_of_a_crowd) && !isBacked(struck[i]);
     };
@@ -133,14 +133,14 @@ void FractureWorld::Impl::thinOut(const std::vector<StruckBreakable>& struck, do
     std::stable_sort(others, end, is_more_urgent);
     const Turns turns{static_cast<std::size_t>(may_wait - begin), static_cast<std::size_t>(others - begin),
                       is_crowd};
-    fillStep(struck, turns, millisecondsPerStep(budget_, time_step_s), gated);
+    fillStep(struck, turns, millisecondsPerStep(budget_, time_step_s), spent, gated);
 }
 
 /// Decides which blows the step has room for: those of `gated.now`, in the order in which they get it.
-void FractureWorld::Impl::fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns,
-                                   double most_ms, Gated& gated) const {
-    double ms = decided_now_ms_;
-    int count = decided_now_, places = budget_.fragments_per_step - new_fragments_;
+void Patience::fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns, double most_ms,
+                        const StepSpent& spent, GatedBlows& gated) const {
+    double ms = spent.decided_ms;
+    int count = spent.decided, places = budget_.fragments_per_step - spent.new_fragments;
     // Those that have to be solved in this step are left a fair share of the places.
     const int share = std::max(fewest_fragments, places / std::max(1, static_cast<int>(gated.now.size())));
     bool others_wait = false;
@@ -171,9 +171,8 @@ void FractureWorld::Impl::fillStep(const std::vector<StruckBreakable>& struck, c
     std::sort(gated.later.begin(), gated.later.end());
 }
 
-/// Of the rests that supports hold, those that are more than the step has solves come out whole, and break
-/// later: what has broken the whole goes on into one after the other, and may not wait.
-void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struck, Gated& gated) const {
+void Patience::tearOutFirst(const std::vector<StruckBreakable>& struck, const StepSpent& spent,
+                            GatedBlows& gated) const {
     if (budget_.shortest_wait_s == 0) return;
     const auto is_solved = [&](std::size_t i) { return !mayBeTornOut(struck[i]); };
     const auto begin = gated.now.begin(), end = gated.now.end();
@@ -182,7 +181,7 @@ void FractureWorld::Impl::tearOutFirst(const std::vector<StruckBreakable>& struc
         std::count_if(begin, rests, [&](std::size_t i) { return !gated.ahead[i].has_value(); });
     std::stable_sort(rests, end,
                      [&](std::size_t a, std::size_t b) { return isMoreUrgent(struck[a], struck[b]); });
-    const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - decided_now_ - solves);
+    const auto left = std::max<std::ptrdiff_t>(0, budget_.solves_per_step - spent.decided - solves);
     const auto first = rests + std::min(left, end - rests);
     for (auto i = first; i != end; ++i) gated.torn[*i] = Torn::first;
     gated.now.erase(first, end);
