@@ -32,12 +32,6 @@ void forEachSurface(const btCollisionShape& shape, const btTransform& frame, con
         forEachSurface(*compound.getChildShape(i), frame * compound.getChildTransform(i), visit);
 }
 
-bool hasSurface(const btCollisionShape& shape) {
-    bool found = false;
-    forEachSurface(shape, btTransform::getIdentity(), [&](const auto&, const auto&) { found = true; });
-    return found;
-}
-
 bool isGroundFor(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btCollisionObject& object) {
     return isGroundSurface(object) && pushEachOther(world, body, object);
 }
@@ -92,6 +86,12 @@ class EachTriangle final : public btTriangleCallback {
 };
 
 }  // namespace
+
+bool hasSurface(const btCollisionShape& shape) {
+    bool found = false;
+    forEachSurface(shape, btTransform::getIdentity(), [&](const auto&, const auto&) { found = true; });
+    return found;
+}
 
 bool isGroundSurface(const btCollisionObject& object) {
     return object.isStaticObject() && hasSurface(*object.getCollisionShape());

@@ -7,6 +7,7 @@
 #include <optional>
 
 class btCollisionObject;
+class btCollisionShape;
 class btDiscreteDynamicsWorld;
 class btManifoldPoint;
 class btRigidBody;
@@ -21,6 +22,8 @@ struct GroundPoint {
     btScalar distance = 0;                  ///< from there, m
 };
 
+/// Whether a shape has triangles, as a mesh or a height field, or a part that has.
+bool hasSurface(const btCollisionShape& shape);
 bool isGroundSurface(const btCollisionObject& object);
 /// Whether a contact is with a triangle of the second body, or the first, and not with another part of it.
 bool isOnTriangle(const btManifoldPoint& point, bool of_second);

@@ -4,6 +4,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "bullet/contact_motion.h"
@@ -31,6 +32,7 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
         look(*manifold, isAmong(predictive, manifold), strikes, pressed);
     }
     if (!landed_.empty()) noteRiders(pressed);
+    leaveOutFaint(strikes);
     if (strikes.empty()) return;
     Neighbours neighbours;
     for (const btPersistentManifold* manifold : pressed)
@@ -38,6 +40,16 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
             if (givesWay(*object)) neighbours[object].push_back(manifold);
     for (const Strike& strike : strikes)
         if (neighbours.count(strike.struck)) assign(pileOf(strike, neighbours));
+}
+
+/// Those that break no body of the world; in a crowd nearly all.
+void Piles::leaveOutFaint(std::vector<Strike>& strikes) const {
+    double least_j = std::numeric_limits<double>::infinity();
+    for (const auto& breakable : breakables_.all())
+        if (breakable->in_world) least_j = std::min(least_j, breakable->least_energy_j);
+    strikes.erase(std::remove_if(strikes.begin(), strikes.end(),
+                                 [&](const Strike& strike) { return strike.energy_j < least_j; }),
+                  strikes.end());
 }
 
 void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
@@ -171,14 +183,14 @@ Piles::Pile Piles::pileOf(const Strike& strike, const Neighbours& neighbours) co
             const btCollisionObject* other =
                 manifold->getBody0() == pile.bodies[next] ? manifold->getBody1() : manifold->getBody0();
             if (other == strike.striker) continue;
-            const bool is_known =
-                std::find(pile.bodies.begin(), pile.bodies.end(), other) != pile.bodies.end();
-            if (!is_known && givesWay(*other)) {
+            const auto known = std::find(pile.bodies.begin(), pile.bodies.end(), other);
+            const auto place = static_cast<std::size_t>(known - pile.bodies.begin());
+            if (place < next) continue;  // that one has brought it
+            if (place == pile.bodies.size() && givesWay(*other)) {
                 if (pile.bodies.size() == most_bodies) continue;
                 pile.bodies.push_back(other);
             }
-            if (std::find(pile.contacts.begin(), pile.contacts.end(), manifold) == pile.contacts.end())
-                pile.contacts.push_back(manifold);
+            pile.contacts.push_back(manifold);
         }
     }
     return pile;

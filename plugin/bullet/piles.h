@@ -63,6 +63,7 @@ class Piles {
     /// How the bodies of a manifold meet: as strikes, if they do; else pressed on each other, if they are.
     void look(const btPersistentManifold& manifold, bool is_predictive, std::vector<Strike>& strikes,
               std::vector<const btPersistentManifold*>& pressed);
+    void leaveOutFaint(std::vector<Strike>& strikes) const;
     void noteLanding(const Strike& strike);
     void noteStop(const btCollisionObject& stopped, const btCollisionObject& by, const Stop& stop);
     void noteRiders(const std::vector<const btPersistentManifold*>& pressed);

@@ -37,22 +37,27 @@ bool comesDown(const Breakable& whole, btScalar time_step_s) {
     return (velocity.length() + radius * turning.length()) * time_step_s > coming_down * radius;
 }
 
-/// Whether it is static and has an inside, out of which Bullet pushes along one way; triangles push to the
-/// side that less of a body is on.
-bool isSolidGround(const btCollisionObject& object) {
-    return object.isStaticObject() && !isGroundSurface(object);
+/// Whether bodies stand on it: it is not moved by them, or it is no piece and no lighter than they are.
+bool carries(const btCollisionObject& object, const btRigidBody& other, const BreakableRegistry& breakables) {
+    if (object.isStaticOrKinematicObject()) return true;
+    const btRigidBody* body = btRigidBody::upcast(&object);
+    return body && !breakables.isFragment(object) && body->getInvMass() <= other.getInvMass();
 }
 
-/// What moves on something that does not, and is held up where its vertices are; nullptr for other pairs.
+/// What moves on such a body, and is held up where its vertices are; nullptr for other pairs. A whole body is
+/// held up on what does not break: whole ones in a stack are Bullet's.
 const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
                                   btScalar time_step_s) {
-    const bool is_b = manifold.getBody0()->isStaticObject();
-    if (is_b == manifold.getBody1()->isStaticObject()) return nullptr;
-    const btCollisionObject& moving = is_b ? *manifold.getBody1() : *manifold.getBody0();
-    if (!moving.isActive()) return nullptr;
-    const Breakable* breakable = breakables.of(moving);
-    const bool is_steadied = breakable && (breakable->isFragment() || comesDown(*breakable, time_step_s));
-    return is_steadied ? breakable : nullptr;
+    for (const bool is_a : {true, false}) {
+        const btCollisionObject& moving = is_a ? *manifold.getBody0() : *manifold.getBody1();
+        const btCollisionObject& ground = is_a ? *manifold.getBody1() : *manifold.getBody0();
+        const Breakable* breakable = breakables.of(moving);
+        if (!breakable || moving.isStaticOrKinematicObject() || !moving.isActive()) continue;
+        if (!carries(ground, *breakable->body, breakables)) continue;
+        if (breakable->isFragment() || (!breakables.of(ground) && comesDown(*breakable, time_step_s)))
+            return breakable;
+    }
+    return nullptr;
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.
@@ -118,10 +123,17 @@ bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
     return false;
 }
 
-/// What is so deep in solid ground that the solver moves it out without making it any faster is left as it
-/// is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or fall through.
-void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info) {
-    const bool is_on_ground = isSolidGround(*manifold.getBody0()) || isSolidGround(*manifold.getBody1());
+/// What is so deep in the inside of what carries it that the solver moves it out without making it any faster
+/// is left as it is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or
+/// fall through. Triangles push to the side that less of a body is on.
+void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info,
+                const BreakableRegistry& breakables) {
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const auto is_in = [&](const btCollisionObject& fragment, const btCollisionObject& ground) {
+        return breakables.isFragment(fragment) && !hasSurface(*ground.getCollisionShape()) &&
+               carries(ground, *btRigidBody::upcast(&fragment), breakables);
+    };
+    const bool is_on_ground = is_in(a, b) || is_in(b, a);
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         btManifoldPoint& point = manifold.getContactPoint(p);
         const bool is_moved_out = info.m_splitImpulse && is_on_ground &&
@@ -147,18 +159,28 @@ void forgetImpacts(btPersistentManifold& manifold, btScalar time_step_s) {
     }
 }
 
+/// How fast a body of that radius and its ground may come towards each other, m/s.
+btScalar fastestApproach(const btRigidBody& body, const btCollisionObject& ground, btScalar radius) {
+    btVector3 carried(0, 0, 0);
+    if (const btRigidBody* carrier = btRigidBody::upcast(&ground))
+        carried = carrier->getVelocityInLocalPoint(body.getCenterOfMassPosition() -
+                                                   carrier->getCenterOfMassPosition());
+    return (body.getLinearVelocity() - carried).length() + radius * body.getAngularVelocity().length();
+}
+
 void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
                    btPersistentManifold& manifold) {
     const btRigidBody& body = *breakable.body;
+    const bool is_a = &body == manifold.getBody0();
+    const btCollisionObject& ground = is_a ? *manifold.getBody1() : *manifold.getBody0();
     const btScalar time_step_s = world.getSolverInfo().m_timeStep, radius = radiusOf(body);
-    const btScalar speed = body.getLinearVelocity().length() + radius * body.getAngularVelocity().length();
+    const btScalar speed = fastestApproach(body, ground, radius);
     const btScalar fall = body.getGravity().length() * time_step_s * time_step_s;
     // Without gravity a body may be held by other forces.
     const btScalar least = same_place * manifold.getContactBreakingThreshold();
     const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
     const btVector3 inside = body.getWorldTransform() * breakable.inner_ball.centre;
-    if (!standOnEvenGround(world, manifold, &body == manifold.getBody0(), inside, reach,
-                           std::max(even * fall, least)))
+    if (!standOnEvenGround(world, manifold, is_a, inside, reach, std::max(even * fall, least)))
         addMissedVertices(manifold, reach);
 }
 
@@ -185,7 +207,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (isDeeperThan(deepest, manifold) &&
             (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1())))
-            limitDepth(manifold, deepest, info);
+            limitDepth(manifold, deepest, info, breakables);
         if (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1()))
             forgetImpacts(manifold, info.m_timeStep);
     }

@@ -13,8 +13,9 @@ namespace sherd {
 /// they move in a step. Bullet finds one vertex of a hull a step, when it is in the floor already, and takes
 /// a fifth of the depth back in each, as a velocity that stays: a splinter that rocks on its vertices is
 /// thrown up again and again, and one that has flown into the floor by more than its own size spins. So
-/// vertices that a manifold with a static body lacks, and that may be in that body by the end of the step,
-/// are added to it: the solver stops them there. Impulses of an impact are not begun with in the next step.
+/// vertices that a manifold with the body below lacks, and that may be in that by the end of the step, are
+/// added to it: the solver stops them there. The body below is what stands still, what the app moves, or what
+/// is no fragment and no lighter. Impulses of an impact are not begun with in the next step.
 /// And deep contacts count as less deep, such that nothing is pushed out of a fragment, or a fragment out of
 /// anything, at more than 0.05 m/s. For just before a solve. `is_concerned`: of a pair at least one body has
 /// to be, for what the solve was prepared for before; extra manifolds of a pair are made once.

@@ -18,7 +18,7 @@ TriangleMesh tile(double size) {
     return mesh;
 }
 
-enum class Ground { box, plane, mesh };
+enum class Ground { box, plane, mesh, lift, crate };
 
 /// Twenty tiles that stay whole, 1 m above the ground, each turned another way.
 BreakableAsset addTiles(FractureWorld& fracture, double size) {
@@ -39,6 +39,15 @@ class FallingWholes : public testing::TestWithParam<Ground> {
     FallingWholes() {
         scene_.world->setGravity(btVector3(0, 0, -9.81f));
         if (GetParam() == Ground::box) scene_.addFloor();
+        if (GetParam() == Ground::lift) {
+            btRigidBody* lift = scene_.addFloor();
+            lift->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+            lift->setActivationState(DISABLE_DEACTIVATION);
+        }
+        if (GetParam() == Ground::crate) {
+            scene_.addBox(0, btVector3(6, 6, 0.5f), btVector3(0, 0, -1.5f));
+            scene_.addBox(1000, btVector3(5, 5, 0.5f), btVector3(0, 0, -0.5f));
+        }
         if (GetParam() == Ground::plane)
             scene_.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
                            btVector3(0, 0, 0));
@@ -102,7 +111,9 @@ TEST_P(FallingOnASurface, IsNotSlowedAlongALockedAxis) {
     for (const btRigidBody* body : fracture.bodies()) EXPECT_EQ(body->getLinearVelocity().x(), 0);
 }
 
-INSTANTIATE_TEST_SUITE_P(OnGround, FallingWholes, testing::Values(Ground::box, Ground::plane, Ground::mesh));
+INSTANTIATE_TEST_SUITE_P(OnGround, FallingWholes,
+                         testing::Values(Ground::box, Ground::plane, Ground::mesh, Ground::lift,
+                                         Ground::crate));
 INSTANTIATE_TEST_SUITE_P(OnAMesh, FallingOnASurface, testing::Values(Ground::mesh));
 
 }  // namespace
