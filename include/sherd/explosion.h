@@ -18,14 +18,14 @@ struct Explosion {
 
 /// Strikes every breakable body around the centre (FractureWorld::applyBlow): each triangle that faces the
 /// centre is pushed away from it, with the share of the impulse that its solid angle has of the sphere,
-/// joined to one push an octant about the push on all of the body. A centre on a surface counts as outside.
-/// Bodies do not shield each other, nor what lies behind in the same body, and other bodies than breakable
-/// ones are left alone: push them yourself. Up to `Budget::solves_per_step` whole or held bodies break in the
-/// call (inside a step: at its end). Of more of them the one that is struck hardest does, and each other one
-/// when it is its turn, where it is by then, `Budget::longest_wait_s` later at most (half as long again for
-/// each explosion just before): none is dropped for want of time. Blows on other fragments wait too, and may
-/// be dropped, though they are pushed. Returns how many were struck; the error says which figure is out of
-/// range.
+/// joined to one push an octant about the push on all of the body. A centre on a surface counts as outside,
+/// one inside a body acts where that body's surface is nearest. Bodies do not shield each other, nor what
+/// lies behind in the same body, and other bodies than breakable ones are left alone: push them yourself. Up
+/// to `Budget::solves_per_step` whole or held bodies break in the call (inside a step: at its end). Of more
+/// of them the one that is struck hardest does, and each other one when it is its turn, where it is by then,
+/// `Budget::longest_wait_s` later at most (half as long again for each explosion just before): none is
+/// dropped for want of time. Blows on other fragments wait too, and may be dropped, though they are pushed.
+/// Returns how many were struck; the error says which figure is out of range.
 Result<int> explode(FractureWorld& world, const Explosion& explosion);
 
 }  // namespace sherd

@@ -140,7 +140,7 @@ IfFieldsOf<Self, ContactSettings> visitFields(Self& s, Visitor&& visit) {
     visit(Field{"shortest_contact_s", "shortest duration of a contact", Range::positive("s")},
           s.shortest_contact_s);
     visit(Field{"smallest_patch", "smallest radius of the loaded patch",
-                Range::positive().with("fraction of the wall thickness")},
+                Range::atLeast(0.001).with("fraction of the wall thickness")},
           s.smallest_patch);
     visit(Field{"largest_patch", "largest radius of the loaded patch",
                 Range::fractionOf("fraction of the body's radius")},

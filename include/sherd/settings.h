@@ -216,8 +216,8 @@ struct FractureSettings {
     double energy_into_cracks = 0.05;
     /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it.
     int largest_fragment_count = 20;
-    /// No break is finer: fewer pieces are made where they would be smaller on average, and a body below
-    /// it never breaks. Pieces that come out smaller all the same are debris. At 0 it is 1/200 of the
+    /// Of what is damaged fewer pieces are made where they would be smaller than this on average, and a body
+    /// below it never breaks. Pieces that come out smaller all the same are debris. At 0 it is 1/200 of the
     /// body that was whole at first; fragments keep it.
     double smallest_fragment_m3 = 0;
     Debris debris = Debris::unbreakable;

@@ -130,7 +130,16 @@ std::array<Exposure, 8> octantsOf(const std::vector<Exposure>& exposed) {
     return octants;
 }
 
-/// A charge that lies on the surface, where a ray has met it: rounding may have it on the inner side.
+bool isInside(const TriangleMesh& surface, const Vec3& place) {
+    double angle = 0;  // of the whole sphere if it is
+    for (const auto& [a, b, c] : surface.triangles)
+        angle +=
+            solidAngle(surface.vertices[a] - place, surface.vertices[b] - place, surface.vertices[c] - place);
+    return angle > 2 * pi;
+}
+
+/// A charge that lies on the surface, where a ray has met it, or in the solid: rounding may have it on the
+/// inner side, and bombs stick in walls.
 Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
     constexpr double skin = 0.05;  // of a particle spacing
     const double off = skin * solid.spacing();
@@ -138,6 +147,10 @@ Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
     const SurfaceTree& surface = solid.surfaceTree();
     constexpr int most_faces = 4;  // of a corner, one after the other
     Vec3 place = centre;
+    if (isInside(surface.surface(), centre)) {
+        const SurfaceSpot spot = nearestSurfacePoint(surface, centre, Vec3::Zero());
+        if (spot.triangle >= 0) place = spot.point;
+    }
     for (int face = 0; face < most_faces; ++face) {
         const SurfaceSpot spot = nearestSurfacePoint(surface, place, Vec3::Zero());
         if (spot.triangle < 0 || (spot.point - place).norm() >= (1 - 1e-9) * off) break;
@@ -172,9 +185,10 @@ Status checkExplosion(const Explosion& explosion) {
         sentence << "the centre of the explosion is not finite; give it in m";
     else if (!positive(explosion.impulse_n_s))
         sentence << "the impulse of the explosion is " << explosion.impulse_n_s
-                 << " but must be positive, in N s";
+                 << " but must be positive and finite, in N s";
     else if (!positive(explosion.reach_m))
-        sentence << "the reach of the explosion is " << explosion.reach_m << " but must be positive, in m";
+        sentence << "the reach of the explosion is " << explosion.reach_m
+                 << " but must be positive and finite, in m";
     else
         return success();
     return Error{sentence.str()};

@@ -5,6 +5,7 @@
 
 #include "core/clustering/wall_axes.h"
 #include "core/damage/material_strength.h"
+#include "core/numerics/mesh_measures.h"
 #include "core/numerics/split_mix.h"
 #include "core/numerics/stopwatch.h"
 #include "core/sampling/sample_solid.h"
@@ -60,7 +61,8 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::makeFragment(TriangleMesh 
     const double volume = piece->moments_.volume;
     piece->wall_thickness_ = std::min(wall_thickness_, std::cbrt(volume));
     piece->spacing_of_whole_ = spacing_of_whole_;
-    piece->spacing_ = fragmentSpacing(piece->spacing_of_whole_, settings_.sampling, volume);
+    piece->spacing_ =
+        fragmentSpacing(piece->spacing_of_whole_, settings_.sampling, volume, surfaceArea(piece->surface()));
     piece->scatterOver(strength().scatterLength());
     piece->is_fragment_ = true;
     piece->supports_ = supportsThatHold(piece->surface(), supports_, piece->spacing_, piece->wall_thickness_);

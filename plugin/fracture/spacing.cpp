@@ -9,7 +9,7 @@ namespace sherd {
 
 namespace {
 
-constexpr int fewest_in_fragment = 64;  // particles
+constexpr int fewest_in_fragment = 64, enough_in_sheet = 256;  // particles
 
 double spacingFor(double particles, double volume_m3) {
     return std::cbrt(volume_m3 / particles);
@@ -33,9 +33,13 @@ Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& setti
         sampling.cells_per_spacing);
 }
 
-double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3) {
+double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3,
+                       double area_m2) {
     const double coarsening = sampling.spacing_m > 0 ? 1 : sampling.fragment_coarsening;
-    return std::min(coarsening * spacing_of_whole_m, spacingFor(fewest_in_fragment, volume_m3));
+    // Below a spacing of thickness particles are as many as there is room for side by side.
+    const double of_sheet = std::sqrt(area_m2 / 2 / enough_in_sheet);
+    return std::min(coarsening * spacing_of_whole_m,
+                    std::max(spacingFor(fewest_in_fragment, volume_m3), of_sheet));
 }
 
 }  // namespace sherd

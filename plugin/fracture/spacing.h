@@ -11,7 +11,9 @@ namespace sherd {
 Result<double> spacingOfSolid(const TriangleMesh& surface, const Settings& settings, double volume_m3,
                               double wall_thickness_m);
 
-/// Of a fragment: as coarse as the sampling has it, or finer where that would leave it too few particles.
-double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3);
+/// Of a fragment: as coarse as the sampling has it, or finer where that would leave it too few particles. A
+/// sheet has those of one layer.
+double fragmentSpacing(double spacing_of_whole_m, const SamplingSettings& sampling, double volume_m3,
+                       double area_m2);
 
 }  // namespace sherd

@@ -97,10 +97,18 @@ Status writeChecked(const FileFormat& format, const std::vector<std::byte>& cont
     header.version = format.version;
     header.size = content.size();
     header.checksum = checksumOf(header, content.data(), content.size());
-    const std::string unfinished = nameBeside(path);
-    const bool written = writeAll(header, content, unfinished);
     std::error_code trouble;
-    if (written) std::filesystem::rename(unfinished, path, trouble);
+    // A link stays one: what it leads to is written.
+    const bool is_link = std::filesystem::is_symlink(path, trouble);
+    const std::string target = is_link ? std::filesystem::weakly_canonical(path, trouble).string() : path;
+    const bool is_other = std::filesystem::exists(target, trouble) &&
+                          !std::filesystem::is_regular_file(target, trouble) &&
+                          !std::filesystem::is_directory(target, trouble);
+    if (is_other) return Error{"Cannot write " + path + ": it is no file, but a device or the like."};
+    const std::string unfinished = nameBeside(target);
+    const bool written = writeAll(header, content, unfinished);
+    trouble.clear();
+    if (written) std::filesystem::rename(unfinished, target, trouble);
     if (written && !trouble) return success();
     std::error_code ignored;
     std::filesystem::remove(unfinished, ignored);

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#ifdef __linux__
+#include <sys/stat.h>
+#endif
+
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -47,6 +51,26 @@ int filesBeside(const std::string& path) {
                  entry.path().filename().string().rfind(whole.filename().string() + ".", 0) == 0;
     return count;
 }
+
+#ifdef __linux__
+TEST(CheckedFile, LinksStayAndWhatIsNoFileIsLeftAlone) {
+    const std::string file = temporaryPath("linked"), link = temporaryPath("link"),
+                      pipe = temporaryPath("pipe");
+    put("old", file);
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(file, link);
+    ASSERT_TRUE(writeChecked(format, content(), link).ok());
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_TRUE(readChecked(format, file).ok());
+    std::filesystem::remove(pipe);
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    const Status written = writeChecked(format, content(), pipe);
+    ASSERT_FALSE(written.ok());
+    EXPECT_NE(written.error().find(pipe), std::string::npos) << written.error();
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    std::filesystem::remove(pipe);
+}
+#endif
 
 TEST(CheckedFile, WhatWasWrittenIsRead) {
     const std::string path = temporaryPath("file");
