@@ -27,7 +27,8 @@ sherd::Result<std::string> sceneFile(const std::string& name, const std::string&
     if (names.empty())
         return sherd::Error{"There are no scene files in " + folder + "; name the folder with --scenes."};
     return sherd::Error{"There is no scene '" + name + "'; choose one of: " + names +
-                        ", or name a file that ends in .json; a mesh takes --view."};
+                        ", or name a file that ends in .json; a mesh is named with its ending, as mug.obj, "
+                        "and takes --view."};
 }
 
 }  // namespace demo

@@ -141,8 +141,10 @@ sherd::Result<ViewArguments> parseViewArguments(int argc, const char* const* arg
     app.add_option("--preset", arguments.state.choices.preset,
                    "Figures that the scene file has under this name")
         ->type_name("NAME");
-    app.add_option("--set", arguments.state.choices.changes,
-                   "Change figures of the scene, as bullet_demos/run does; its --help-all lists them")
+    app.add_option(
+           "--set", arguments.state.choices.changes,
+           "Change figures of the scene, as bullet_demos/run does; its --help-all lists them. Of a mesh: "
+           "settings by their paths, as fracture.largest_fragment_count=36")
         ->type_name("KEY=VALUE");
     addMeshOptions(app, raw, arguments);
     addViewOptions(app, arguments);

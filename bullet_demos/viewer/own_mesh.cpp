@@ -54,6 +54,10 @@ sherd::Result<Loaded> loadOwnMesh(const Choices& choices) {
     Loaded loaded{sceneAround(choices), {}, {}};
     const sherd::Status chosen = chooseMaterials(loaded.scene, with_material);
     if (!chosen) return sherd::Error{chosen.error()};
+    if (!choices.preset.empty())
+        return sherd::Error{"There is no preset '" + choices.preset + "': a mesh has none, scenes do."};
+    if (const sherd::Status set = loaded.scene.bodies.front().settings.set(choices.changes); !set)
+        return sherd::Error{"--set, of a mesh: " + set.error()};
     const BreakableBody& body = loaded.scene.bodies.front();
     auto asset = sherd::BreakableAsset::fromMesh(mesh.value(), body.material, body.settings,
                                                  repairOf(choices, mesh.value()));

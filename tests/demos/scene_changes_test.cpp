@@ -103,7 +103,8 @@ TEST(Arguments, UnknownSceneNamesThoseThereAre) {
     const char* const wrong[] = {"run", "tea_cup", "--scenes", SHERD_SCENES};
     EXPECT_EQ(demo::parseArguments(4, wrong).error(),
               "There is no scene 'tea_cup'; choose one of: coffee_cup, coffee_plate, glass_wall, plane, "
-              "plaster_wall, wood_wall, or name a file that ends in .json; a mesh takes --view.");
+              "plaster_wall, wood_wall, or name a file that ends in .json; a mesh is named with its ending, "
+              "as mug.obj, and takes --view.");
 }
 
 TEST(Arguments, TakeSceneKeysAndSeed) {
