@@ -4,7 +4,6 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "bullet/convex_part.h"
@@ -104,7 +103,8 @@ std::vector<Foot> lowerSide(const std::vector<Foot>& feet) {
     std::vector<Foot> lower;
     std::copy_if(feet.begin(), feet.end(), std::back_inserter(lower), [&](const Foot& foot) {
         return std::none_of(feet.begin(), feet.end(), [&](const Foot& other) {
-            return foot.above - other.above > straight * std::hypot(foot.x - other.x, foot.y - other.y);
+            const btScalar x = foot.x - other.x, y = foot.y - other.y, higher = foot.above - other.above;
+            return higher > 0 && higher * higher > straight * straight * (x * x + y * y);
         });
     });
     return lower;

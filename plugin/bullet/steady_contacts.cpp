@@ -48,16 +48,17 @@ bool carries(const btCollisionObject& object, const btRigidBody& other, const Br
 /// held up on what does not break: whole ones in a stack are Bullet's.
 const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
                                   btScalar time_step_s) {
-    for (const bool is_a : {true, false}) {
-        const btCollisionObject& moving = is_a ? *manifold.getBody0() : *manifold.getBody1();
-        const btCollisionObject& ground = is_a ? *manifold.getBody1() : *manifold.getBody0();
-        const Breakable* breakable = breakables.of(moving);
-        if (!breakable || moving.isStaticOrKinematicObject() || !moving.isActive()) continue;
-        if (!carries(ground, *breakable->body, breakables)) continue;
-        if (breakable->isFragment() || (!breakables.of(ground) && comesDown(*breakable, time_step_s)))
-            return breakable;
-    }
-    return nullptr;
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const Breakable *of_a = breakables.of(a), *of_b = breakables.of(b);
+    if (of_a && of_b && of_a->isFragment() && of_b->isFragment()) return nullptr;  // most of a heap's
+    const auto stands = [&](const Breakable* own, const btCollisionObject& ground,
+                            const Breakable* of_ground) {
+        if (!own || own->body->isStaticOrKinematicObject() || !own->body->isActive()) return false;
+        if (!own->isFragment() && (of_ground || !comesDown(*own, time_step_s))) return false;
+        return carries(ground, *own->body, breakables);
+    };
+    if (stands(of_a, b, of_b)) return of_a;
+    return stands(of_b, a, of_a) ? of_b : nullptr;
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.
@@ -205,11 +206,10 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
     }
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
-        if (isDeeperThan(deepest, manifold) &&
-            (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1())))
-            limitDepth(manifold, deepest, info, breakables);
-        if (breakables.isFragment(*manifold.getBody0()) || breakables.isFragment(*manifold.getBody1()))
-            forgetImpacts(manifold, info.m_timeStep);
+        if (!breakables.isFragment(*manifold.getBody0()) && !breakables.isFragment(*manifold.getBody1()))
+            continue;
+        if (isDeeperThan(deepest, manifold)) limitDepth(manifold, deepest, info, breakables);
+        forgetImpacts(manifold, info.m_timeStep);
     }
 }
 
