@@ -115,7 +115,7 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.overlaps, [&] {
         if (std::exchange(any_just_added_, false)) allowOverlapsOfAdded();
         birth_overlaps_.applyAllowances(world_);
-        steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
+        steadyContacts(world_, breakables_, birth_overlaps_, [](const btCollisionObject&) { return true; });
         if (!breakables_.anyFragmentInWorld()) return;
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });

@@ -229,7 +229,7 @@ void Rehearsal::beforeSolve() {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     takeOverContacts();
     overlaps_.applyAllowances(world_);
-    steadyContacts(world_, breakables_, [](const btCollisionObject&) { return true; });
+    steadyContacts(world_, breakables_, overlaps_, [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());
     addGroundContacts(world_, bodies);

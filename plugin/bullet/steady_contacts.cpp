@@ -6,6 +6,7 @@
 #include <cmath>
 #include <optional>
 
+#include "bullet/birth_overlaps.h"
 #include "bullet/body_travel.h"
 #include "bullet/extra_contacts.h"
 #include "bullet/ground_surface.h"
@@ -38,27 +39,40 @@ bool comesDown(const Breakable& whole, btScalar time_step_s) {
 }
 
 /// Whether bodies stand on it: it is not moved by them, or it is no piece and no lighter than they are.
-bool carries(const btCollisionObject& object, const btRigidBody& other, const BreakableRegistry& breakables) {
-    if (object.isStaticOrKinematicObject()) return true;
-    const btRigidBody* body = btRigidBody::upcast(&object);
-    return body && !breakables.isFragment(object) && body->getInvMass() <= other.getInvMass();
+bool carries(const btCollisionObject& ground, const btRigidBody& body, const BreakableRegistry& breakables) {
+    if (ground.isStaticOrKinematicObject()) return true;
+    const btRigidBody* carrier = btRigidBody::upcast(&ground);
+    return carrier && !breakables.isFragment(ground) && carrier->getInvMass() <= body.getInvMass();
 }
 
 /// What moves on such a body, and is held up where its vertices are; nullptr for other pairs. A whole body is
-/// held up on what does not break: whole ones in a stack are Bullet's.
+/// held up on what neither breaks nor gives way: whole ones in a stack are Bullet's.
 const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
                                   btScalar time_step_s) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const bool is_fixed_a = a.isStaticOrKinematicObject(), is_fixed_b = b.isStaticOrKinematicObject();
+    if (is_fixed_a && is_fixed_b) return nullptr;
     const Breakable *of_a = breakables.of(a), *of_b = breakables.of(b);
-    if (of_a && of_b && of_a->isFragment() && of_b->isFragment()) return nullptr;  // most of a heap's
-    const auto stands = [&](const Breakable* own, const btCollisionObject& ground,
-                            const Breakable* of_ground) {
+    const bool are_fragments = of_a && of_b && of_a->isFragment() && of_b->isFragment();
+    if (are_fragments && !is_fixed_a && !is_fixed_b) return nullptr;  // most of a heap's
+    const auto stands = [&](const Breakable* own, const btCollisionObject& ground, bool breaks_and_moves) {
         if (!own || own->body->isStaticOrKinematicObject() || !own->body->isActive()) return false;
-        if (!own->isFragment() && (of_ground || !comesDown(*own, time_step_s))) return false;
+        if (!own->isFragment() && (breaks_and_moves || !comesDown(*own, time_step_s))) return false;
         return carries(ground, *own->body, breakables);
     };
-    if (stands(of_a, b, of_b)) return of_a;
-    return stands(of_b, a, of_a) ? of_b : nullptr;
+    if (stands(of_a, b, of_b && !is_fixed_b)) return of_a;
+    return stands(of_b, a, of_a && !is_fixed_a) ? of_b : nullptr;
+}
+
+/// Whether one may stay in the other, whose hulls close the hollow in which it lies.
+bool isNested(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
+              const BirthOverlaps& overlaps) {
+    const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
+    const auto is_hollow = [&](const btCollisionObject& object) {
+        const Breakable* whole = breakables.of(object);
+        return whole && !whole->isFragment() && whole->ownedHere() && whole->owned.shape->closes_hollows;
+    };
+    return (is_hollow(a) || is_hollow(b)) && overlaps.allows(a, b);
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.
@@ -124,17 +138,22 @@ bool isDeeperThan(btScalar depth, const btPersistentManifold& manifold) {
     return false;
 }
 
-/// What is so deep in the inside of what carries it that the solver moves it out without making it any faster
-/// is left as it is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or
-/// fall through. Triangles push to the side that less of a body is on.
+bool isSolidAndStill(const btCollisionObject& object) {
+    return object.isStaticObject() && !isGroundSurface(object);
+}
+
+/// What is so deep in a solid that carries it that the solver moves it out without making it any faster is
+/// left as it is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or fall
+/// through. Triangles push to the side that less of a body is on.
 void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info,
                 const BreakableRegistry& breakables) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
-    const auto is_in = [&](const btCollisionObject& fragment, const btCollisionObject& ground) {
-        return breakables.isFragment(fragment) && !hasSurface(*ground.getCollisionShape()) &&
-               carries(ground, *btRigidBody::upcast(&fragment), breakables);
+    const auto carries_fragment = [&](const btCollisionObject& ground, const btCollisionObject& body) {
+        return breakables.isFragment(body) && !hasSurface(*ground.getCollisionShape()) &&
+               carries(ground, *btRigidBody::upcast(&body), breakables);
     };
-    const bool is_on_ground = is_in(a, b) || is_in(b, a);
+    const bool is_on_ground =
+        isSolidAndStill(a) || isSolidAndStill(b) || carries_fragment(a, b) || carries_fragment(b, a);
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         btManifoldPoint& point = manifold.getContactPoint(p);
         const bool is_moved_out = info.m_splitImpulse && is_on_ground &&
@@ -160,13 +179,16 @@ void forgetImpacts(btPersistentManifold& manifold, btScalar time_step_s) {
     }
 }
 
-/// How fast a body of that radius and its ground may come towards each other, m/s.
+/// How fast a point of a body of that radius may come towards its ground, m/s.
 btScalar fastestApproach(const btRigidBody& body, const btCollisionObject& ground, btScalar radius) {
-    btVector3 carried(0, 0, 0);
-    if (const btRigidBody* carrier = btRigidBody::upcast(&ground))
+    btVector3 carried(0, 0, 0), turned(0, 0, 0);
+    if (const btRigidBody* carrier = btRigidBody::upcast(&ground)) {
+        turned = carrier->getAngularVelocity();
         carried = carrier->getVelocityInLocalPoint(body.getCenterOfMassPosition() -
                                                    carrier->getCenterOfMassPosition());
-    return (body.getLinearVelocity() - carried).length() + radius * body.getAngularVelocity().length();
+    }
+    return (body.getLinearVelocity() - carried).length() +
+           radius * (body.getAngularVelocity() - turned).length();
 }
 
 void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
@@ -188,6 +210,7 @@ void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
 }  // namespace
 
 void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                    const BirthOverlaps& overlaps,
                     const std::function<bool(const btCollisionObject&)>& is_concerned) {
     const btContactSolverInfo& info = world.getSolverInfo();
     if (!anyIsSteadied(breakables, info.m_timeStep)) return;
@@ -201,6 +224,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         if (!is_concerned(*manifold.getBody0()) && !is_concerned(*manifold.getBody1())) continue;
         const Breakable* body = steadiedOnGround(manifold, breakables, info.m_timeStep);
         if (!body || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
+        if (isNested(manifold, breakables, overlaps)) continue;
         if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
             standOnGround(world, *body, manifold);
     }

@@ -8,6 +8,8 @@ class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
+class BirthOverlaps;
+
 /// Makes the contacts of fragments such that they come to rest, and those of whole bodies with shapes of
 /// Sherd's that fall or tumble such that they do not sink into the ground. Splinters are small for what
 /// they move in a step. Bullet finds one vertex of a hull a step, when it is in the floor already, and takes
@@ -17,9 +19,12 @@ namespace sherd {
 /// added to it: the solver stops them there. The body below is what stands still, what the app moves, or what
 /// is no fragment and no lighter. Impulses of an impact are not begun with in the next step.
 /// And deep contacts count as less deep, such that nothing is pushed out of a fragment, or a fragment out of
-/// anything, at more than 0.05 m/s. For just before a solve. `is_concerned`: of a pair at least one body has
-/// to be, for what the solve was prepared for before; extra manifolds of a pair are made once.
+/// anything, at more than 0.05 m/s, but where the solver moves it out of a solid below without a velocity.
+/// What lies in a hollow body and may overlap it (`overlaps`) is left as it is. For just before a solve.
+/// `is_concerned`: of a pair at least one body has to be, for what the solve was prepared for before; extra
+/// manifolds of a pair are made once.
 void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                    const BirthOverlaps& overlaps,
                     const std::function<bool(const btCollisionObject&)>& is_concerned);
 
 }  // namespace sherd

@@ -98,9 +98,17 @@ Status writeChecked(const FileFormat& format, const std::vector<std::byte>& cont
     header.size = content.size();
     header.checksum = checksumOf(header, content.data(), content.size());
     std::error_code trouble;
-    // A link stays one: what it leads to is written.
-    const bool is_link = std::filesystem::is_symlink(path, trouble);
-    const std::string target = is_link ? std::filesystem::weakly_canonical(path, trouble).string() : path;
+    // Links stay: what they lead to is written.
+    std::filesystem::path end = path;
+    constexpr int most_links = 40;
+    for (int links = 0; std::filesystem::is_symlink(end, trouble); ++links) {
+        const std::filesystem::path next = std::filesystem::read_symlink(end, trouble);
+        if (trouble || links == most_links)
+            return Error{"Cannot write " + path +
+                         ": it is a link that leads nowhere; give the path of a file."};
+        end = next.is_absolute() ? next : end.parent_path() / next;
+    }
+    const std::string target = end.string();
     const bool is_other = std::filesystem::exists(target, trouble) &&
                           !std::filesystem::is_regular_file(target, trouble) &&
                           !std::filesystem::is_directory(target, trouble);

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -22,7 +21,7 @@ struct BlockMatrix {
     long height(int block_column) const {
         return static_cast<long>(block_size) * (starts[block_column + 1] - starts[block_column]);
     }
-    /// The first number of scalar column j of a block column.
+    /// The first number of scalar column j of a block column, once there are values.
     double* column(int block_column, int j) { return values.data() + offset(block_column, j); }
     const double* column(int block_column, int j) const { return values.data() + offset(block_column, j); }
 

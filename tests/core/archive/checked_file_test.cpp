@@ -62,6 +62,15 @@ TEST(CheckedFile, LinksStayAndWhatIsNoFileIsLeftAlone) {
     ASSERT_TRUE(writeChecked(format, content(), link).ok());
     EXPECT_TRUE(std::filesystem::is_symlink(link));
     EXPECT_TRUE(readChecked(format, file).ok());
+    std::filesystem::remove(file);  // a link to nothing yet
+    ASSERT_TRUE(writeChecked(format, content(), link).ok());
+    EXPECT_TRUE(std::filesystem::is_symlink(link));
+    EXPECT_TRUE(readChecked(format, file).ok());
+    std::filesystem::remove(link);
+    std::filesystem::create_symlink(link, link);
+    EXPECT_FALSE(writeChecked(format, content(), link).ok());
+    std::filesystem::remove(link);
+    std::filesystem::remove(file);
     std::filesystem::remove(pipe);
     ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
     const Status written = writeChecked(format, content(), pipe);

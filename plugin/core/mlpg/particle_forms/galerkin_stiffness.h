@@ -8,7 +8,7 @@ namespace sherd {
 
 /// Stiffness of the Galerkin form on smoothed strains, row (a, i), column (b, j):
 ///     K_ab = sum_c V_c [ lambda g_ca g_cb^T + mu g_cb g_ca^T + mu (g_ca . g_cb) I ].
-/// CSC; blocks of pairs of particles, from the diagonal block (complete) downwards.
+/// A block is that of a pair of particles.
 BlockMatrix galerkinStiffness(const Discretisation& solid, const CellGradients& cells,
                               const Elasticity& elasticity);
 

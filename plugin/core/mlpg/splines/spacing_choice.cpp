@@ -22,7 +22,8 @@ Result<double> factorEntriesAt(const TriangleMesh& surface, double spacing, int 
     const Result<CellParts> parts = sampleParts(surface, spacing, cells_per_spacing, 0, MomentRule::quick);
     if (!parts) return Error{parts.error()};
     const SplineSpace space(parts.value(), degree);
-    const Result<double> entries = factorEntriesOf(blocksOf(StiffnessPattern(space)), space.highest_cells);
+    const Result<double> entries =
+        factorEntriesOf(emptyMatrixOf(StiffnessPattern(space)), space.highest_cells);
     if (!entries) return Error{entries.error()};
     return supernodal_surplus * entries.value();
 }

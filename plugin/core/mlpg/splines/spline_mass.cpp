@@ -11,7 +11,7 @@ namespace sherd {
 
 SparseMatrix splineMass(const CellParts& solid, const SplineSpace& space) {
     const StiffnessPattern pattern(space);
-    const BlockMatrix blocks = blocksOf(pattern);
+    const BlockMatrix blocks = emptyMatrixOf(pattern);
     SparseMatrix mass{blocks.blockColumns(), blocks.starts, blocks.rows,
                       std::vector<double>(blocks.rows.size(), 0.0)};
     const PartIntegrals integrals(space.degree, solid.edges);

@@ -160,7 +160,7 @@ BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, co
     for (size_t s = 0; s < springs.size(); ++s) springs_of[springs[s].part].push_back(static_cast<int>(s));
 
     const StiffnessPattern pattern(space, projection);
-    BlockMatrix matrix = blocksOf(pattern);
+    BlockMatrix matrix = emptyMatrixOf(pattern);
     matrix.setZero();
     const PartIntegrals integrals(space.degree, solid.edges);
     const Elasticity by_parts = projection ? withoutLambda(elasticity) : elasticity;

@@ -12,8 +12,7 @@ namespace sherd {
 ///            + sum over springs k phi_a phi_b I,
 /// integrated exactly on every part of a cell by its moments; whole cells share one matrix. `share_of_part`
 /// scales what each part adds (#parts, or empty: 1). With a `projection` (that has these shares) the
-/// volumetric strain that lambda acts on is the projected one. CSC; entries from the diagonal blocks
-/// (complete) downwards, in blocks of 3.
+/// volumetric strain that lambda acts on is the projected one. A block is that of a pair of functions.
 BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, const Elasticity& elasticity,
                             const std::vector<PointSpring>& springs,
                             const VolumetricProjection* projection = nullptr,

@@ -42,7 +42,7 @@ StiffnessPattern::StiffnessPattern(const SplineSpace& space, const VolumetricPro
     }
 }
 
-BlockMatrix blocksOf(const StiffnessPattern& pattern) {
+BlockMatrix emptyMatrixOf(const StiffnessPattern& pattern) {
     BlockMatrix blocks;
     std::size_t count = 0;
     for (const std::vector<int>& rows : pattern.rows_of_column) count += rows.size();

@@ -16,6 +16,6 @@ struct StiffnessPattern {
 };
 
 /// The blocks of 3 x 3 of that pattern, without values.
-BlockMatrix blocksOf(const StiffnessPattern& pattern);
+BlockMatrix emptyMatrixOf(const StiffnessPattern& pattern);
 
 }  // namespace sherd

@@ -29,7 +29,8 @@ double entriesAt(const TriangleMesh& body, double spacing) {
     const Result<CellParts> parts = sampleParts(body, spacing, 2, 0, MomentRule::quick);
     EXPECT_TRUE(parts.ok());
     const SplineSpace space(parts.value(), 2);
-    const Result<double> entries = factorEntriesOf(blocksOf(StiffnessPattern(space)), space.highest_cells);
+    const Result<double> entries =
+        factorEntriesOf(emptyMatrixOf(StiffnessPattern(space)), space.highest_cells);
     EXPECT_TRUE(entries.ok());
     constexpr double supernodal_surplus = 1.25;
     return supernodal_surplus * entries.value();
