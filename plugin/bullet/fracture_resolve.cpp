@@ -50,7 +50,7 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     findNewContacts(new_bodies);
     const std::unordered_set<const btCollisionObject*> is_new(new_bodies.begin(), new_bodies.end());
     timed(times_.steps.overlaps, [&] {
-        steadyContacts(world_, breakables_, birth_overlaps_,
+        steadyContacts(world_, steadiedBodies(),
                        [&](const auto& object) { return is_new.count(&object) > 0; });
     });
     timed(times_.steps.ground, [&] {

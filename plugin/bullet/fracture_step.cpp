@@ -115,7 +115,7 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.overlaps, [&] {
         if (std::exchange(any_just_added_, false)) allowOverlapsOfAdded();
         birth_overlaps_.applyAllowances(world_);
-        steadyContacts(world_, breakables_, birth_overlaps_, [](const btCollisionObject&) { return true; });
+        steadyContacts(world_, steadiedBodies(), [](const btCollisionObject&) { return true; });
         if (!breakables_.anyFragmentInWorld()) return;
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
@@ -226,6 +226,10 @@ std::vector<const Breakable*> FractureWorld::Impl::bodiesInWorld() const {
     for (const auto& breakable : breakables_.all())
         if (breakable->in_world) bodies.push_back(breakable.get());
     return bodies;
+}
+
+SteadiedBodies FractureWorld::Impl::steadiedBodies() const {
+    return {breakables_, birth_overlaps_, [this](const auto& object) { return isFragmentOfAny(object); }};
 }
 
 bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const {

@@ -22,6 +22,7 @@
 #include "bullet/shape_store.h"
 #include "bullet/solver_decorator.h"
 #include "bullet/solvers_ahead.h"
+#include "bullet/steady_contacts.h"
 #include "bullet/step_phase.h"
 #include "bullet/waiting_blows.h"
 #include "core/numerics/parallel_chunks.h"
@@ -141,6 +142,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void solveBreaks(const btContactSolverInfo& info, btIDebugDraw* drawer);
     std::vector<const Breakable*> bodiesInWorld() const;
     bool isFragmentOfAny(const btCollisionObject& object) const;
+    SteadiedBodies steadiedBodies() const;
     void allowOverlapsAtBirth(const std::vector<btCollisionObject*>& new_bodies);
     void allowOverlapsOfAdded();
     std::vector<const btCollisionObject*> resolveIslands(std::vector<Break>& breaks,

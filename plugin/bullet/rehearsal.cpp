@@ -229,7 +229,9 @@ void Rehearsal::beforeSolve() {
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     takeOverContacts();
     overlaps_.applyAllowances(world_);
-    steadyContacts(world_, breakables_, overlaps_, [](const btCollisionObject&) { return true; });
+    steadyContacts(
+        world_, {breakables_, overlaps_, [&](const auto& object) { return breakables_.isFragment(object); }},
+        [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());
     addGroundContacts(world_, bodies);

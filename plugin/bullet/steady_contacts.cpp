@@ -39,40 +39,39 @@ bool comesDown(const Breakable& whole, btScalar time_step_s) {
 }
 
 /// Whether bodies stand on it: it is not moved by them, or it is no piece and no lighter than they are.
-bool carries(const btCollisionObject& ground, const btRigidBody& body, const BreakableRegistry& breakables) {
+bool carries(const btCollisionObject& ground, const btRigidBody& body, const SteadiedBodies& bodies) {
     if (ground.isStaticOrKinematicObject()) return true;
     const btRigidBody* carrier = btRigidBody::upcast(&ground);
-    return carrier && !breakables.isFragment(ground) && carrier->getInvMass() <= body.getInvMass();
+    return carrier && !bodies.is_fragment(ground) && carrier->getInvMass() <= body.getInvMass();
 }
 
 /// What moves on such a body, and is held up where its vertices are; nullptr for other pairs. A whole body is
 /// held up on what neither breaks nor gives way: whole ones in a stack are Bullet's.
-const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
+const Breakable* steadiedOnGround(const btPersistentManifold& manifold, const SteadiedBodies& bodies,
                                   btScalar time_step_s) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const bool is_fixed_a = a.isStaticOrKinematicObject(), is_fixed_b = b.isStaticOrKinematicObject();
     if (is_fixed_a && is_fixed_b) return nullptr;
-    const Breakable *of_a = breakables.of(a), *of_b = breakables.of(b);
+    const Breakable *of_a = bodies.breakables.of(a), *of_b = bodies.breakables.of(b);
     const bool are_fragments = of_a && of_b && of_a->isFragment() && of_b->isFragment();
     if (are_fragments && !is_fixed_a && !is_fixed_b) return nullptr;  // most of a heap's
     const auto stands = [&](const Breakable* own, const btCollisionObject& ground, bool breaks_and_moves) {
         if (!own || own->body->isStaticOrKinematicObject() || !own->body->isActive()) return false;
         if (!own->isFragment() && (breaks_and_moves || !comesDown(*own, time_step_s))) return false;
-        return carries(ground, *own->body, breakables);
+        return carries(ground, *own->body, bodies);
     };
     if (stands(of_a, b, of_b && !is_fixed_b)) return of_a;
     return stands(of_b, a, of_a && !is_fixed_a) ? of_b : nullptr;
 }
 
 /// Whether one may stay in the other, whose hulls close the hollow in which it lies.
-bool isNested(const btPersistentManifold& manifold, const BreakableRegistry& breakables,
-              const BirthOverlaps& overlaps) {
+bool isNested(const btPersistentManifold& manifold, const SteadiedBodies& bodies) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const auto is_hollow = [&](const btCollisionObject& object) {
-        const Breakable* whole = breakables.of(object);
+        const Breakable* whole = bodies.breakables.of(object);
         return whole && !whole->isFragment() && whole->ownedHere() && whole->owned.shape->closes_hollows;
     };
-    return (is_hollow(a) || is_hollow(b)) && overlaps.allows(a, b);
+    return (is_hollow(a) || is_hollow(b)) && bodies.overlaps.allows(a, b);
 }
 
 /// A world of bodies at rest has many contacts, none of which need be looked at.
@@ -146,11 +145,11 @@ bool isSolidAndStill(const btCollisionObject& object) {
 /// left as it is: up to some decimetres at high speeds, and a piece would fall asleep on its way out, or fall
 /// through. Triangles push to the side that less of a body is on.
 void limitDepth(btPersistentManifold& manifold, btScalar deepest, const btContactSolverInfo& info,
-                const BreakableRegistry& breakables) {
+                const SteadiedBodies& bodies) {
     const btCollisionObject &a = *manifold.getBody0(), &b = *manifold.getBody1();
     const auto carries_fragment = [&](const btCollisionObject& ground, const btCollisionObject& body) {
-        return breakables.isFragment(body) && !hasSurface(*ground.getCollisionShape()) &&
-               carries(ground, *btRigidBody::upcast(&body), breakables);
+        return bodies.breakables.isFragment(body) && !hasSurface(*ground.getCollisionShape()) &&
+               carries(ground, *btRigidBody::upcast(&body), bodies);
     };
     const bool is_on_ground =
         isSolidAndStill(a) || isSolidAndStill(b) || carries_fragment(a, b) || carries_fragment(b, a);
@@ -209,9 +208,9 @@ void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
 
 }  // namespace
 
-void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                    const BirthOverlaps& overlaps,
+void steadyContacts(btDiscreteDynamicsWorld& world, const SteadiedBodies& bodies,
                     const std::function<bool(const btCollisionObject&)>& is_concerned) {
+    const BreakableRegistry& breakables = bodies.breakables;
     const btContactSolverInfo& info = world.getSolverInfo();
     if (!anyIsSteadied(breakables, info.m_timeStep)) return;
     const btScalar deepest = fastest_push_m_s * info.m_timeStep / info.m_erp2;
@@ -222,9 +221,9 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (manifold.getNumContacts() == 0 || isExtra(manifold)) continue;
         if (!is_concerned(*manifold.getBody0()) && !is_concerned(*manifold.getBody1())) continue;
-        const Breakable* body = steadiedOnGround(manifold, breakables, info.m_timeStep);
+        const Breakable* body = steadiedOnGround(manifold, bodies, info.m_timeStep);
         if (!body || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
-        if (isNested(manifold, breakables, overlaps)) continue;
+        if (isNested(manifold, bodies)) continue;
         if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
             standOnGround(world, *body, manifold);
     }
@@ -232,7 +231,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& bre
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         if (!breakables.isFragment(*manifold.getBody0()) && !breakables.isFragment(*manifold.getBody1()))
             continue;
-        if (isDeeperThan(deepest, manifold)) limitDepth(manifold, deepest, info, breakables);
+        if (isDeeperThan(deepest, manifold)) limitDepth(manifold, deepest, info, bodies);
         forgetImpacts(manifold, info.m_timeStep);
     }
 }

@@ -10,6 +10,13 @@ namespace sherd {
 
 class BirthOverlaps;
 
+/// What of the bodies of a world matters to their contacts.
+struct SteadiedBodies {
+    const BreakableRegistry& breakables;
+    const BirthOverlaps& overlaps;
+    std::function<bool(const btCollisionObject&)> is_fragment;  ///< of any FractureWorld of the world
+};
+
 /// Makes the contacts of fragments such that they come to rest, and those of whole bodies with shapes of
 /// Sherd's that fall or tumble such that they do not sink into the ground. Splinters are small for what
 /// they move in a step. Bullet finds one vertex of a hull a step, when it is in the floor already, and takes
@@ -23,8 +30,7 @@ class BirthOverlaps;
 /// What lies in a hollow body and may overlap it (`overlaps`) is left as it is. For just before a solve.
 /// `is_concerned`: of a pair at least one body has to be, for what the solve was prepared for before; extra
 /// manifolds of a pair are made once.
-void steadyContacts(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                    const BirthOverlaps& overlaps,
+void steadyContacts(btDiscreteDynamicsWorld& world, const SteadiedBodies& bodies,
                     const std::function<bool(const btCollisionObject&)>& is_concerned);
 
 }  // namespace sherd
