@@ -13,6 +13,7 @@
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"
 #include "fracture/breakable_solid.h"
+#include "geometry/cutting/point_location.h"
 
 namespace sherd {
 
@@ -130,14 +131,6 @@ std::array<Exposure, 8> octantsOf(const std::vector<Exposure>& exposed) {
     return octants;
 }
 
-bool isInside(const TriangleMesh& surface, const Vec3& place) {
-    double angle = 0;  // of the whole sphere if it is
-    for (const auto& [a, b, c] : surface.triangles)
-        angle +=
-            solidAngle(surface.vertices[a] - place, surface.vertices[b] - place, surface.vertices[c] - place);
-    return angle > 2 * pi;
-}
-
 /// A charge that lies on the surface, where a ray has met it, or in the solid: rounding may have it on the
 /// inner side, and bombs stick in walls.
 Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
@@ -147,7 +140,7 @@ Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
     const SurfaceTree& surface = solid.surfaceTree();
     constexpr int most_faces = 4;  // of a corner, one after the other
     Vec3 place = centre;
-    if (isInside(surface.surface(), centre)) {
+    if (isInside(centre, surface.surface().vertices, surface.surface().triangles)) {
         const SurfaceSpot spot = nearestSurfacePoint(surface, centre, Vec3::Zero());
         if (spot.triangle >= 0) place = spot.point;
     }
