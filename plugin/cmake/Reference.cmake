@@ -22,7 +22,8 @@ set(DOXYGEN_GENERATE_TREEVIEW YES)
 set(DOXYGEN_QUIET YES)
 set(DOXYGEN_WARN_AS_ERROR FAIL_ON_WARNINGS)
 doxygen_add_docs(reference
-  README.md include/sherd assets/README.md assets/docs tests/stability/README.md tests/data/cases/README.md
+  README.md include/sherd assets/README.md assets/docs tests/benchmark/README.md tests/stability/README.md
+  tests/data/cases/README.md
   bullet_demos/scenes/README.md bullet_demos/example_browser/README.md
   WORKING_DIRECTORY "${PROJECT_SOURCE_DIR}"
   COMMENT "Making the API reference in ${PROJECT_BINARY_DIR}/reference/html")
