@@ -1,6 +1,7 @@
 #include "bullet/breakable.h"
 
 #include <algorithm>
+#include <limits>
 #include <memory_resource>
 
 #include "bullet/joint_anchors.h"
@@ -105,6 +106,13 @@ void BreakableRegistry::syncWithWorld(const btAlignedObjectArray<btCollisionObje
         place.breakable->in_world = any_in_world_ = true;
         any_fragment_in_world_ = any_fragment_in_world_ || place.breakable->isFragment();
     }
+}
+
+double BreakableRegistry::leastEnergyInWorld() const {
+    double least_j = std::numeric_limits<double>::infinity();
+    for (const auto& breakable : all_)
+        if (breakable->in_world) least_j = std::min(least_j, breakable->least_energy_j);
+    return least_j;
 }
 
 void BreakableRegistry::dropReplaced(const btAlignedObjectArray<btCollisionObject*>& in_world) {

@@ -149,6 +149,8 @@ class BreakableRegistry {
     /// At the last syncWithWorld.
     bool anyInWorld() const { return any_in_world_; }
     bool anyFragmentInWorld() const { return any_fragment_in_world_; }
+    /// Less than that breaks none of those in the world, J; infinite if there is none.
+    double leastEnergyInWorld() const;
 
   private:
     /// What stood at a place in the world's array at the last syncWithWorld, dead or alive.

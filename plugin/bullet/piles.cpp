@@ -4,7 +4,6 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
 #include "bullet/contact_motion.h"
@@ -44,9 +43,7 @@ Piles::Piles(const std::vector<const btPersistentManifold*>& solved,
 
 /// Those that break no body of the world; in a crowd nearly all.
 void Piles::leaveOutFaint(std::vector<Strike>& strikes) const {
-    double least_j = std::numeric_limits<double>::infinity();
-    for (const auto& breakable : breakables_.all())
-        if (breakable->in_world) least_j = std::min(least_j, breakable->least_energy_j);
+    const double least_j = breakables_.leastEnergyInWorld();
     strikes.erase(std::remove_if(strikes.begin(), strikes.end(),
                                  [&](const Strike& strike) { return strike.energy_j < least_j; }),
                   strikes.end());

@@ -2,8 +2,6 @@
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
-#include <algorithm>
-#include <limits>
 
 #include "bullet/breakable.h"
 
@@ -45,9 +43,7 @@ bool anythingAwake(const btDiscreteDynamicsWorld& world) {
 
 bool nothingCanBreak(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                      double time_step_s) {
-    double least = std::numeric_limits<double>::infinity();
-    for (const auto& breakable : breakables.all())
-        if (breakable->in_world) least = std::min(least, breakable->least_energy_j);
+    const double least = breakables.leastEnergyInWorld();
     double sum = 0;
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i) {

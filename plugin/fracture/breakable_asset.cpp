@@ -10,6 +10,7 @@
 #include "fracture/baked_asset.h"
 #include "fracture/breakable_solid.h"
 #include "fracture/supports.h"
+#include "geometry/shells.h"
 
 namespace sherd {
 
@@ -85,6 +86,11 @@ Result<BreakableAsset> BreakableAsset::fromMesh(const TriangleMesh& surface, con
             "The body weighs " + std::to_string(std::lround(kilograms)) +
             " kg; if its mesh or shape is not in metres, scale it (Repair::scale does while a file is "
             "read).");
+    if (const int solids = solidCount(solid.value()->surface()); solids > 1)
+        warnings.push_back("The body is " + std::to_string(solids) +
+                           " solids that do not touch: they move as one until a blow breaks it. Give each a "
+                           "body of its own if they are things of their own, or close the gaps if they are "
+                           "one.");
     for (std::string& unit : unitWarnings(material)) warnings.push_back(std::move(unit));
     return BreakableAsset(std::move(solid).value(),
                           std::make_shared<const RepairReport>(std::move(sound).value().report),

@@ -29,6 +29,12 @@ std::vector<Shell> shellsOf(const TriangleMesh& mesh, const std::vector<SharedEd
     return shells;
 }
 
+int solidCount(const TriangleMesh& mesh) {
+    const std::vector<Shell> shells = shellsOf(mesh, surfaceTopology(mesh).edges);
+    return static_cast<int>(std::count_if(shells.begin(), shells.end(),
+                                          [](const Shell& shell) { return shell.volume_m3 > 0; }));
+}
+
 std::string describeShell(const TriangleMesh& mesh, const Shell& shell) {
     return "The part of the surface at " + describePlace(mesh.vertices[shell.first_vertex]) + " (" +
            describeTriangle(mesh, shell.triangles.front()) + ")";

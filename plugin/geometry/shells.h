@@ -24,6 +24,9 @@ struct Shell {
 /// The connected parts of a surface, in the order of their first triangles.
 std::vector<Shell> shellsOf(const TriangleMesh& mesh, const std::vector<SharedEdge>& edges);
 
+/// How many solids a closed surface bounds that do not touch; cavities are none.
+int solidCount(const TriangleMesh& mesh);
+
 /// "The part of the surface at (0, 0, 1) (triangle 7)".
 std::string describeShell(const TriangleMesh& mesh, const Shell& shell);
 

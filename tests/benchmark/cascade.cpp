@@ -3,11 +3,12 @@
 // flies through, a pane of glass and a wall of plaster that stand on a floor and are struck in the middle.
 //
 //   cascade [--scene NAME]... [--rate HZ]... [--seeds N] [--seconds S] [--quality NAME] [--cups N]
-//           [--speed M_S] [--unbreakable-pieces] [--budget] [--set FIELD=VALUE]... [--events]
+//           [--speed M_S] [--unbreakable-pieces] [--continuous M] [--budget] [--set FIELD=VALUE]... [--events]
 //
 // Each seed is another pattern of cracks, and another place of the ball: where in a step it strikes is part
 // of what is measured. Rows are means over the seeds. With `--unbreakable-pieces` what differs between
-// rates is Bullet's own. `--budget` is that of a world's defaults; without it no blow waits. `--events`
+// rates is Bullet's own. With `--continuous` the bodies sweep spheres of that radius where they move by more
+// than its double in a step (setCcdSweptSphereRadius), as the ball always does. `--budget` is that of a world's defaults; without it no blow waits. `--events`
 // prints the blows that were solved.
 
 #include <sherd/enum_names.h>
@@ -35,6 +36,7 @@ struct Options {
     std::vector<double> rates_hz{60, 120, 240, 480};
     int seeds = 5, cups = 30;
     double seconds = 2, speed_m_s = 0;  // of the ball; 0: the scene's own
+    double swept_radius_m = 0;
     std::string quality = "game";
     bool unbreakable_pieces = false, budget = false, events = false;
 };
@@ -153,7 +155,9 @@ Left run(const Scene& scene, const Options& options, double rate_hz, unsigned se
         for (std::size_t i = 0; i < scene.places.size(); ++i) {
             BodyOptions body(scene.places[i]);
             body.seed = 1000 * seed + i;
-            valueOrExit(fracture.add(scene.asset, body));
+            btRigidBody& added = *valueOrExit(fracture.add(scene.asset, body));
+            added.setCcdMotionThreshold(btScalar(2 * options.swept_radius_m));
+            added.setCcdSweptSphereRadius(btScalar(options.swept_radius_m));
         }
         const int steps = static_cast<int>(options.seconds * rate_hz + 0.5);
         for (int step = 1; step <= steps; ++step) {
@@ -192,6 +196,7 @@ int main(int count, char** arguments) {
     app.add_option("--cups", options.cups, "how many cups there are")->check(CLI::PositiveNumber);
     app.add_option("--set", options.assignments, "a setting by its path, FIELD=VALUE");
     app.add_flag("--unbreakable-pieces", options.unbreakable_pieces, "pieces never break");
+    app.add_option("--continuous", options.swept_radius_m, "of the spheres that the bodies sweep, m; 0: none");
     app.add_flag("--budget", options.budget, "that of a world's defaults; else no blow waits");
     app.add_flag("--events", options.events, "print the blows that were solved");
     app.add_option("--speed", options.speed_m_s, "of the ball, m/s; 0: the scene's own");

@@ -57,6 +57,21 @@ TEST(Asset, SizesThatAreHardlyMeantAreWarnedOf) {
     EXPECT_NE(warnings(0.003)[0].find("Repair::scale"), std::string::npos) << warnings(0.003)[0];
 }
 
+TEST(Asset, SolidsThatDoNotTouchAreWarnedOf) {
+    const auto warnings = [](const TriangleMesh& mesh) {
+        const auto asset = BreakableAsset::fromMesh(mesh, Material::glass());
+        return asset.ok() ? asset.value().warnings() : std::vector<std::string>{asset.error()};
+    };
+    const TriangleMesh box = shapes::box(Vec3(0, 0, 0), Vec3(1, 1, 1));
+    const std::vector<std::string> of_two =
+        warnings(shapes::joined(box, shapes::translated(box, Vec3(1.5, 0, 0))));
+    ASSERT_EQ(of_two.size(), 1u);
+    EXPECT_NE(of_two[0].find("2 solids"), std::string::npos) << of_two[0];
+    const TriangleMesh hollow =
+        shapes::joined(box, shapes::inverted(shapes::box(Vec3(0.2, 0.2, 0.2), Vec3(0.8, 0.8, 0.8))));
+    EXPECT_TRUE(warnings(hollow).empty());
+}
+
 TEST(Asset, MaterialsThatAreHardlyMeantAreWarnedOf) {
     const auto warnings = [](void (*change)(Material&)) {
         Material material = Material::glass();

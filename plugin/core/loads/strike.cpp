@@ -3,9 +3,8 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 #include <limits>
+#include <map>
 
 #include "core/numerics/pi.h"
 
@@ -17,30 +16,27 @@ constexpr double give = 0.01, least_give = 1e-3;  // of a point's own mobility
 
 using Points = std::vector<StrikePoint>;
 
-/// The points of one partner.
-Points pointsOf(const Points& all, int partner) {
-    Points own;
-    std::copy_if(all.begin(), all.end(), std::back_inserter(own),
-                 [&](const StrikePoint& point) { return point.contact->partner == partner; });
-    return own;
+/// Places in a strike of the points of each partner, which stand in the order of the partners' numbers.
+using ByPartner = std::map<int, std::vector<int>>;
+
+ByPartner placesByPartner(const Points& points) {
+    ByPartner places;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        places[points[i].contact->partner].push_back(static_cast<int>(i));
+    return places;
 }
 
-std::vector<int> partnersOf(const Points& points) {
-    std::vector<int> partners;
-    for (const StrikePoint& point : points) partners.push_back(point.contact->partner);
-    std::sort(partners.begin(), partners.end());
-    partners.erase(std::unique(partners.begin(), partners.end()), partners.end());
-    return partners;
+Points at(const Points& all, const std::vector<int>& places) {
+    Points some;
+    for (const int place : places) some.push_back(all[place]);
+    return some;
 }
 
-/// Velocity changes along the normals over normal impulses, #points x #points, 1/kg: those of a body that
-/// feels only what `acts` on it.
-Eigen::MatrixXd normalMobility(const Mobility& mobility, const Points& points,
-                               const std::function<bool(const StrikePoint&)>& acts) {
+/// Velocity changes along the normals over normal impulses, #points x #points, 1/kg.
+Eigen::MatrixXd normalMobility(const Mobility& mobility, const Points& points) {
     const long count = static_cast<long>(points.size());
-    Eigen::MatrixXd wrenches = Eigen::MatrixXd::Zero(6, count), changes = wrenches;
+    Eigen::MatrixXd wrenches(6, count), changes(6, count);
     for (long i = 0; i < count; ++i) {
-        if (!acts(points[i])) continue;
         const ContactImpulse& contact = *points[i].contact;
         wrenches.col(i) = mobility.wrench(contact.point, contact.normal);
         changes.col(i) = mobility.response(wrenches.col(i));
@@ -49,13 +45,16 @@ Eigen::MatrixXd normalMobility(const Mobility& mobility, const Points& points,
 }
 
 /// Of the struck body and of all that strikes it.
-Eigen::MatrixXd mobilityOfAll(const Mobility& body, const Blow& blow, const Points& points) {
-    Eigen::MatrixXd sum = normalMobility(body, points, [](const StrikePoint&) { return true; });
-    for (const int number : partnersOf(points)) {
+Eigen::MatrixXd mobilityOfAll(const Mobility& body, const Blow& blow, const Points& points,
+                              const ByPartner& by_partner) {
+    Eigen::MatrixXd sum = normalMobility(body, points);
+    for (const auto& [number, places] : by_partner) {
         const Mobility partner = blow.partner(number);
-        if (!partner.fixed())
-            sum += normalMobility(partner, points,
-                                  [&](const StrikePoint& point) { return point.contact->partner == number; });
+        if (partner.fixed()) continue;
+        const Eigen::MatrixXd own = normalMobility(partner, at(points, places));
+        for (std::size_t j = 0; j < places.size(); ++j)
+            for (std::size_t i = 0; i < places.size(); ++i)
+                sum(places[i], places[j]) += own(static_cast<long>(i), static_cast<long>(j));
     }
     return sum;
 }
@@ -156,7 +155,8 @@ void shareOut(const Mobility& body, const Blow& blow, Strike& strike) {
         speeds[i] = strike.points[i].contact->approach_m_s;
         presences[i] = strike.points[i].share;
     }
-    const Eigen::MatrixXd mobility = mobilityOfAll(body, blow, strike.points);
+    const ByPartner by_partner = placesByPartner(strike.points);
+    const Eigen::MatrixXd mobility = mobilityOfAll(body, blow, strike.points, by_partner);
     Eigen::VectorXd shares = sharedImpulses(mobility, speeds, presences);
     shares /= shares.sum();
     for (long i = 0; i < count; ++i) strike.points[i].share = shares[i];
@@ -164,15 +164,16 @@ void shareOut(const Mobility& body, const Blow& blow, Strike& strike) {
     strike.least_mobility = least_give * mobility.diagonal().dot(shares.cwiseAbs2());
     Points of_fixed;
     strike.partner_mobility = 0;
-    for (const int number : partnersOf(strike.points)) {
+    for (const auto& [number, places] : by_partner) {
         const Mobility partner = blow.partner(number);
-        const Points own = pointsOf(strike.points, number);
+        const Points own = at(strike.points, places);
         const bool known = own.front().contact->friction >= 0;
         const Vec3 lateral = known ? friction(body, partner, own) : Vec3(Vec3::Zero());
-        for (StrikePoint& point : strike.points)
-            if (point.contact->partner == number)
-                point.push = known ? Vec3(point.contact->normal + lateral) : alongImpulse(*point.contact);
-        const Points pushed = pointsOf(strike.points, number);
+        for (const int place : places) {
+            StrikePoint& point = strike.points[place];
+            point.push = known ? Vec3(point.contact->normal + lateral) : alongImpulse(*point.contact);
+        }
+        const Points pushed = at(strike.points, places);
         if (partner.fixed())
             of_fixed.insert(of_fixed.end(), pushed.begin(), pushed.end());
         else
