@@ -26,7 +26,7 @@ enum class Priority {
 ///   by a lighter whole body. There is room unless more than `solves_per_step` bodies are struck, or a ball
 ///   breaks another one in the step; then as far as `milliseconds_per_step` and `solves_per_step` go;
 /// - blows on a whole body by fragments alone: as far as these go, and one at least where there is no such
-///   crowd;
+///   crowd and a fragment of more than half of the body's mass is among them;
 /// - blows on a crowd of free whole bodies, more than `solves_per_step`, by what is 10 times as heavy as each
 ///   of them, kinematic bodies among that: so many, the most urgent, unless something behind a body would
 ///   stop what strikes it;

@@ -19,6 +19,14 @@ const btCollisionObject* strikerAt(const ContactImpulse& contact, const StruckBr
     return contact.strikes() && !is_of_app ? struck.partners[contact.partner] : nullptr;
 }
 
+/// Those of its partners that strike it.
+std::vector<const btCollisionObject*> strikersOf(const StruckBreakable& struck) {
+    std::vector<const btCollisionObject*> strikers;
+    for (std::size_t p = 0; p < struck.partners.size(); ++p)
+        if (struck.blow.isStruckBy(static_cast<int>(p))) strikers.push_back(struck.partners[p]);
+    return strikers;
+}
+
 }  // namespace
 
 /// The larger, the sooner.
@@ -88,13 +96,22 @@ bool Patience::isBacked(const StruckBreakable& struck) const {
 
 /// Whether fragments strike the body, and nothing else does.
 bool Patience::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
-    bool is_struck = false;
-    for (std::size_t p = 0; p < struck.partners.size(); ++p) {
-        if (!struck.blow.isStruckBy(static_cast<int>(p))) continue;
-        if (!is_fragment_(*struck.partners[p])) return false;
-        is_struck = true;
-    }
-    return is_struck;
+    const std::vector<const btCollisionObject*> strikers = strikersOf(struck);
+    return !strikers.empty() &&
+           std::all_of(strikers.begin(), strikers.end(),
+                       [&](const btCollisionObject* striker) { return is_fragment_(*striker); });
+}
+
+/// Whether fragments strike it of which none has more than half of its mass: such a piece bounces off it,
+/// and nobody sees that it breaks a few steps later.
+bool Patience::isStruckByLightFragments(const StruckBreakable& struck) const {
+    constexpr btScalar light = 2;
+    const std::vector<const btCollisionObject*> strikers = strikersOf(struck);
+    return isStruckByFragmentsAlone(struck) &&
+           std::all_of(strikers.begin(), strikers.end(), [&](const btCollisionObject* striker) {
+               const btRigidBody* body = btRigidBody::upcast(striker);
+               return body && body->getInvMass() >= light * struck.breakable->body->getInvMass();
+           });
 }
 
 void Patience::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, const StepSpent& spent,
@@ -156,7 +173,8 @@ void Patience::fillStep(const std::vector<StruckBreakable>& struck, const Turns&
             gated.ahead[i].reset();
             ms += estimatedMilliseconds(*struck[i].breakable->asset.solid(), struck[i].blow);
             const bool has_no_solves = count >= budget_.solves_per_step;
-            const bool may_be_none = turns.is_crowd && !struck[i].is_of_explosion;
+            const bool may_be_none =
+                (turns.is_crowd || isStruckByLightFragments(struck[i])) && !struck[i].is_of_explosion;
             const bool has_no_time = (ms > most_ms || has_no_solves) && (count > 0 || may_be_none);
             const bool has_no_room = turn < turns.first_that_needs_time ? has_no_solves : has_no_time;
             others_wait = others_wait || (may_wait && (has_no_room || !has_places));

@@ -81,6 +81,7 @@ class Patience {
     bool isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const;
     bool isBacked(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
+    bool isStruckByLightFragments(const StruckBreakable& struck) const;
     void fillStep(const std::vector<StruckBreakable>& struck, const Turns& turns, double most_ms,
                   const StepSpent& spent, GatedBlows& gated) const;
 

@@ -133,7 +133,7 @@ void WaitingBlows::finishFirst(double until_s, double& waiting_ms) {
     for (std::size_t i = 1; i < blows_.size() && !first.isDecided(); ++i) {
         const WaitingBlow& next = blows_[i];
         const double left_ms = slower * blows_.front().work_ms - first.decidedFor_ms();
-        const bool fits = next.decided->isSubmitted() && slower * next.work_ms <= 2 * left_ms;
+        const bool fits = next.decided->isSubmitted() && slower * next.work_ms <= left_ms;
         if ((fits || next.worked_by_s <= until_s) && isFirstOfItsBody(i)) next.decided->decideIfFree();
     }
     first.finish(waiting_ms);

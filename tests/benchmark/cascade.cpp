@@ -3,13 +3,14 @@
 // flies through, a pane of glass and a wall of plaster that stand on a floor and are struck in the middle.
 //
 //   cascade [--scene NAME]... [--rate HZ]... [--seeds N] [--seconds S] [--quality NAME] [--cups N]
-//           [--speed M_S] [--unbreakable-pieces] [--continuous M] [--budget] [--set FIELD=VALUE]... [--events]
+//           [--speed M_S] [--unbreakable-pieces] [--continuous M] [--budget] [--set FIELD=VALUE]...
+//           [--events]
 //
 // Each seed is another pattern of cracks, and another place of the ball: where in a step it strikes is part
 // of what is measured. Rows are means over the seeds. With `--unbreakable-pieces` what differs between
 // rates is Bullet's own. With `--continuous` the bodies sweep spheres of that radius where they move by more
-// than its double in a step (setCcdSweptSphereRadius), as the ball always does. `--budget` is that of a world's defaults; without it no blow waits. `--events`
-// prints the blows that were solved.
+// than its double in a step (setCcdSweptSphereRadius), as the ball always does. `--budget` is that of a
+// world's defaults; without it no blow waits. `--events` prints the blows that were solved.
 
 #include <sherd/enum_names.h>
 #include <sherd/sherd.h>
@@ -196,7 +197,8 @@ int main(int count, char** arguments) {
     app.add_option("--cups", options.cups, "how many cups there are")->check(CLI::PositiveNumber);
     app.add_option("--set", options.assignments, "a setting by its path, FIELD=VALUE");
     app.add_flag("--unbreakable-pieces", options.unbreakable_pieces, "pieces never break");
-    app.add_option("--continuous", options.swept_radius_m, "of the spheres that the bodies sweep, m; 0: none");
+    app.add_option("--continuous", options.swept_radius_m,
+                   "of the spheres that the bodies sweep, m; 0: none");
     app.add_flag("--budget", options.budget, "that of a world's defaults; else no blow waits");
     app.add_flag("--events", options.events, "print the blows that were solved");
     app.add_option("--speed", options.speed_m_s, "of the ball, m/s; 0: the scene's own");

@@ -340,6 +340,53 @@ TEST(Budget, WhatAStrikerFliesThroughNeverWaits) {
     }
 }
 
+TEST(Budget, WhatLightFragmentsStrikeMayWait) {
+    for (const bool is_light : {true, false}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        Budget budget;
+        budget.milliseconds_per_step = 1;  // there is no room in a step
+        budget.foresight_s = 0;
+        ASSERT_TRUE(fracture.setBudget(budget).ok());
+        Settings settings = FallingPlate::brittle();
+        settings.fracture.fragment_count = 2;
+        const auto plate = [&](double half_thickness) {
+            return BreakableAsset::fromMesh(
+                       shapes::box(Vec3(-0.3, -0.3, -half_thickness), Vec3(0.3, 0.3, half_thickness)),
+                       RowOfPlates::likeSand(), settings)
+                .value();
+        };
+        const auto broken = fracture.add(plate(0.03), at(0, 0, 0));
+        ASSERT_TRUE(
+            fracture.applyBlow(broken.value(), {btVector3(0, 0, 0.03f), btVector3(0, 0, -30), 0.02f}).ok());
+        ASSERT_GT(fracture.bodies().size(), 1u);
+        const std::vector<btRigidBody*> pieces = fracture.bodies();
+        fracture.takeEvents();
+        for (btRigidBody* piece : pieces) {
+            piece->setLinearVelocity(btVector3(0, 0, 0));
+            piece->setAngularVelocity(btVector3(0, 0, 0));
+            if (piece != pieces.front()) piece->translate(btVector3(0, 0, 10));
+        }
+        pieces.front()->setLinearVelocity(btVector3(0, 0, -5));
+        btTransform below = pieces.front()->getWorldTransform();
+        below.setBasis(btMatrix3x3::getIdentity());
+        below.getOrigin().setZ(-0.2f);
+        const btRigidBody* whole = fracture.add(plate(is_light ? 0.06 : 0.015), below).value();
+        const double piece_kg = 1 / pieces.front()->getInvMass(), whole_kg = 1 / whole->getInvMass();
+        ASSERT_EQ(2 * piece_kg < whole_kg, is_light) << piece_kg << " " << whole_kg;
+        const auto of_whole = [](const BlowEvent& event) { return event.generation == 0; };
+        std::vector<BlowEvent> events;
+        for (int i = 0; i < 240 && std::none_of(events.begin(), events.end(), of_whole); ++i) {
+            scene.step();
+            for (BlowEvent& event : fracture.takeEvents()) events.push_back(std::move(event));
+        }
+        const auto event = std::find_if(events.begin(), events.end(), of_whole);
+        ASSERT_NE(event, events.end());
+        EXPECT_EQ(event->outcome, Outcome::broke);
+        EXPECT_EQ(event->waited_s > 0, is_light) << "a heavy one would bounce off what breaks";
+    }
+}
+
 TEST(Budget, NoEventNamesAStrikerThatIsGone) {
     FallingPlate fall;
     btRigidBody* floor = fall.scene.bodies.front().get();
