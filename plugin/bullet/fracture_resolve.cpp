@@ -56,7 +56,7 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     timed(times_.steps.ground, [&] {
         std::vector<const Breakable*> new_fragments;
         for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
-        addGroundContacts(world_, new_fragments);
+        addGroundContacts(world_, new_fragments, moved_ground_.since(world_));
     });
     members.insert(members.end(), new_bodies.begin(), new_bodies.end());
     auto next = timed(times_.steps.sweep, [&] { return sweepAgain(swept, last, info.m_timeStep); });
@@ -165,7 +165,8 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     event.momentum_error_rel = momentumError(*broken.body, pieces);
     event.dropped_mass_kg = dropDebris(broken.decided->outcome.fragments, pieces);
     // Between steps, too: the ball of a fragment tells the side of the ground at any time.
-    if (time_step_s > 0 || parent.isFragment()) setBackOnGround(world_, parent, pieces);
+    if (time_step_s > 0 || parent.isFragment())
+        setBackOnGround(world_, parent, pieces, moved_ground_.since(world_));
     inheritCollisionExceptions(world_, parent, pieces);
     const std::vector<Breakable*> born = registerFragments(parent, std::move(pieces), !broken.breaks_later);
     for (Breakable* fragment : born) {

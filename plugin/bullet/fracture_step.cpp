@@ -65,7 +65,8 @@ void FractureWorld::Impl::afterIntegration() {
         timed(times_.whole, [&] {
             if (awake_) {
                 if (breakables_.anyFragmentInWorld()) forgetSettled(breakables_);
-                timed(times_.steps.ground, [&] { stopAtGround(world_, breakables_, before_); });
+                timed(times_.steps.ground,
+                      [&] { stopAtGround(world_, breakables_, before_, moved_ground_); });
             }
             endIntegration();
         });
@@ -120,7 +121,7 @@ void FractureWorld::Impl::prepareSolve() {
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] {
-        if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld());
+        if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld(), moved_ground_.since(world_));
     });
     const AddedTime time(ms.snapshot);
     any_breakable_ = !nothingCanBreak(world_, breakables_, world_.getSolverInfo().m_timeStep);
@@ -229,7 +230,8 @@ std::vector<const Breakable*> FractureWorld::Impl::bodiesInWorld() const {
 }
 
 SteadiedBodies FractureWorld::Impl::steadiedBodies() const {
-    return {breakables_, birth_overlaps_, [this](const auto& object) { return isFragmentOfAny(object); }};
+    return {breakables_, birth_overlaps_, [this](const auto& object) { return isFragmentOfAny(object); },
+            moved_ground_.since(world_)};
 }
 
 bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const {

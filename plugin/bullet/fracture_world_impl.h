@@ -16,6 +16,7 @@
 #include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/moved_ground.h"
 #include "bullet/patience.h"
 #include "bullet/piece_contacts.h"
 #include "bullet/roles.h"
@@ -191,6 +192,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     AssetStore assets_;
     BirthOverlaps birth_overlaps_;
     StepSnapshot before_;
+    MovedGround moved_ground_;
     ImpulseWriteBack write_back_;
     SweepExceptions sweep_exceptions_;
     bool awake_ = false;           // something in the world moves; set before each solve

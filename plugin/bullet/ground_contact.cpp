@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
+#include <utility>
 #include <vector>
 
 #include "bullet/body_travel.h"
@@ -30,6 +31,11 @@ using ByBody = std::unordered_map<const btCollisionObject*, const Breakable*>;
 
 btVector3 ballCentre(const Breakable& fragment) {
     return fragment.body->getWorldTransform() * fragment.inner_ball.centre;
+}
+
+/// What a body may touch.
+std::optional<GroundPoint> groundAround(btDiscreteDynamicsWorld& world, const btRigidBody& body) {
+    return groundNear(world, body, body.getCenterOfMassPosition(), radiusAboutOrigin(body));
 }
 
 /// What leads a ball that crossed the ground back to the side that it came from: its centre as high above the
@@ -70,9 +76,10 @@ void setBack(const std::vector<btRigidBody*>& bodies, const btVector3& shift) {
 
 /// What holds a body up that is in the ground: its ball, if that touches it, or the vertices that are in
 /// it if no contact of Bullet's does. Of what is deep in the ground it may find none that are right.
-void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakable, bool is_held) {
+void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakable, bool is_held,
+                       const std::vector<MovedGround::Surface>& moved) {
     btRigidBody& body = *breakable.body;
-    const btVector3 centre = ballCentre(breakable);
+    const btVector3 centre = onItsSide(world, body, ballCentre(breakable), moved);
     const btScalar radius = breakable.inner_ball.radius;
     if (is_held && !breakable.isFragment()) return;  // whole bodies stand as any of Bullet's
     const auto ground =
@@ -100,14 +107,16 @@ void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakabl
 /// Whether a contact with a surface pushes the ball towards it, with nothing between the two. Where other
 /// ground is between them, as where a ring hangs on a rod, the contact is right.
 bool pushesToTheOtherSide(btDiscreteDynamicsWorld& world, const Breakable& fragment, const btVector3& push,
-                          const btVector3& on_ground) {
-    const btVector3 centre = ballCentre(fragment), way = on_ground - centre;
+                          const btVector3& on_ground, const std::vector<MovedGround::Surface>& moved) {
+    const btVector3 centre = onItsSide(world, *fragment.body, ballCentre(fragment), moved),
+                    way = on_ground - centre;
     return push.dot(way) > 0 && !groundBetween(world, *fragment.body, centre, centre + way * nearly_there);
 }
 
 /// Returns the bodies that other contacts are left to.
 std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWorld& world,
-                                                           const ByBody& breakables) {
+                                                           const ByBody& breakables,
+                                                           const std::vector<MovedGround::Surface>& moved) {
     std::unordered_set<const Breakable*> held;
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
@@ -124,7 +133,7 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
             }
             const btVector3 push = is_b ? -point.m_normalWorldOnB : point.m_normalWorldOnB;
             const btVector3 on_ground = is_b ? point.m_positionWorldOnA : point.m_positionWorldOnB;
-            if (pushesToTheOtherSide(world, *found->second, push, on_ground))
+            if (pushesToTheOtherSide(world, *found->second, push, on_ground, moved))
                 point.setDistance(far_away);
             else
                 held.insert(found->second);
@@ -133,16 +142,19 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
     return held;
 }
 
-void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment) {
+void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment,
+                  const std::vector<MovedGround::Surface>& moved) {
     const InnerBall& ball = fragment.inner_ball;
-    const btVector3 from = fragment.way.from * ball.centre, to = ballCentre(fragment);
-    const auto crossed = groundBetween(world, *fragment.body, from, to);
+    const btVector3 start = fragment.way.from * ball.centre, to = ballCentre(fragment);
+    const auto crossed = groundCrossed(world, *fragment.body, start, to, moved);
     if (!crossed) return;
+    const btTransform went = moveOf(crossed, moved);
+    const btVector3 from = went * start;
     const btVector3 back = wayBack(*crossed, from, to, ball.radius);
-    if (!groundBetween(world, *fragment.body, from, to + back)) return setBack({fragment.body}, back);
+    if (!groundCrossed(world, *fragment.body, start, to + back, moved)) return setBack({fragment.body}, back);
     // It is between two walls and stays where it was. With its speed it would get faster there from step to
     // step.
-    fragment.body->setCenterOfMassTransform(fragment.way.from);
+    fragment.body->setCenterOfMassTransform(went * fragment.way.from);
     fragment.body->setLinearVelocity(btVector3(0, 0, 0));
     fragment.body->setAngularVelocity(btVector3(0, 0, 0));
 }
@@ -176,22 +188,24 @@ btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment, co
 /// What sets a fragment back that is beyond the ground. What was clear of all ground a moment ago came from
 /// there; else the last step tells, or the ball of what it was part of.
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
-                         const btVector3& shift) {
+                         const btVector3& shift, const std::vector<MovedGround::Surface>& moved) {
     const btRigidBody& body = *whole.body;
+    const btTransform went = moveOf(groundAround(world, body), moved);
     const btVector3 to = ballCentre(fragment) + shift;
     const btScalar radius = fragment.inner_ball.radius;
     if (whole.way.since_clear_s < a_moment_s) {
-        const btVector3 from = ballCentreBefore(whole, fragment, whole.way.clear_at);
+        const btVector3 from = ballCentreBefore(whole, fragment, went * whole.way.clear_at);
         const auto crossed = groundBefore(world, body, from, to);
         const btVector3 back = crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
         // Further away is ground that it went around.
         return back.length() < 2 * radiusAboutOrigin(body) ? back : btVector3(0, 0, 0);
     }
-    const btVector3 before = ballCentreBefore(whole, fragment, whole.way.from);
-    if (!groundBetween(world, body, whole.way.from * whole.inner_ball.centre, before))
+    const btTransform came_from = went * whole.way.from;
+    const btVector3 before = ballCentreBefore(whole, fragment, came_from);
+    if (!groundBetween(world, body, came_from * whole.inner_ball.centre, before))
         if (const auto crossed = groundBetween(world, body, before, to))
             return wayBack(*crossed, before, to, radius);
-    const btVector3 right = ballCentre(whole);
+    const btVector3 right = onItsSide(world, body, ballCentre(whole), moved);
     if (const auto crossed = groundBefore(world, body, right, to)) {
         const btVector3 back = wayBack(*crossed, right, to, radius);
         // What stands astride of a wall without an inside is on both sides of it by right.
@@ -202,10 +216,12 @@ btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole,
 }
 
 /// Notes where a body is while no ground is near it.
-void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double time_step_s) {
+void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double time_step_s,
+                 const std::vector<MovedGround::Surface>& moved) {
     const btRigidBody& body = *breakable.body;
-    if (groundNear(world, body, body.getCenterOfMassPosition(), radiusAboutOrigin(body))) {
+    if (const auto ground = groundAround(world, body)) {
         breakable.way.since_clear_s += time_step_s;
+        breakable.way.clear_at = moveOf(ground, moved) * breakable.way.clear_at;
         return;
     }
     breakable.way.since_clear_s = 0;
@@ -215,7 +231,8 @@ void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double ti
 }  // namespace
 
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
-                     const std::vector<std::unique_ptr<Breakable>>& fragments) {
+                     const std::vector<std::unique_ptr<Breakable>>& fragments,
+                     const std::vector<MovedGround::Surface>& moved) {
     if (!whole.way.is_known) return;
     // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
     const btScalar radius = radiusAboutOrigin(*whole.body);
@@ -229,7 +246,7 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     for (int round = 0; round < most_shifts; ++round) {
         btVector3 furthest(0, 0, 0);
         for (const auto& fragment : fragments) {
-            const btVector3 back = wayBackAtBirth(world, whole, *fragment, shift);
+            const btVector3 back = wayBackAtBirth(world, whole, *fragment, shift, moved);
             if (back.length2() > furthest.length2()) furthest = back;
         }
         if (furthest.isZero()) break;
@@ -238,35 +255,39 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     if (!shift.isZero()) setBack(bodies, shift);
 }
 
-void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies) {
+void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies,
+                       const std::vector<MovedGround::Surface>& moved) {
     if (!hasGroundSurface(world)) return;
     ByBody moving;
     for (const Breakable* body : bodies)
         if (body->isDynamic() && body->body->isActive()) moving.emplace(body->body, body);
     if (moving.empty()) return;
-    const auto held = leaveOutWrongContacts(world, moving);
+    const auto held = leaveOutWrongContacts(world, moving, moved);
     for (const Breakable* body : bodies)
-        if (moving.count(body->body)) addContactsOfBall(world, *body, held.count(body) > 0);
+        if (moving.count(body->body)) addContactsOfBall(world, *body, held.count(body) > 0, moved);
 }
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                  const StepSnapshot& before) {
+                  const StepSnapshot& before, MovedGround& moved_ground) {
     if (!hasGroundSurface(world)) {
         for (const auto& breakable : breakables.all())
             if (breakable->way.is_known) breakable->way = {};
+        moved_ground.note(world);
         return;
     }
+    const std::vector<MovedGround::Surface> moved = moved_ground.since(world);
     for (const auto& breakable : breakables.all()) {
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
-        breakable->way.is_known = true;
+        const bool is_new = !std::exchange(breakable->way.is_known, true);  // the ground moved before
         breakable->way.from = start->transform;
         if (breakable->isDynamic()) {
-            stopAtGround(world, *breakable);
-            noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep);
+            stopAtGround(world, *breakable, is_new ? std::vector<MovedGround::Surface>() : moved);
+            noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep, moved);
         }
         breakable->way.to = breakable->body->getWorldTransform();
     }
+    moved_ground.note(world);
 }
 
 }  // namespace sherd

@@ -5,16 +5,17 @@
 
 #include "bullet/breakable.h"
 #include "bullet/island_state.h"
+#include "bullet/moved_ground.h"
 
 class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
-/// Keeps breakable bodies on their side of ground that is a surface without an inside (static triangle meshes
-/// and height fields). Bullet pushes a body out of a triangle on the side where less of the body is, so that
-/// a small or thin one falls through as soon as it is more than half beyond. And fragments are born in the
-/// ground: a body that breaks there has moved into it in the steps before. A ball inside a body tells its
-/// side:
+/// Keeps breakable bodies on their side of ground that is a surface without an inside (triangle meshes and
+/// height fields, static or kinematic). Bullet pushes a body out of a triangle on the side where less of the
+/// body is, so that a small or thin one falls through as soon as it is more than half beyond. And fragments
+/// are born in the ground: a body that breaks there has moved into it in the steps before. A ball inside a
+/// body tells its side:
 /// - what breaks is set back until the centre of no fragment's ball is beyond the ground, as seen from where
 ///   the body was clear of it a moment ago, or else a step ago, or from its own ball; its fragments lose what
 ///   gravity has made it faster by on the way that they are set back;
@@ -25,15 +26,18 @@ namespace sherd {
 
 /// Moves the fragments of `whole` as one. It is in the world, and they are not yet.
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
-                     const std::vector<std::unique_ptr<Breakable>>& fragments);
+                     const std::vector<std::unique_ptr<Breakable>>& fragments,
+                     const std::vector<MovedGround::Surface>& moved);
 
 /// Adds the contacts of the balls, which last until the end of the solve, and leaves out wrong ones. To be
 /// called before a solve.
-void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies);
+void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies,
+                       const std::vector<MovedGround::Surface>& moved);
 
 /// After positions are integrated, keeps bodies from crossing the ground, and notes the ways of all bodies
 /// since the state before the solve (which moves bodies, too). Where there is no ground these are forgotten.
+/// `moved_ground` is of the step before, and then of this one.
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
-                  const StepSnapshot& before);
+                  const StepSnapshot& before, MovedGround& moved_ground);
 
 }  // namespace sherd

@@ -8,6 +8,7 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 #include <LinearMath/btAabbUtil2.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "bullet/objects_around.h"
@@ -36,19 +37,30 @@ bool isGroundFor(btDiscreteDynamicsWorld& world, const btRigidBody& body, const 
     return isGroundSurface(object) && pushEachOther(world, body, object);
 }
 
+/// `left_out`: ground that is not looked at.
 class GroundOnTheWay final : public btCollisionWorld::ClosestRayResultCallback {
   public:
     GroundOnTheWay(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& from,
-                   const btVector3& to)
-        : ClosestRayResultCallback(from, to), world_(world), body_(body) {}
+                   const btVector3& to, const std::vector<MovedGround::Surface>& left_out)
+        : ClosestRayResultCallback(from, to), world_(world), body_(body), left_out_(left_out) {}
     bool needsCollision(btBroadphaseProxy* proxy) const override {
-        return isGroundFor(world_, body_, *static_cast<btCollisionObject*>(proxy->m_clientObject));
+        const auto& object = *static_cast<btCollisionObject*>(proxy->m_clientObject);
+        return isGroundFor(world_, body_, object) &&
+               std::none_of(left_out_.begin(), left_out_.end(),
+                            [&](const MovedGround::Surface& surface) { return surface.ground == &object; });
     }
 
   private:
     btDiscreteDynamicsWorld& world_;
     const btRigidBody& body_;
+    const std::vector<MovedGround::Surface>& left_out_;
 };
+
+std::optional<GroundPoint> pointOf(const btCollisionWorld::ClosestRayResultCallback& way) {
+    if (!way.hasHit()) return std::nullopt;
+    return GroundPoint{way.m_collisionObject, way.m_hitPointWorld, way.m_hitNormalWorld,
+                       (way.m_hitPointWorld - way.m_rayFromWorld).length()};
+}
 
 /// The point of some triangles that is nearest to another.
 class NearestPoint final : public btTriangleCallback {
@@ -94,7 +106,7 @@ bool hasSurface(const btCollisionShape& shape) {
 }
 
 bool isGroundSurface(const btCollisionObject& object) {
-    return object.isStaticObject() && hasSurface(*object.getCollisionShape());
+    return object.isStaticOrKinematicObject() && hasSurface(*object.getCollisionShape());
 }
 
 bool isOnTriangle(const btManifoldPoint& point, bool of_second) {
@@ -128,12 +140,42 @@ void forEachTriangle(const btCollisionObject& ground, const btVector3& low, cons
 
 std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                          const btVector3& from, const btVector3& to) {
-    if (!((to - from).length2() > 0)) return std::nullopt;
-    GroundOnTheWay way(world, body, from, to);
-    world.rayTest(from, to, way);
-    if (!way.hasHit()) return std::nullopt;
-    return GroundPoint{way.m_collisionObject, way.m_hitPointWorld, way.m_hitNormalWorld,
-                       (way.m_hitPointWorld - from).length()};
+    return groundCrossed(world, body, from, to, {});
+}
+
+std::optional<GroundPoint> groundCrossed(btDiscreteDynamicsWorld& world, const btRigidBody& body,
+                                         const btVector3& from, const btVector3& to,
+                                         const std::vector<MovedGround::Surface>& moved) {
+    if ((to - from).length2() > 0) {
+        GroundOnTheWay way(world, body, from, to, moved);
+        world.rayTest(from, to, way);
+        if (way.hasHit()) return pointOf(way);
+    }
+    constexpr btScalar furthest = btScalar(0.5);  // m; what is further from where it was did not go there
+    for (const MovedGround::Surface& surface : moved) {
+        if (!isGroundFor(world, body, *surface.ground)) continue;
+        const btVector3 start = surface.moved * from;
+        if (!((to - start).length2() > 0) || (start - from).length2() > furthest * furthest) continue;
+        const btTransform upright = btTransform::getIdentity();
+        btCollisionWorld::ClosestRayResultCallback way(start, to);
+        btCollisionWorld::rayTestSingle(
+            btTransform(upright.getBasis(), start), btTransform(upright.getBasis(), to),
+            const_cast<btCollisionObject*>(surface.ground), surface.ground->getCollisionShape(),
+            surface.ground->getWorldTransform(), way);
+        if (way.hasHit()) return pointOf(way);
+    }
+    return std::nullopt;
+}
+
+btTransform moveOf(const std::optional<GroundPoint>& point, const std::vector<MovedGround::Surface>& moved) {
+    for (const MovedGround::Surface& surface : moved)
+        if (point && point->ground == surface.ground) return surface.moved;
+    return btTransform::getIdentity();
+}
+
+btVector3 onItsSide(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& point,
+                    const std::vector<MovedGround::Surface>& moved) {
+    return moveOf(groundCrossed(world, body, point, point, moved), moved) * point;
 }
 
 std::optional<GroundPoint> groundNear(btDiscreteDynamicsWorld& world, const btRigidBody& body,

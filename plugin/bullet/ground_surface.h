@@ -5,6 +5,9 @@
 #include <array>
 #include <functional>
 #include <optional>
+#include <vector>
+
+#include "bullet/moved_ground.h"
 
 class btCollisionObject;
 class btCollisionShape;
@@ -14,7 +17,8 @@ class btRigidBody;
 
 namespace sherd {
 
-/// A point of ground that is a surface without an inside: of a static triangle mesh or height field.
+/// A point of ground that is a surface without an inside: of a triangle mesh or height field, static or
+/// kinematic.
 struct GroundPoint {
     const btCollisionObject* ground = nullptr;
     btVector3 point = btVector3(0, 0, 0);   ///< world frame
@@ -40,6 +44,19 @@ btVector3 nearestOf(const std::array<btVector3, 3>& corners, const btVector3& to
 /// The first ground on the straight way between two points that pushes `body`, which is in the world.
 std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                          const btVector3& from, const btVector3& to);
+
+/// The same for the way in a step, whose ground may have moved before it: what a point on such ground would
+/// have come from is where that took it to.
+std::optional<GroundPoint> groundCrossed(btDiscreteDynamicsWorld& world, const btRigidBody& body,
+                                         const btVector3& from, const btVector3& to,
+                                         const std::vector<MovedGround::Surface>& moved);
+
+/// How the ground of a point that is found has moved; not at all if it is none of `moved`.
+btTransform moveOf(const std::optional<GroundPoint>& point, const std::vector<MovedGround::Surface>& moved);
+
+/// A point of a body; what has moved across it since the last step is taken back from it.
+btVector3 onItsSide(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& point,
+                    const std::vector<MovedGround::Surface>& moved);
 
 /// The nearest ground within `radius` of a point that pushes `body`, which is in the world.
 std::optional<GroundPoint> groundNear(btDiscreteDynamicsWorld& world, const btRigidBody& body,

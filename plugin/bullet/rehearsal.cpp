@@ -207,7 +207,7 @@ void Rehearsal::takeOverContacts() {
 std::vector<StruckBreakable> Rehearsal::step() {
     struck_.clear();
     world_.stepSimulation(time_step_s_, 0, time_step_s_);
-    stopAtGround(world_, breakables_, before_);
+    stopAtGround(world_, breakables_, before_, moved_ground_);
     for (StruckBreakable& struck : struck_) {
         struck.breakable = original_breakable_of_.at(struck.breakable);
         for (const btCollisionObject*& partner : struck.partners) partner = original(partner);
@@ -230,11 +230,13 @@ void Rehearsal::beforeSolve() {
     takeOverContacts();
     overlaps_.applyAllowances(world_);
     steadyContacts(
-        world_, {breakables_, overlaps_, [&](const auto& object) { return breakables_.isFragment(object); }},
+        world_,
+        {breakables_, overlaps_, [&](const auto& object) { return breakables_.isFragment(object); },
+         moved_ground_.since(world_)},
         [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());
-    addGroundContacts(world_, bodies);
+    addGroundContacts(world_, bodies, moved_ground_.since(world_));
     before_.take(world_);
     write_back_.begin(world_);
 }

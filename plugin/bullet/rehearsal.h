@@ -15,6 +15,7 @@
 #include "bullet/contact_collector.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/moved_ground.h"
 #include "bullet/piece_contacts.h"
 #include "bullet/roles.h"
 #include "bullet/solver_decorator.h"
@@ -80,6 +81,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     SolverDecorator decorator_;
     BirthOverlaps overlaps_;
     StepSnapshot before_;
+    MovedGround moved_ground_;
     ImpulseWriteBack write_back_;
     std::vector<KnownContacts> known_contacts_;
     std::vector<StruckBreakable> struck_;

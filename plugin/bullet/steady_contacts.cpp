@@ -191,7 +191,7 @@ btScalar fastestApproach(const btRigidBody& body, const btCollisionObject& groun
 }
 
 void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
-                   btPersistentManifold& manifold) {
+                   const std::vector<MovedGround::Surface>& moved, btPersistentManifold& manifold) {
     const btRigidBody& body = *breakable.body;
     const bool is_a = &body == manifold.getBody0();
     const btCollisionObject& ground = is_a ? *manifold.getBody1() : *manifold.getBody0();
@@ -201,7 +201,8 @@ void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
     // Without gravity a body may be held by other forces.
     const btScalar least = same_place * manifold.getContactBreakingThreshold();
     const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
-    const btVector3 inside = body.getWorldTransform() * breakable.inner_ball.centre;
+    const btVector3 inside =
+        onItsSide(world, body, body.getWorldTransform() * breakable.inner_ball.centre, moved);
     if (!standOnEvenGround(world, manifold, is_a, inside, reach, std::max(even * fall, least)))
         addMissedVertices(manifold, reach);
 }
@@ -225,7 +226,7 @@ void steadyContacts(btDiscreteDynamicsWorld& world, const SteadiedBodies& bodies
         if (!body || std::find(foreseen.begin(), foreseen.end(), &manifold) != foreseen.end()) continue;
         if (isNested(manifold, bodies)) continue;
         if (dispatcher.needsResponse(manifold.getBody0(), manifold.getBody1()))
-            standOnGround(world, *body, manifold);
+            standOnGround(world, *body, bodies.moved_ground, manifold);
     }
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);

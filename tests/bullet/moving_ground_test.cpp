@@ -9,7 +9,7 @@ namespace {
 using namespace sherd;
 using namespace sherd::bullet_tests;
 
-enum class Ground { lift, rising_lift, crate, breakable_top };
+enum class Ground { lift, rising_lift, mesh, heaving_mesh, crate, breakable_top };
 
 double lowestOf(const btRigidBody& body, const FractureWorld& fracture) {
     double lowest = 1e9;
@@ -30,18 +30,32 @@ class PiecesOn : public testing::TestWithParam<Ground> {
                                                        unbreakable(), coarse(0.2));
             return fracture.add(slab.value(), btTransform::getIdentity()).value();
         }
+        if (isMesh()) {
+            const btVector3 corners[] = {{-1, -1, 0}, {1, -1, 0}, {1, 1, 0}, {-1, 1, 0}};
+            if (triangles_.getNumTriangles() == 0) {
+                triangles_.addTriangle(corners[0], corners[1], corners[2]);
+                triangles_.addTriangle(corners[0], corners[2], corners[3]);
+            }
+            btRigidBody* mesh = scene_.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0,
+                                               btVector3(0, 0, 0));
+            makeKinematic(*mesh);
+            return mesh;
+        }
         const bool is_crate = GetParam() == Ground::crate;
         if (is_crate) scene_.addBox(0, btVector3(1, 1, 0.5f), btVector3(0, 0, -0.9f));
         btRigidBody* ground =
             scene_.addBox(is_crate ? 100 : 0, btVector3(1, 1, 0.2f), btVector3(0, 0, -0.2f));
-        if (!is_crate) {
-            ground->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
-            ground->setActivationState(DISABLE_DEACTIVATION);
-        }
+        if (!is_crate) makeKinematic(*ground);
         return ground;
+    }
+    static bool isMesh() { return GetParam() == Ground::mesh || GetParam() == Ground::heaving_mesh; }
+    static void makeKinematic(btRigidBody& ground) {
+        ground.setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+        ground.setActivationState(DISABLE_DEACTIVATION);
     }
 
     TestWorld scene_;
+    btTriangleMesh triangles_;
 };
 
 TEST_P(PiecesOn, LieOnItAtAnyRate) {
@@ -64,9 +78,11 @@ TEST_P(PiecesOn, LieOnItAtAnyRate) {
             if (GetParam() == Ground::rising_lift && i > steps / 2)
                 ground->getWorldTransform().getOrigin().setZ(
                     btScalar(-0.2 + 0.5 * (i - steps / 2) / rate_hz));
+            if (GetParam() == Ground::heaving_mesh)
+                ground->getWorldTransform().getOrigin().setZ(btScalar(0.3 * std::sin(1.8 * i / rate_hz)));
             scene_.step(1, 1 / rate_hz);
         }
-        const double top = ground->getWorldTransform().getOrigin().z() + 0.2;
+        const double top = ground->getWorldTransform().getOrigin().z() + (isMesh() ? 0 : 0.2);
         int pieces = 0, on_it = 0;
         for (const btRigidBody* body : fracture.bodies()) {
             if (body == ground) continue;
@@ -145,7 +161,7 @@ TEST(HeldRests, LiftWhatFallsOntoThem) {
 }
 
 INSTANTIATE_TEST_SUITE_P(ThatIsNotStatic, PiecesOn,
-                         testing::Values(Ground::lift, Ground::rising_lift, Ground::crate,
-                                         Ground::breakable_top));
+                         testing::Values(Ground::lift, Ground::rising_lift, Ground::mesh,
+                                         Ground::heaving_mesh, Ground::crate, Ground::breakable_top));
 
 }  // namespace
