@@ -100,8 +100,10 @@ sherd::Status readThrows(const Raw& raw, Script& script) {
 
 /// The file of a scene that is called by its name, or what was given.
 sherd::Result<std::string> fileOf(const std::string& given, const std::string& scenes) {
-    const bool has_ending = std::filesystem::path(given).has_extension();
-    return has_ending ? sherd::Result<std::string>(given) : sceneFile(given, scenes);
+    if (!std::filesystem::path(given).has_extension()) return sceneFile(given, scenes);
+    if (std::filesystem::is_directory(given) || !std::filesystem::exists(given))
+        return sherd::Error{"There is no file " + given + "; give the path of a mesh or of a scene (.json)."};
+    return given;
 }
 
 sherd::Result<ViewArguments> understand(const Raw& raw, ViewArguments arguments) {
