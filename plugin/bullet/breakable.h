@@ -38,6 +38,9 @@ struct GroundWay {
     btTransform from = btTransform::getIdentity(), to = from;  ///< before and after that
     btTransform clear_at = from;                               ///< where no ground was near it the last time
     double since_clear_s = std::numeric_limits<double>::infinity();
+
+    /// Whether the body stands where the last step left it: the app may have moved it with its ground.
+    bool isAt(const btTransform& place) const { return is_known && to == place; }
 };
 
 /// A body that can break, with its asset.

@@ -56,7 +56,7 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     timed(times_.steps.ground, [&] {
         std::vector<const Breakable*> new_fragments;
         for (const btCollisionObject* body : new_bodies) new_fragments.push_back(breakables_.find(body));
-        addGroundContacts(world_, new_fragments, moved_ground_.since(world_));
+        addGroundContacts(world_, new_fragments, moved_ground_.surfaces());
     });
     members.insert(members.end(), new_bodies.begin(), new_bodies.end());
     auto next = timed(times_.steps.sweep, [&] { return sweepAgain(swept, last, info.m_timeStep); });

@@ -113,6 +113,7 @@ void FractureWorld::Impl::prepareSolve() {
         any_breakable_ = breakables_.anyInWorld();
     });
     if (!any_breakable_) return;
+    moved_ground_.beginStep(world_);
     timed(ms.overlaps, [&] {
         if (std::exchange(any_just_added_, false)) allowOverlapsOfAdded();
         birth_overlaps_.applyAllowances(world_);
@@ -121,7 +122,7 @@ void FractureWorld::Impl::prepareSolve() {
         settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] {
-        if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld(), moved_ground_.since(world_));
+        if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld(), moved_ground_.surfaces());
     });
     const AddedTime time(ms.snapshot);
     any_breakable_ = !nothingCanBreak(world_, breakables_, world_.getSolverInfo().m_timeStep);
@@ -231,7 +232,7 @@ std::vector<const Breakable*> FractureWorld::Impl::bodiesInWorld() const {
 
 SteadiedBodies FractureWorld::Impl::steadiedBodies() const {
     return {breakables_, birth_overlaps_, [this](const auto& object) { return isFragmentOfAny(object); },
-            moved_ground_.since(world_)};
+            moved_ground_.surfaces()};
 }
 
 bool FractureWorld::Impl::isFragmentOfAny(const btCollisionObject& object) const {

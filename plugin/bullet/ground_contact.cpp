@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <unordered_map>
 #include <unordered_set>
-#include <utility>
 #include <vector>
 
 #include "bullet/body_travel.h"
@@ -77,9 +76,9 @@ void setBack(const std::vector<btRigidBody*>& bodies, const btVector3& shift) {
 /// What holds a body up that is in the ground: its ball, if that touches it, or the vertices that are in
 /// it if no contact of Bullet's does. Of what is deep in the ground it may find none that are right.
 void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakable, bool is_held,
-                       const std::vector<MovedGround::Surface>& moved) {
+                       const MovedSurfaces& moved) {
     btRigidBody& body = *breakable.body;
-    const btVector3 centre = onItsSide(world, body, ballCentre(breakable), moved);
+    const btVector3 centre = ballOnItsSide(world, breakable, moved);
     const btScalar radius = breakable.inner_ball.radius;
     if (is_held && !breakable.isFragment()) return;  // whole bodies stand as any of Bullet's
     const auto ground =
@@ -107,16 +106,15 @@ void addContactsOfBall(btDiscreteDynamicsWorld& world, const Breakable& breakabl
 /// Whether a contact with a surface pushes the ball towards it, with nothing between the two. Where other
 /// ground is between them, as where a ring hangs on a rod, the contact is right.
 bool pushesToTheOtherSide(btDiscreteDynamicsWorld& world, const Breakable& fragment, const btVector3& push,
-                          const btVector3& on_ground, const std::vector<MovedGround::Surface>& moved) {
-    const btVector3 centre = onItsSide(world, *fragment.body, ballCentre(fragment), moved),
-                    way = on_ground - centre;
+                          const btVector3& on_ground, const MovedSurfaces& moved) {
+    const btVector3 centre = ballOnItsSide(world, fragment, moved), way = on_ground - centre;
     return push.dot(way) > 0 && !groundBetween(world, *fragment.body, centre, centre + way * nearly_there);
 }
 
 /// Returns the bodies that other contacts are left to.
 std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWorld& world,
                                                            const ByBody& breakables,
-                                                           const std::vector<MovedGround::Surface>& moved) {
+                                                           const MovedSurfaces& moved) {
     std::unordered_set<const Breakable*> held;
     btDispatcher& dispatcher = *world.getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
@@ -142,8 +140,7 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
     return held;
 }
 
-void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment,
-                  const std::vector<MovedGround::Surface>& moved) {
+void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment, const MovedSurfaces& moved) {
     const InnerBall& ball = fragment.inner_ball;
     const btVector3 start = fragment.way.from * ball.centre, to = ballCentre(fragment);
     const auto crossed = groundCrossed(world, *fragment.body, start, to, moved);
@@ -152,10 +149,12 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment,
     const btVector3 from = went * start;
     const btVector3 back = wayBack(*crossed, from, to, ball.radius);
     if (!groundCrossed(world, *fragment.body, start, to + back, moved)) return setBack({fragment.body}, back);
-    // It is between two walls and stays where it was. With its speed it would get faster there from step to
-    // step.
-    fragment.body->setCenterOfMassTransform(went * fragment.way.from);
-    fragment.body->setLinearVelocity(btVector3(0, 0, 0));
+    // It is between two walls and stays where it was, or goes with the one that moves. With its speed it
+    // would get faster there from step to step.
+    const btTransform place = went * fragment.way.from;
+    fragment.body->setCenterOfMassTransform(place);
+    fragment.body->setLinearVelocity((place.getOrigin() - fragment.way.from.getOrigin()) /
+                                     world.getSolverInfo().m_timeStep);
     fragment.body->setAngularVelocity(btVector3(0, 0, 0));
 }
 
@@ -188,7 +187,7 @@ btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment, co
 /// What sets a fragment back that is beyond the ground. What was clear of all ground a moment ago came from
 /// there; else the last step tells, or the ball of what it was part of.
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
-                         const btVector3& shift, const std::vector<MovedGround::Surface>& moved) {
+                         const btVector3& shift, const MovedSurfaces& moved) {
     const btRigidBody& body = *whole.body;
     const btTransform went = moveOf(groundAround(world, body), moved);
     const btVector3 to = ballCentre(fragment) + shift;
@@ -215,13 +214,16 @@ btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole,
     return btVector3(0, 0, 0);
 }
 
-/// Notes where a body is while no ground is near it.
+/// Notes where a body is while no ground is near it. What is known of its way goes along with ground that
+/// moved.
 void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double time_step_s,
-                 const std::vector<MovedGround::Surface>& moved) {
+                 const MovedSurfaces& moved) {
     const btRigidBody& body = *breakable.body;
     if (const auto ground = groundAround(world, body)) {
         breakable.way.since_clear_s += time_step_s;
-        breakable.way.clear_at = moveOf(ground, moved) * breakable.way.clear_at;
+        const btTransform went = moveOf(ground, moved);
+        breakable.way.clear_at = went * breakable.way.clear_at;
+        breakable.way.from = went * breakable.way.from;
         return;
     }
     breakable.way.since_clear_s = 0;
@@ -230,9 +232,15 @@ void noteIfClear(btDiscreteDynamicsWorld& world, Breakable& breakable, double ti
 
 }  // namespace
 
+btVector3 ballOnItsSide(btDiscreteDynamicsWorld& world, const Breakable& breakable,
+                        const MovedSurfaces& moved) {
+    const btVector3 centre = ballCentre(breakable);
+    const bool stood = breakable.way.isAt(breakable.body->getWorldTransform());
+    return stood ? onItsSide(world, *breakable.body, centre, moved) : centre;
+}
+
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
-                     const std::vector<std::unique_ptr<Breakable>>& fragments,
-                     const std::vector<MovedGround::Surface>& moved) {
+                     const std::vector<std::unique_ptr<Breakable>>& fragments, const MovedSurfaces& moved) {
     if (!whole.way.is_known) return;
     // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
     const btScalar radius = radiusAboutOrigin(*whole.body);
@@ -256,7 +264,7 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
 }
 
 void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies,
-                       const std::vector<MovedGround::Surface>& moved) {
+                       const MovedSurfaces& moved) {
     if (!hasGroundSurface(world)) return;
     ByBody moving;
     for (const Breakable* body : bodies)
@@ -272,22 +280,23 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& break
     if (!hasGroundSurface(world)) {
         for (const auto& breakable : breakables.all())
             if (breakable->way.is_known) breakable->way = {};
-        moved_ground.note(world);
+        moved_ground.endStep(world);
         return;
     }
-    const std::vector<MovedGround::Surface> moved = moved_ground.since(world);
+    static const MovedSurfaces none;
     for (const auto& breakable : breakables.all()) {
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;
-        const bool is_new = !std::exchange(breakable->way.is_known, true);  // the ground moved before
+        const MovedSurfaces& moved = breakable->way.isAt(start->transform) ? moved_ground.surfaces() : none;
+        breakable->way.is_known = true;
         breakable->way.from = start->transform;
         if (breakable->isDynamic()) {
-            stopAtGround(world, *breakable, is_new ? std::vector<MovedGround::Surface>() : moved);
+            stopAtGround(world, *breakable, moved);
             noteIfClear(world, *breakable, world.getSolverInfo().m_timeStep, moved);
         }
         breakable->way.to = breakable->body->getWorldTransform();
     }
-    moved_ground.note(world);
+    moved_ground.endStep(world);
 }
 
 }  // namespace sherd

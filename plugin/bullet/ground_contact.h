@@ -24,19 +24,23 @@ namespace sherd {
 ///   are in the ground;
 /// - the centre of the ball does not cross the ground in a step.
 
+/// The centre of a body's ball, before a solve, or where it would be if it had gone with the ground that has
+/// moved across it since the last step: on the body's side of all ground.
+btVector3 ballOnItsSide(btDiscreteDynamicsWorld& world, const Breakable& breakable,
+                        const MovedSurfaces& moved);
+
 /// Moves the fragments of `whole` as one. It is in the world, and they are not yet.
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
-                     const std::vector<std::unique_ptr<Breakable>>& fragments,
-                     const std::vector<MovedGround::Surface>& moved);
+                     const std::vector<std::unique_ptr<Breakable>>& fragments, const MovedSurfaces& moved);
 
 /// Adds the contacts of the balls, which last until the end of the solve, and leaves out wrong ones. To be
 /// called before a solve.
 void addGroundContacts(btDiscreteDynamicsWorld& world, const std::vector<const Breakable*>& bodies,
-                       const std::vector<MovedGround::Surface>& moved);
+                       const MovedSurfaces& moved);
 
 /// After positions are integrated, keeps bodies from crossing the ground, and notes the ways of all bodies
 /// since the state before the solve (which moves bodies, too). Where there is no ground these are forgotten.
-/// `moved_ground` is of the step before, and then of this one.
+/// Ends the step for `moved_ground`.
 void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   const StepSnapshot& before, MovedGround& moved_ground);
 

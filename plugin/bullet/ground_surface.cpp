@@ -41,20 +41,29 @@ bool isGroundFor(btDiscreteDynamicsWorld& world, const btRigidBody& body, const 
 class GroundOnTheWay final : public btCollisionWorld::ClosestRayResultCallback {
   public:
     GroundOnTheWay(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& from,
-                   const btVector3& to, const std::vector<MovedGround::Surface>& left_out)
+                   const btVector3& to, const MovedSurfaces& left_out)
         : ClosestRayResultCallback(from, to), world_(world), body_(body), left_out_(left_out) {}
     bool needsCollision(btBroadphaseProxy* proxy) const override {
         const auto& object = *static_cast<btCollisionObject*>(proxy->m_clientObject);
         return isGroundFor(world_, body_, object) &&
                std::none_of(left_out_.begin(), left_out_.end(),
-                            [&](const MovedGround::Surface& surface) { return surface.ground == &object; });
+                            [&](const MovedSurface& surface) { return surface.ground == &object; });
     }
 
   private:
     btDiscreteDynamicsWorld& world_;
     const btRigidBody& body_;
-    const std::vector<MovedGround::Surface>& left_out_;
+    const MovedSurfaces& left_out_;
 };
+
+/// Whether a straight way comes into the box around an object.
+bool reaches(const btCollisionObject& object, const btVector3& from, const btVector3& to) {
+    const btBroadphaseProxy& proxy = *object.getBroadphaseHandle();
+    btVector3 low = from, high = from;
+    low.setMin(to);
+    high.setMax(to);
+    return TestAabbAgainstAabb2(low, high, proxy.m_aabbMin, proxy.m_aabbMax);
+}
 
 std::optional<GroundPoint> pointOf(const btCollisionWorld::ClosestRayResultCallback& way) {
     if (!way.hasHit()) return std::nullopt;
@@ -145,36 +154,44 @@ std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const b
 
 std::optional<GroundPoint> groundCrossed(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                          const btVector3& from, const btVector3& to,
-                                         const std::vector<MovedGround::Surface>& moved) {
+                                         const MovedSurfaces& moved) {
+    std::optional<GroundPoint> first;
+    btScalar first_fraction = 1;
+    const auto include = [&](const btCollisionWorld::ClosestRayResultCallback& way) {
+        if (!way.hasHit() || (first && way.m_closestHitFraction >= first_fraction)) return;
+        first_fraction = way.m_closestHitFraction;
+        first = pointOf(way);
+    };
     if ((to - from).length2() > 0) {
         GroundOnTheWay way(world, body, from, to, moved);
         world.rayTest(from, to, way);
-        if (way.hasHit()) return pointOf(way);
+        include(way);
     }
-    constexpr btScalar furthest = btScalar(0.5);  // m; what is further from where it was did not go there
-    for (const MovedGround::Surface& surface : moved) {
+    for (const MovedSurface& surface : moved) {
+        const btVector3 start = surface.carry(from);
+        if (!((to - start).length2() > 0) || !reaches(*surface.ground, start, to)) continue;
         if (!isGroundFor(world, body, *surface.ground)) continue;
-        const btVector3 start = surface.moved * from;
-        if (!((to - start).length2() > 0) || (start - from).length2() > furthest * furthest) continue;
-        const btTransform upright = btTransform::getIdentity();
+        const btMatrix3x3 upright = btMatrix3x3::getIdentity();
         btCollisionWorld::ClosestRayResultCallback way(start, to);
-        btCollisionWorld::rayTestSingle(
-            btTransform(upright.getBasis(), start), btTransform(upright.getBasis(), to),
-            const_cast<btCollisionObject*>(surface.ground), surface.ground->getCollisionShape(),
-            surface.ground->getWorldTransform(), way);
-        if (way.hasHit()) return pointOf(way);
+        btCollisionWorld::rayTestSingle(btTransform(upright, start), btTransform(upright, to),
+                                        const_cast<btCollisionObject*>(surface.ground),
+                                        surface.ground->getCollisionShape(),
+                                        surface.ground->getWorldTransform(), way);
+        include(way);
     }
-    return std::nullopt;
+    return first;
 }
 
-btTransform moveOf(const std::optional<GroundPoint>& point, const std::vector<MovedGround::Surface>& moved) {
-    for (const MovedGround::Surface& surface : moved)
-        if (point && point->ground == surface.ground) return surface.moved;
+btTransform moveOf(const std::optional<GroundPoint>& point, const MovedSurfaces& moved) {
+    for (const MovedSurface& surface : moved)
+        if (point && point->ground == surface.ground && surface.carry(point->point) != point->point)
+            return surface.moved;
     return btTransform::getIdentity();
 }
 
 btVector3 onItsSide(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& point,
-                    const std::vector<MovedGround::Surface>& moved) {
+                    const MovedSurfaces& moved) {
+    if (moved.empty()) return point;
     return moveOf(groundCrossed(world, body, point, point, moved), moved) * point;
 }
 

@@ -49,14 +49,14 @@ std::optional<GroundPoint> groundBetween(btDiscreteDynamicsWorld& world, const b
 /// have come from is where that took it to.
 std::optional<GroundPoint> groundCrossed(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                          const btVector3& from, const btVector3& to,
-                                         const std::vector<MovedGround::Surface>& moved);
+                                         const MovedSurfaces& moved);
 
 /// How the ground of a point that is found has moved; not at all if it is none of `moved`.
-btTransform moveOf(const std::optional<GroundPoint>& point, const std::vector<MovedGround::Surface>& moved);
+btTransform moveOf(const std::optional<GroundPoint>& point, const MovedSurfaces& moved);
 
 /// A point of a body; what has moved across it since the last step is taken back from it.
 btVector3 onItsSide(btDiscreteDynamicsWorld& world, const btRigidBody& body, const btVector3& point,
-                    const std::vector<MovedGround::Surface>& moved);
+                    const MovedSurfaces& moved);
 
 /// The nearest ground within `radius` of a point that pushes `body`, which is in the world.
 std::optional<GroundPoint> groundNear(btDiscreteDynamicsWorld& world, const btRigidBody& body,

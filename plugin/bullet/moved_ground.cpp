@@ -19,20 +19,30 @@ void forEachKinematicSurface(const btDiscreteDynamicsWorld& world, const Visit& 
 
 }  // namespace
 
-std::vector<MovedGround::Surface> MovedGround::since(const btDiscreteDynamicsWorld& world) const {
-    std::vector<Surface> surfaces;
+btVector3 MovedSurface::carry(const btVector3& point) const {
+    constexpr btScalar furthest = btScalar(0.5);  // m
+    const btVector3 carried = moved * point;
+    return (carried - point).length2() > furthest * furthest ? point : carried;
+}
+
+MovedSurfaces MovedGround::since(const btDiscreteDynamicsWorld& world) const {
+    MovedSurfaces surfaces;
     if (stood_.empty()) return surfaces;
+    auto likely = stood_.begin();
     forEachKinematicSurface(world, [&](const btCollisionObject& ground) {
-        const auto known = std::find_if(stood_.begin(), stood_.end(),
-                                        [&](const Stood& stood) { return stood.ground == &ground; });
+        const auto is_it = [&](const Stood& stood) { return stood.ground == &ground; };
+        auto known = std::find_if(likely, stood_.end(), is_it);
+        if (known == stood_.end()) known = std::find_if(stood_.begin(), likely, is_it);
+        if (known == stood_.end() || !is_it(*known)) return;
+        likely = known + 1;
         const btTransform& here = ground.getWorldTransform();
-        if (known == stood_.end() || known->where == here) return;
-        surfaces.push_back({&ground, here * known->where.inverse()});
+        if (!(known->where == here)) surfaces.push_back({&ground, here * known->where.inverse()});
     });
     return surfaces;
 }
 
-void MovedGround::note(const btDiscreteDynamicsWorld& world) {
+void MovedGround::endStep(const btDiscreteDynamicsWorld& world) {
+    surfaces_.clear();
     stood_.clear();
     forEachKinematicSurface(world, [&](const btCollisionObject& ground) {
         stood_.push_back({&ground, ground.getWorldTransform()});

@@ -105,12 +105,14 @@ bool Patience::isStruckByFragmentsAlone(const StruckBreakable& struck) const {
 /// Whether fragments strike it of which none has more than half of its mass: such a piece bounces off it,
 /// and nobody sees that it breaks a few steps later.
 bool Patience::isStruckByLightFragments(const StruckBreakable& struck) const {
-    constexpr btScalar light = 2;
+    constexpr double light = 2;
+    const Breakable& breakable = *struck.breakable;
+    const double mass = breakable.isDynamic() ? 1 / breakable.body->getInvMass() : breakable.asset.mass();
     const std::vector<const btCollisionObject*> strikers = strikersOf(struck);
-    return isStruckByFragmentsAlone(struck) &&
+    return !strikers.empty() &&
            std::all_of(strikers.begin(), strikers.end(), [&](const btCollisionObject* striker) {
                const btRigidBody* body = btRigidBody::upcast(striker);
-               return body && body->getInvMass() >= light * struck.breakable->body->getInvMass();
+               return is_fragment_(*striker) && body && mass * body->getInvMass() >= light;
            });
 }
 

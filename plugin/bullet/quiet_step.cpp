@@ -2,7 +2,6 @@
 
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
-
 #include "bullet/breakable.h"
 
 namespace sherd {

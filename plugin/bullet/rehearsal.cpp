@@ -232,11 +232,11 @@ void Rehearsal::beforeSolve() {
     steadyContacts(
         world_,
         {breakables_, overlaps_, [&](const auto& object) { return breakables_.isFragment(object); },
-         moved_ground_.since(world_)},
+         moved_ground_.surfaces()},
         [](const btCollisionObject&) { return true; });
     std::vector<const Breakable*> bodies;
     for (const auto& breakable : breakables_.all()) bodies.push_back(breakable.get());
-    addGroundContacts(world_, bodies, moved_ground_.since(world_));
+    addGroundContacts(world_, bodies, moved_ground_.surfaces());
     before_.take(world_);
     write_back_.begin(world_);
 }

@@ -81,7 +81,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     SolverDecorator decorator_;
     BirthOverlaps overlaps_;
     StepSnapshot before_;
-    MovedGround moved_ground_;
+    MovedGround moved_ground_;  // stays where it is
     ImpulseWriteBack write_back_;
     std::vector<KnownContacts> known_contacts_;
     std::vector<StruckBreakable> struck_;

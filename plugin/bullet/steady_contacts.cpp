@@ -9,6 +9,7 @@
 #include "bullet/birth_overlaps.h"
 #include "bullet/body_travel.h"
 #include "bullet/extra_contacts.h"
+#include "bullet/ground_contact.h"
 #include "bullet/ground_surface.h"
 #include "bullet/missed_vertices.h"
 #include "bullet/standing_contacts.h"
@@ -190,8 +191,8 @@ btScalar fastestApproach(const btRigidBody& body, const btCollisionObject& groun
            radius * (body.getAngularVelocity() - turned).length();
 }
 
-void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
-                   const std::vector<MovedGround::Surface>& moved, btPersistentManifold& manifold) {
+void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable, const MovedSurfaces& moved,
+                   btPersistentManifold& manifold) {
     const btRigidBody& body = *breakable.body;
     const bool is_a = &body == manifold.getBody0();
     const btCollisionObject& ground = is_a ? *manifold.getBody1() : *manifold.getBody0();
@@ -201,8 +202,7 @@ void standOnGround(btDiscreteDynamicsWorld& world, const Breakable& breakable,
     // Without gravity a body may be held by other forces.
     const btScalar least = same_place * manifold.getContactBreakingThreshold();
     const btScalar reach = std::min(speed * time_step_s + fall, largest_reach * radius) + least;
-    const btVector3 inside =
-        onItsSide(world, body, body.getWorldTransform() * breakable.inner_ball.centre, moved);
+    const btVector3 inside = ballOnItsSide(world, breakable, moved);
     if (!standOnEvenGround(world, manifold, is_a, inside, reach, std::max(even * fall, least)))
         addMissedVertices(manifold, reach);
 }

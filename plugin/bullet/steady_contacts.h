@@ -17,7 +17,7 @@ struct SteadiedBodies {
     const BreakableRegistry& breakables;
     const BirthOverlaps& overlaps;
     std::function<bool(const btCollisionObject&)> is_fragment;  ///< of any FractureWorld of the world
-    std::vector<MovedGround::Surface> moved_ground;             ///< since the step before
+    const MovedSurfaces& moved_ground;                          ///< since the step before
 };
 
 /// Makes the contacts of fragments such that they come to rest, and those of whole bodies with shapes of

@@ -68,8 +68,7 @@ class WaitingBlows {
     /// The next blow, if it is its turn.
     const WaitingBlow* due(double time_s) const;
     /// Returns when the next blow is decided. While another thread is at it, this one takes those that are to
-    /// be done by `until_s`, and others that are no longer than what is left of it makes up for: at most as
-    /// long again is waited.
+    /// be done by `until_s`, and others that take no longer than what is left of it.
     void finishFirst(double until_s, double& waiting_ms);
     WaitingBlow takeFirst();
     /// The blow that waits for the body and may not be dropped, since an explosion has struck; nullptr: none.

@@ -1,5 +1,7 @@
 // Pieces on ground that is not static: lifts, crates, tables. They fell through it, or fell asleep inside.
 
+#include <optional>
+
 #include "bullet/conversions.h"
 #include "bullet/support.h"
 #include "core/numerics/mesh_measures.h"
@@ -97,6 +99,93 @@ TEST_P(PiecesOn, LieOnItAtAnyRate) {
         for (auto& body : scene_.bodies) scene_.world->removeRigidBody(body.get());
         scene_.bodies.clear();
     }
+}
+
+/// A kinematic mesh, and plates that have broken on it.
+class PiecesOnAMesh : public testing::Test {
+  protected:
+    PiecesOnAMesh() {
+        scene_.world->setGravity(btVector3(0, 0, -9.81f));
+        const btVector3 corners[] = {{-6, -6, 0}, {6, -6, 0}, {6, 6, 0}, {-6, 6, 0}};
+        triangles_.addTriangle(corners[0], corners[1], corners[2]);
+        triangles_.addTriangle(corners[0], corners[2], corners[3]);
+        mesh_ = scene_.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0,
+                               btVector3(0, 0, 0));
+        mesh_->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+        mesh_->setActivationState(DISABLE_DEACTIVATION);
+        fracture_ = std::make_unique<FractureWorld>(scene_.world.get());
+        Settings settings = Settings::forQuality(Quality::preview);
+        settings.fracture.fragment_count = 12;
+        plate_.emplace(BreakableAsset::fromMesh(shapes::box(Vec3(-0.1, -0.1, -0.004), Vec3(0.1, 0.1, 0.004)),
+                                                Material::ceramic(), settings)
+                           .value());
+    }
+    ~PiecesOnAMesh() override { fracture_.reset(); }
+
+    void drop(double height) {
+        for (int i = 0; i < 3; ++i)
+            ASSERT_TRUE(
+                fracture_
+                    ->add(*plate_, btTransform(btQuaternion(btVector3(0, 1, 0), btScalar(1 + i)),
+                                               btVector3(0.5f * btScalar(i - 1), 0, btScalar(height))))
+                    .ok());
+    }
+    void moveMesh(const btVector3& by) { mesh_->getWorldTransform().getOrigin() += by; }
+    int pieces() const { return static_cast<int>(fracture_->bodies().size()); }
+    int under() const {
+        const auto& bodies = fracture_->bodies();
+        return static_cast<int>(std::count_if(bodies.begin(), bodies.end(), [&](const btRigidBody* body) {
+            return body->getCenterOfMassPosition().z() < mesh_->getWorldTransform().getOrigin().z();
+        }));
+    }
+
+    TestWorld scene_;
+    btTriangleMesh triangles_;
+    btRigidBody* mesh_ = nullptr;
+    std::unique_ptr<FractureWorld> fracture_;
+    std::optional<BreakableAsset> plate_;
+};
+
+TEST_F(PiecesOnAMesh, StayOnItWhenTheAppMovesAllOfTheWorld) {
+    drop(1.2);
+    scene_.step(120, 1.0 / 60);
+    ASSERT_GT(pieces(), 20);
+    const btVector3 by(0, 0, -0.03f);
+    moveMesh(by);
+    for (btRigidBody* body : fracture_->bodies()) body->translate(by);
+    scene_.step(30, 1.0 / 60);
+    EXPECT_EQ(under(), 0);
+}
+
+TEST_F(PiecesOnAMesh, AreNotTakenAlongByOneThatIsSetElsewhere) {
+    moveMesh(btVector3(0, 0, 5));
+    drop(6.2);
+    scene_.step(30, 1.0 / 60);
+    moveMesh(btVector3(0, 0, -5));
+    scene_.step(120, 1.0 / 60);
+    EXPECT_GT(pieces(), 20);
+    EXPECT_EQ(under(), 0);
+    for (const btRigidBody* body : fracture_->bodies()) EXPECT_LT(body->getCenterOfMassPosition().z(), 0.2);
+}
+
+TEST_F(PiecesOnAMesh, StayOnOneThatSlidesFast) {
+    drop(1.2);
+    for (int i = 0; i < 120; ++i) {
+        moveMesh(btVector3(0.1f * (i / 10 % 2 ? -1.0f : 1.0f), 0, 0));
+        scene_.step(1, 1.0 / 60);
+    }
+    EXPECT_GT(pieces(), 20);
+    EXPECT_EQ(under(), 0);
+}
+
+TEST_F(PiecesOnAMesh, StayOnOneThatHeavesFast) {
+    drop(1.2);
+    for (int i = 0; i < 240; ++i) {
+        mesh_->getWorldTransform().getOrigin().setZ(btScalar(0.3 * std::sin(5 * i / 60.0)));
+        scene_.step(1, 1.0 / 60);
+        ASSERT_EQ(under(), 0) << i;
+    }
+    EXPECT_GT(pieces(), 20);
 }
 
 // Contacts at vertices know nothing of the overlaps that hulls of nested bodies have.
