@@ -17,6 +17,17 @@ namespace sherd {
 
 namespace {
 
+StrikeOnWhole strikeOnWhole(const StruckBreakable& struck) {
+    StrikeOnWhole strike{struck.striker, toBullet(struck.normal)};
+    for (const ContactImpulse& contact : struck.blow.contacts) {
+        const auto partner = static_cast<std::size_t>(contact.partner);
+        if (!contact.strikes() || partner >= struck.partners.size()) continue;
+        if (struck.partners[partner] == struck.striker)
+            strike.way_m = std::max(strike.way_m, btScalar(contact.approach_m_s * contact.touched_s));
+    }
+    return strike;
+}
+
 /// What the asset warns of, with the first blow on its body.
 std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     if (std::exchange(breakable.warned, true)) return {};
@@ -139,8 +150,9 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) return std::nullopt;
-    return Break{struck.breakable->body, decided, current_.size() - 1, struck.for_pieces,
-                 struck.breakable->serial};
+    return Break{struck.breakable->body,   decided,
+                 current_.size() - 1,      struck.for_pieces,
+                 struck.breakable->serial, strikeOnWhole(struck)};
 }
 
 /// What the gate says of each blow; nothing where a stress problem is to be solved.

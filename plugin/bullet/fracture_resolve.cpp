@@ -40,14 +40,21 @@ std::vector<const btCollisionObject*> FractureWorld::Impl::resolveIslands(
     members = restoredIsland(members).bodies;
 
     std::vector<btCollisionObject*> new_bodies;
+    std::vector<std::pair<StrikeOnWhole, std::vector<btCollisionObject*>>> struck;
     for (Break& broken : breaks) {
         const std::vector<btCollisionObject*> fragments = swap(broken, info.m_timeStep);
         if (!fragments.empty()) members = without(std::move(members), broken.body);
         new_bodies.insert(new_bodies.end(), fragments.begin(), fragments.end());
+        struck.emplace_back(broken.strike, fragments);
     }
     timed(times_.steps.snapshot,
           [&] { decorator_.forEachListener([&](StepListener& hook) { hook.bodiesEnter(new_bodies); }); });
-    findNewContacts(new_bodies);
+    timed(times_.steps.resolve, [&] {
+        findContactsOf(world_, new_bodies);
+        for (const auto& [strike, pieces] : struck)
+            pushAsTheWholeWasStruck(*world_.getDispatcher(), strike, pieces);
+    });
+    timed(times_.steps.overlaps, [&] { allowOverlapsAtBirth(new_bodies); });
     const std::unordered_set<const btCollisionObject*> is_new(new_bodies.begin(), new_bodies.end());
     timed(times_.steps.overlaps, [&] {
         steadyContacts(world_, steadiedBodies(),

@@ -25,6 +25,7 @@
 #include "bullet/solvers_ahead.h"
 #include "bullet/steady_contacts.h"
 #include "bullet/step_phase.h"
+#include "bullet/striker_contacts.h"
 #include "bullet/waiting_blows.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/stopwatch.h"
@@ -80,9 +81,10 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Break {
         btRigidBody* body = nullptr;
         std::shared_ptr<const DecidedBlow> decided;
-        std::size_t event = 0;                                       // in current_
-        std::vector<Push> for_pieces;                                // as in StruckBreakable
-        std::uint64_t serial = 0;                                    // of the body
+        std::size_t event = 0;         // in current_
+        std::vector<Push> for_pieces;  // as in StruckBreakable
+        std::uint64_t serial = 0;      // of the body
+        StrikeOnWhole strike;
         std::optional<StruckBreakable> breaks_later = std::nullopt;  // its only fragment, by this
     };
     /// A blow of the app's, from inside a step.
