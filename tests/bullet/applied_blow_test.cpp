@@ -57,6 +57,24 @@ TEST(AppliedBlow, FarFromTheBodyIsRefused) {
     EXPECT_TRUE(fracture.takeEvents().empty());
 }
 
+// The lid of a hull is further from the wall of a bowl than half its radius.
+TEST(AppliedBlow, WhereARayMeetsAHullIsNotRefused) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    Settings settings = Settings::forQuality(Quality::preview);
+    settings.fracture.collision_shape = CollisionShape::hull;
+    const auto bowl =
+        BreakableAsset::fromMesh(shapes::bowl(0.06, 0.003, 24, 8), Material::ceramic(), settings);
+    ASSERT_TRUE(bowl.ok()) << bowl.error();
+    btRigidBody* body = fracture.add(bowl.value(), at(0, 0, 0)).value();
+    const btVector3 from(0, 0, 1), to(0, 0, -1);
+    btCollisionWorld::ClosestRayResultCallback ray(from, to);
+    scene.world->rayTest(from, to, ray);
+    ASSERT_TRUE(ray.hasHit());
+    const Status pushed = fracture.applyBlow(body, {{ray.m_hitPointWorld, btVector3(0, 0, -0.1f)}});
+    EXPECT_TRUE(pushed.ok()) << pushed.error();
+}
+
 TEST(AppliedBlow, BreaksABodyBetweenStepsAndItsFragmentsTakeTheImpulse) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
