@@ -31,8 +31,8 @@ std::vector<Shell> shellsOf(const TriangleMesh& mesh, const std::vector<SharedEd
 
 int solidCount(const TriangleMesh& mesh) {
     const std::vector<Shell> shells = shellsOf(mesh, surfaceTopology(mesh).edges);
-    return static_cast<int>(std::count_if(shells.begin(), shells.end(),
-                                          [](const Shell& shell) { return shell.volume_m3 > 0; }));
+    return static_cast<int>(
+        std::count_if(shells.begin(), shells.end(), [](const Shell& shell) { return shell.volume_m3 > 0; }));
 }
 
 std::string describeShell(const TriangleMesh& mesh, const Shell& shell) {
