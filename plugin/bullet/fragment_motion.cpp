@@ -124,8 +124,15 @@ void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
     // Bullet applies no gravity to a body that sleeps when the step begins. Its fragments are active and get
     // theirs.
     const bool slept = gravity_if_none && force.norm() == 0 && torque.norm() == 0;
-    const Vec3 acceleration = slept ? fromBullet(whole.getGravity())
-                                    : unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()));
+    const btVector3 weight = whole.getGravity() * (1 / whole.getInvMass()) * whole.getLinearFactor();
+    const bool weighs_alone = force.norm() > 0 && torque.norm() == 0 && whole.getTotalForce() == weight;
+    if (slept || weighs_alone) {
+        // To the last bit what Bullet gives them at the beginning of a frame: whether that is this substep or
+        // the next one, they fall alike.
+        for (btRigidBody* piece : pieces) piece->applyGravity();
+        return;
+    }
+    const Vec3 acceleration = unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()));
     const Vec3 turning =
         fromBullet(whole.getInvInertiaTensorWorld()) * unscaled(torque, fromBullet(whole.getAngularFactor()));
     for (btRigidBody* piece : pieces) {
