@@ -129,7 +129,8 @@ void shareForces(const btRigidBody& whole, const std::vector<btRigidBody*>& piec
     if (slept || weighs_alone) {
         // To the last bit what Bullet gives them at the beginning of a frame: whether that is this substep or
         // the next one, they fall alike.
-        for (btRigidBody* piece : pieces) piece->applyGravity();
+        for (btRigidBody* piece : pieces)
+            piece->applyCentralForce(whole.getGravity() * (1 / piece->getInvMass()));
         return;
     }
     const Vec3 acceleration = unscaled(force / massOf(whole), fromBullet(whole.getLinearFactor()));

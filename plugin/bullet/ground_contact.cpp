@@ -189,7 +189,8 @@ btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment, co
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
                          const btVector3& shift, const MovedSurfaces& moved) {
     const btRigidBody& body = *whole.body;
-    const btTransform went = moveOf(groundAround(world, body), moved);
+    const btTransform went =
+        moved.empty() ? btTransform::getIdentity() : moveOf(groundAround(world, body), moved);
     const btVector3 to = ballCentre(fragment) + shift;
     const btScalar radius = fragment.inner_ball.radius;
     if (whole.way.since_clear_s < a_moment_s) {
