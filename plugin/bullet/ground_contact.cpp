@@ -184,30 +184,33 @@ btVector3 ballCentreBefore(const Breakable& whole, const Breakable& fragment, co
     return stood * whole.body->getWorldTransform().inverse() * ballCentre(fragment);
 }
 
+/// What tells on which side of the ground a body was that breaks.
+struct Past {
+    btTransform went;  // of the ground around it, since what is known of its way
+    btVector3 right;   // a point on its side
+};
+
 /// What sets a fragment back that is beyond the ground. What was clear of all ground a moment ago came from
 /// there; else the last step tells, or the ball of what it was part of.
 btVector3 wayBackAtBirth(btDiscreteDynamicsWorld& world, const Breakable& whole, const Breakable& fragment,
-                         const btVector3& shift, const MovedSurfaces& moved) {
+                         const btVector3& shift, const Past& past) {
     const btRigidBody& body = *whole.body;
-    const btTransform went =
-        moved.empty() ? btTransform::getIdentity() : moveOf(groundAround(world, body), moved);
     const btVector3 to = ballCentre(fragment) + shift;
     const btScalar radius = fragment.inner_ball.radius;
     if (whole.way.since_clear_s < a_moment_s) {
-        const btVector3 from = ballCentreBefore(whole, fragment, went * whole.way.clear_at);
+        const btVector3 from = ballCentreBefore(whole, fragment, past.went * whole.way.clear_at);
         const auto crossed = groundBefore(world, body, from, to);
         const btVector3 back = crossed ? wayBack(*crossed, from, to, radius) : btVector3(0, 0, 0);
         // Further away is ground that it went around.
         return back.length() < 2 * radiusAboutOrigin(body) ? back : btVector3(0, 0, 0);
     }
-    const btTransform came_from = went * whole.way.from;
+    const btTransform came_from = past.went * whole.way.from;
     const btVector3 before = ballCentreBefore(whole, fragment, came_from);
     if (!groundBetween(world, body, came_from * whole.inner_ball.centre, before))
         if (const auto crossed = groundBetween(world, body, before, to))
             return wayBack(*crossed, before, to, radius);
-    const btVector3 right = onItsSide(world, body, ballCentre(whole), moved);
-    if (const auto crossed = groundBefore(world, body, right, to)) {
-        const btVector3 back = wayBack(*crossed, right, to, radius);
+    if (const auto crossed = groundBefore(world, body, past.right, to)) {
+        const btVector3 back = wayBack(*crossed, past.right, to, radius);
         // What stands astride of a wall without an inside is on both sides of it by right.
         const bool is_astride = back.length() > deepest_birth * radiusAboutOrigin(body);
         if (!is_astride) return back;
@@ -251,11 +254,14 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
         if (!fragment->isDynamic()) return;  // what is held stays where it is, and what it carries with it
         bodies.push_back(fragment->body);
     }
+    const Past past{
+        moved.empty() ? btTransform::getIdentity() : moveOf(groundAround(world, *whole.body), moved),
+        onItsSide(world, *whole.body, ballCentre(whole), moved)};
     btVector3 shift(0, 0, 0);
     for (int round = 0; round < most_shifts; ++round) {
         btVector3 furthest(0, 0, 0);
         for (const auto& fragment : fragments) {
-            const btVector3 back = wayBackAtBirth(world, whole, *fragment, shift, moved);
+            const btVector3 back = wayBackAtBirth(world, whole, *fragment, shift, past);
             if (back.length2() > furthest.length2()) furthest = back;
         }
         if (furthest.isZero()) break;

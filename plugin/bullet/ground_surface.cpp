@@ -65,10 +65,10 @@ bool reaches(const btCollisionObject& object, const btVector3& from, const btVec
     return TestAabbAgainstAabb2(low, high, proxy.m_aabbMin, proxy.m_aabbMax);
 }
 
-std::optional<GroundPoint> pointOf(const btCollisionWorld::ClosestRayResultCallback& way) {
-    if (!way.hasHit()) return std::nullopt;
-    return GroundPoint{way.m_collisionObject, way.m_hitPointWorld, way.m_hitNormalWorld,
-                       (way.m_hitPointWorld - way.m_rayFromWorld).length()};
+/// Of a way that hit something.
+GroundPoint pointOf(const btCollisionWorld::ClosestRayResultCallback& way) {
+    return {way.m_collisionObject, way.m_hitPointWorld, way.m_hitNormalWorld,
+            (way.m_hitPointWorld - way.m_rayFromWorld).length()};
 }
 
 /// The point of some triangles that is nearest to another.

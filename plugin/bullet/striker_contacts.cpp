@@ -18,12 +18,12 @@ void pushAsTheWholeWasStruck(btDispatcher& dispatcher, const StrikeOnWhole& stri
         if (!piece_is_a && manifold.getBody0() != strike.striker) continue;
         const btCollisionObject* piece = piece_is_a ? manifold.getBody0() : manifold.getBody1();
         if (std::find(pieces.begin(), pieces.end(), piece) == pieces.end()) continue;
-        const btVector3 push_on_b_side = piece_is_a ? strike.push : -strike.push;
+        const btVector3 normal = piece_is_a ? strike.push : -strike.push;  // it pushes A
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
             btManifoldPoint& point = manifold.getContactPoint(p);
             if (-point.getDistance() < deep * strike.way_m) continue;
-            if (point.m_normalWorldOnB.dot(push_on_b_side) >= alike) continue;
-            point.m_normalWorldOnB = push_on_b_side;
+            if (point.m_normalWorldOnB.dot(normal) >= alike) continue;
+            point.m_normalWorldOnB = normal;
             point.setDistance(0);
         }
     }
