@@ -168,6 +168,16 @@ TEST_F(PiecesOnAMesh, AreNotTakenAlongByOneThatIsSetElsewhere) {
     for (const btRigidBody* body : fracture_->bodies()) EXPECT_LT(body->getCenterOfMassPosition().z(), 0.2);
 }
 
+TEST_F(PiecesOnAMesh, AreNotScoopedUpByOneThatIsSetAboveThem) {
+    scene_.world->setGravity(btVector3(0, 0, 0));
+    drop(1.2);
+    scene_.step(2, 1.0 / 60);
+    moveMesh(btVector3(0, 0, 3));
+    scene_.step(2, 1.0 / 60);
+    for (const btRigidBody* body : fracture_->bodies())
+        EXPECT_NEAR(body->getCenterOfMassPosition().z(), 1.2, 0.01);
+}
+
 TEST_F(PiecesOnAMesh, StayOnOneThatSlidesFast) {
     drop(1.2);
     for (int i = 0; i < 120; ++i) {
