@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <memory_resource>
 
 #include "bullet/joint_anchors.h"
 #include "fracture/can_break.h"
@@ -11,12 +10,6 @@
 namespace sherd {
 
 namespace {
-
-std::pmr::memory_resource& storage() {
-    static std::pmr::memory_resource& pool =
-        *new std::pmr::synchronized_pool_resource;  // outlives all worlds
-    return pool;
-}
 
 /// Whether the object at the address of an app's body is a new one. Ours are alive as long as they are
 /// listed.
@@ -42,14 +35,6 @@ std::shared_ptr<const FractureSettings> fractureSettingsFor(const BreakableAsset
                                                             FractureSettings fracture) {
     fracture.smallest_fragment_m3 = smallestFragment(*asset.solid(), fracture);
     return std::make_shared<const FractureSettings>(std::move(fracture));
-}
-
-void* Breakable::operator new(std::size_t size) {
-    return storage().allocate(size, alignof(Breakable));
-}
-
-void Breakable::operator delete(void* place, std::size_t size) {
-    storage().deallocate(place, size, alignof(Breakable));
 }
 
 Breakable::~Breakable() {

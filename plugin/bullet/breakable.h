@@ -13,6 +13,7 @@
 
 #include "bullet/body_token.h"
 #include "bullet/inner_ball.h"
+#include "bullet/pooled.h"
 #include "bullet/rigid_body_factory.h"
 #include "core/damage/damaged_material.h"
 
@@ -44,14 +45,11 @@ struct GroundWay {
 };
 
 /// A body that can break, with its asset.
-struct Breakable {
+struct Breakable : Pooled {
     Breakable(const BreakableAsset& its_asset, std::shared_ptr<const FractureSettings> its_fracture)
         : asset(its_asset), fracture(std::move(its_fracture)) {}
     /// Keeps what joints of the app's need of the body.
     ~Breakable();
-    // They lie apart from the bodies, which Bullet goes through many times in a step.
-    static void* operator new(std::size_t size);
-    static void operator delete(void* place, std::size_t size);
     Breakable(const Breakable&) = delete;
     Breakable& operator=(const Breakable&) = delete;
 

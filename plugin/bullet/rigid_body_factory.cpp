@@ -10,12 +10,19 @@
 
 #include "bullet/conversions.h"
 #include "bullet/piece_hull.h"
+#include "bullet/pooled.h"
 #include "geometry/convex/convex_decomposition.h"
 #include "geometry/convex/convex_hull.h"
 
 namespace sherd {
 
 namespace {
+
+struct Body final : btRigidBody, Pooled {
+    using btRigidBody::btRigidBody;
+    using Pooled::operator new;
+    using Pooled::operator delete;
+};
 
 constexpr double diagonal_enough =
     1e-6;  // off-diagonal part of the inertia, relative, below which axes are kept
@@ -199,7 +206,7 @@ OwnedBody makeRigidBody(const BreakableSolid& solid, std::shared_ptr<const Owned
     const btRigidBody::btRigidBodyConstructionInfo info(
         static_cast<btScalar>(mass_scale * solid.mass()), nullptr, owned.shape->shape.get(),
         toBullet(Vec3(density * principalFrame(solid.moments()).inertia)));
-    owned.body = std::make_unique<btRigidBody>(info);
+    owned.body = std::make_unique<Body>(info);
     return owned;
 }
 

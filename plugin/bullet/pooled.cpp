@@ -1,0 +1,25 @@
+#include "bullet/pooled.h"
+
+#include <memory_resource>
+
+namespace sherd {
+
+namespace {
+
+std::pmr::memory_resource& pool() {
+    static std::pmr::memory_resource& pool =
+        *new std::pmr::synchronized_pool_resource;  // outlives all worlds
+    return pool;
+}
+
+}  // namespace
+
+void* Pooled::operator new(std::size_t size) {
+    return pool().allocate(size);
+}
+
+void Pooled::operator delete(void* place, std::size_t size) {
+    pool().deallocate(place, size);
+}
+
+}  // namespace sherd
