@@ -149,7 +149,10 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     current_.push_back({std::move(event)});
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
-    if (outcome.outcome != Outcome::broke) return std::nullopt;
+    if (outcome.outcome != Outcome::broke) {
+        if (outcome.level == Level::full) kept_factors_.noteHeld(*struck.breakable, breakables_);
+        return std::nullopt;
+    }
     return Break{struck.breakable->body,   decided,
                  current_.size() - 1,      struck.for_pieces,
                  struck.breakable->serial, strikeOnWhole(struck)};

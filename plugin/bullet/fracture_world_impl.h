@@ -16,6 +16,7 @@
 #include "bullet/foresight.h"
 #include "bullet/impulse_write_back.h"
 #include "bullet/island_state.h"
+#include "bullet/kept_factors.h"
 #include "bullet/moved_ground.h"
 #include "bullet/patience.h"
 #include "bullet/piece_contacts.h"
@@ -211,6 +212,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     WaitingBlows waiting_;
     Foresight foresight_;
     SolversAhead solvers_ahead_;
+    KeptFactors kept_factors_;
     StepSpent spent_;
     Patience patience_{budget_, breakables_, [this](const auto& object) { return isFragmentOfAny(object); }};
     Stopwatch solve_watch_;  // of Bullet's own solve

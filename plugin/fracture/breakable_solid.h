@@ -109,6 +109,8 @@ class BreakableSolid {
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
     std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
+    /// The same solid, of which nothing is made yet.
+    std::shared_ptr<const BreakableSolid> unsolved() const { return anchored(supports_); }
     /// One like it, for all who hold the solid alike for as long as one of them does.
     std::shared_ptr<const BreakableSolid> anchoredTogether(const std::vector<SurfaceRegion>& supports) const;
     /// The same solid as that of one body: its strength scatters in another way for each seed. All else that

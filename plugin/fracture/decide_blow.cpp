@@ -53,7 +53,7 @@ void checkWithFullSolve(const BreakableSolid& solid, const Blow& blow, const Fra
     in_full.use_reduced_model = false;
     // A fragment that keeps a factor gets no coarse look at its next blow: the check asks a copy.
     const bool is_looked_at = solid.isFragment() && !solid.hasSolver();
-    const auto copy = is_looked_at ? solid.anchored(solid.supports()) : nullptr;
+    const auto copy = is_looked_at ? solid.unsolved() : nullptr;
     const BlowOutcome full = strike(copy ? *copy : solid, blow, in_full, seed, earlier);
     decided.full_solve_outcome = full.outcome;
     if (!full.message.empty()) addSentence(decided.message, "The full solve says: " + full.message);
