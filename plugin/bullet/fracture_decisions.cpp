@@ -11,6 +11,8 @@
 #include "bullet/torn_out.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/split_mix.h"
+#include "core/numerics/urgent_work.h"
+#include "core/numerics/worker_threads.h"
 #include "fracture/decide_blow.h"
 
 namespace sherd {
@@ -76,12 +78,20 @@ BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
 }  // namespace
 
 void FractureWorld::Impl::setExecutor(Executor executor) {
-    executor_ = std::move(executor);
+    executor_of_app_ = std::move(executor);
 }
 
 const Executor& FractureWorld::Impl::executor() {
-    if (!executor_) executor_ = workerThreads();
-    return *executor_;
+    if (executor_of_app_) return *executor_of_app_;
+    if (!workers_) workers_ = patientWorkerThreads();
+    return workers_;
+}
+
+/// For what the step waits for: threads that no blow keeps busy that has time.
+const Executor& FractureWorld::Impl::executorForNow() {
+    if (executor_of_app_) return *executor_of_app_;
+    if (!workers_for_now_) workers_for_now_ = workerThreads();
+    return workers_for_now_;
 }
 
 BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int most_fragments) const {
@@ -100,7 +110,9 @@ BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int mo
 /// What came of blows that must not wait, on all threads there are.
 std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     std::vector<std::shared_ptr<DecidedBlow>> decided) {
-    for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executor());
+    std::optional<UrgentWork> urgent;
+    if (decided.size() > 1) urgent.emplace();  // one alone leaves others their cores
+    for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executorForNow());
     for (const auto& one : decided) one->decideIfFree();
     for (const auto& one : decided) one->finish(times_.steps.waiting);
     return decided;

@@ -109,7 +109,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void lookAhead();
     void makeSolversFor(const btRigidBody& mover);
     /// Whether the app has not forbidden them.
-    bool mayHaveThreads() const { return !executor_ || *executor_; }
+    bool mayHaveThreads() const { return !executor_of_app_ || *executor_of_app_; }
     /// While one lives, its thread does alone what others may not help with.
     struct ThreadsAsAllowed {
         explicit ThreadsAsAllowed(const Impl& world) {
@@ -140,6 +140,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
+    const Executor& executorForNow();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     bool anyWasHeld(const std::vector<Break>& breaks) const;
     bool wasDecided(const Breakable& breakable) const;
@@ -208,7 +209,8 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     BlowCounts counts_;
     WorldTimes times_;
     Budget budget_;
-    std::optional<Executor> executor_;  // none yet: threads of our own, when there is work for them
+    std::optional<Executor> executor_of_app_;  // none yet: threads of our own
+    Executor workers_, workers_for_now_;       // made when there is work for them
     WaitingBlows waiting_;
     Foresight foresight_;
     SolversAhead solvers_ahead_;

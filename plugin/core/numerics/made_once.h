@@ -4,6 +4,8 @@
 #include <mutex>
 #include <optional>
 
+#include "core/numerics/urgent_work.h"
+
 namespace sherd {
 
 /// A value that is made when it is first asked for, and never changes then. A thread that asks for it while
@@ -16,7 +18,11 @@ class MadeOnce {
     template <class Make>
     const T& get(const Make& make) {
         if (const T* made = ifMade()) return *made;
-        const std::lock_guard<std::mutex> lock(making_);
+        std::unique_lock<std::mutex> lock(making_, std::try_to_lock);
+        if (!lock) {
+            const WaitsForAnother waits;
+            lock.lock();
+        }
         if (!value_) {
             value_.emplace(make());
             made_.store(&*value_, std::memory_order_release);

@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <atomic>
 #include <cfenv>
+#include <chrono>
 #include <condition_variable>
 #include <exception>
 #include <list>
 #include <mutex>
 #include <thread>
 
+#include "core/numerics/stopwatch.h"
 #include "core/numerics/thread_priority.h"
+#include "core/numerics/urgent_work.h"
 
 namespace sherd {
 
@@ -133,6 +136,18 @@ class Helpers {
     unsigned started_ = 0;
 };
 
+/// Leaves its core to what is urgent. Should that need what this thread alone can go on with, which nothing
+/// does, it would wait for a moment only.
+void giveWay() {
+    constexpr std::chrono::microseconds look_again(300);
+    constexpr double most_ms = 200;
+    const Stopwatch watch;
+    with_own_work -= own_work;
+    while (isToGiveWay() && !(alone && alone->isAwaited()) && watch.milliseconds() < most_ms)
+        std::this_thread::sleep_for(look_again);
+    with_own_work += own_work;
+}
+
 }  // namespace
 
 OnThisThreadAlone::OnThisThreadAlone(const std::atomic<bool>* over) : over_(over), outer_(alone) {
@@ -156,6 +171,7 @@ HasOwnWork::~HasOwnWork() {
 }
 
 void forEachChunk(int count, const std::function<void(int)>& work) {
+    if (isToGiveWay()) giveWay();
     const bool here = count < 2 || (alone && !alone->isOver());
     Helpers* const helpers = here ? nullptr : &Helpers::ofThisThread();
     // A helper more than there are cores would be given its chunk late, and all would wait for it.

@@ -22,6 +22,8 @@ class OnThisThreadAlone {
     OnThisThreadAlone& operator=(const OnThisThreadAlone&) = delete;
 
     bool isOver() const { return over_ && *over_ && (!outer_ || outer_->isOver()); }
+    /// Whether another thread waits.
+    bool isAwaited() const { return (over_ && *over_) || (outer_ && outer_->isAwaited()); }
 
   private:
     const std::atomic<bool>* over_;

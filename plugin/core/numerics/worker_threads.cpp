@@ -1,4 +1,4 @@
-#include <sherd/executor.h>
+#include "core/numerics/worker_threads.h"
 
 #include <algorithm>
 #include <condition_variable>
@@ -9,15 +9,21 @@
 #include <thread>
 #include <vector>
 
+#include "core/numerics/urgent_work.h"
+
 namespace sherd {
 
 namespace {
 
 class WorkerThreads {
   public:
-    explicit WorkerThreads(int count) {
+    WorkerThreads(int count, bool patient) {
         try {
-            for (int i = 0; i < count; ++i) threads_.emplace_back([this] { run(); });
+            for (int i = 0; i < count; ++i)
+                threads_.emplace_back([this, patient] {
+                    if (patient) giveWayToUrgentWork();
+                    run();
+                });
         } catch (const std::system_error&) {
             // No more threads to be had: those that run do all jobs, or the threads that need them.
         }
@@ -64,12 +70,20 @@ class WorkerThreads {
     std::vector<std::thread> threads_;
 };
 
+Executor threadsOf(int count, bool patient) {
+    const int others = std::max(1, static_cast<int>(std::thread::hardware_concurrency())) - 1;
+    const auto threads = std::make_shared<WorkerThreads>(count > 0 ? count : others, patient);
+    return [threads](std::function<void()> job) { threads->add(std::move(job)); };
+}
+
 }  // namespace
 
 Executor workerThreads(int count) {
-    const int others = std::max(1, static_cast<int>(std::thread::hardware_concurrency())) - 1;
-    const auto threads = std::make_shared<WorkerThreads>(count > 0 ? count : others);
-    return [threads](std::function<void()> job) { threads->add(std::move(job)); };
+    return threadsOf(count, false);
+}
+
+Executor patientWorkerThreads(int count) {
+    return threadsOf(count, true);
 }
 
 }  // namespace sherd

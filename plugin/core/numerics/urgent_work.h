@@ -1,0 +1,29 @@
+#pragma once
+
+namespace sherd {
+
+/// While one of these lives, threads that give way stop where they would share out chunks next
+/// (`forEachChunk`): its thread wants all cores now. Those for whom another thread waits go on.
+class UrgentWork {
+  public:
+    UrgentWork();
+    ~UrgentWork();
+    UrgentWork(const UrgentWork&) = delete;
+    UrgentWork& operator=(const UrgentWork&) = delete;
+};
+
+/// While one of these lives, its thread waits for what some other one makes, so that none stops.
+class WaitsForAnother {
+  public:
+    WaitsForAnother();
+    ~WaitsForAnother();
+    WaitsForAnother(const WaitsForAnother&) = delete;
+    WaitsForAnother& operator=(const WaitsForAnother&) = delete;
+};
+
+/// The calling thread gives way from now on.
+void giveWayToUrgentWork();
+/// Whether the calling thread is to stop.
+bool isToGiveWay();
+
+}  // namespace sherd
