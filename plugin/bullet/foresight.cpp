@@ -20,8 +20,7 @@ constexpr int most_surprises = 3;
 constexpr double shortest_rest_s = 0.25, longest_rest_s = 4;
 constexpr btScalar off_the_way_m = btScalar(5e-4);
 constexpr btScalar off_the_speed = btScalar(0.01);  // relative, and of a metre or a radian a second
-// Of rehearsals, in steps of one body: a ball alone takes 10 a step of the world, 60 are about half a
-// millisecond.
+// A ball alone takes 10 a step of the world, 60 are about half a millisecond.
 constexpr int credit_per_step = 60, most_credit = 600;
 
 bool isOnItsWay(const btRigidBody& body, const BodyState& foreseen) {

@@ -26,9 +26,9 @@ class Foresight {
 
     /// For the end of a step: drops what has not come true. Returns how many blows that were.
     int follow(const btDiscreteDynamicsWorld& world, double time_s);
-    /// Whether rehearsals may take more in this step. Each costs the steps that it takes, times the bodies
-    /// in it; a step of the world gives a fixed number of these, which add up for a while.
-    bool mayRehearse() const { return credit_ > 0; }
+    /// What rehearsals may cost yet in this step, in steps of one body that touches nothing. A step of the
+    /// world gives a fixed number of these, which add up for a while.
+    int credit() const { return credit_; }
     /// Whether nothing is known of what a body does from here on, or too little of it to be worth more.
     bool isToBeLookedAt(BodyToken mover, double time_s, double ahead_s) const;
     /// Notes where a body goes, up to `until_s`, and what finding out cost.

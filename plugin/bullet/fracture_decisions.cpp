@@ -83,7 +83,7 @@ void FractureWorld::Impl::setExecutor(Executor executor) {
 
 const Executor& FractureWorld::Impl::executor() {
     if (executor_of_app_) return *executor_of_app_;
-    if (!workers_) workers_ = patientWorkerThreads();
+    if (!workers_) workers_ = patientWorkerThreads(GivesWay::to_urgent);
     return workers_;
 }
 

@@ -32,7 +32,7 @@ void FractureWorld::Impl::lookAhead() {
     const ThreadsAsAllowed threads(*this);
     std::optional<Touching> touching;
     for (btRigidBody* body : movers) {
-        if (!foresight_.mayRehearse()) return;
+        if (foresight_.credit() <= 0) return;
         if (!mayBring(*body, least_energy_j) || isFragmentOfAny(*body)) continue;
         if (some_unanswered) makeSolversFor(*body);
         const BodyToken token = giveToken(*body);
@@ -61,7 +61,7 @@ std::optional<ForeseenBlow> FractureWorld::Impl::takeForeseen(const StruckBreaka
     return foreseen;
 }
 
-/// Until something whole is struck such that it may break.
+/// Until something whole is struck such that it may break, or for as long as there is credit.
 void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
                                    const std::vector<Role>& roles) {
     constexpr std::size_t most_steps = 100;
@@ -70,12 +70,16 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
     std::vector<ForeseenBlow> found;
     const double until_s = time_s_ + 2 * budget_.foresight_s;
     const double time_step_s = world_.getSolverInfo().m_timeStep;
-    while (found.empty() && rehearsal.time() < until_s && way.size() < most_steps) {
+    constexpr int gate_cost = 20;  // of a blow
+    constexpr int least = 300;     // of what is worth beginning; the next steps have less for that
+    const int most_cost = std::max(least, foresight_.credit());
+    int cost = 0;
+    while (found.empty() && rehearsal.time() < until_s && way.size() < most_steps && cost < most_cost) {
         std::vector<StruckBreakable> struck = rehearsal.step();
+        cost += rehearsal.costOfStep() + gate_cost * static_cast<int>(struck.size());
         found = worthSolving(std::move(struck), rehearsal.time());
         way.push_back(rehearsal.stateOf(mover));
     }
-    const auto cost = static_cast<int>(way.size() * roles.size());
     foresight_.note(token, std::move(way), rehearsal.time(), cost);
     for (ForeseenBlow& blow : found) {
         blow.mover = token;

@@ -38,6 +38,10 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
 
     /// Takes one step. Returns the blows of it, in terms of the world's own bodies.
     std::vector<StruckBreakable> step();
+    /// What the last step cost, in steps of one body that touches nothing.
+    int costOfStep() const {
+        return static_cast<int>(original_of_.size()) + dispatcher_.getNumManifolds() / 2;
+    }
     /// At the end of the last step; simulated time.
     double time() const { return time_s_; }
     /// Where the stand-in of a body is now.

@@ -28,7 +28,7 @@ bool isSooner(const Breakable* a, const Breakable* b) {
 
 /// A thread of their own: those of an executor have blows to decide that are due.
 Executor ownThread() {
-    return std::thread::hardware_concurrency() > 1 ? patientWorkerThreads(1) : Executor();
+    return std::thread::hardware_concurrency() > 1 ? patientWorkerThreads(GivesWay::to_all, 1) : Executor();
 }
 
 /// An error of it is told by the blow that needs the stress problem.

@@ -136,9 +136,9 @@ class Helpers {
     unsigned started_ = 0;
 };
 
-/// Leaves its core to what is urgent. Should that need what this thread alone can go on with, which nothing
-/// does, it would wait for a moment only.
-void giveWay() {
+/// Leaves its core to what is more urgent. Should that need what this thread alone can go on with, which
+/// nothing does, it would wait for a moment only.
+void waitWhileOthersWork() {
     constexpr std::chrono::microseconds look_again(300);
     constexpr double most_ms = 200;
     const Stopwatch watch;
@@ -171,7 +171,7 @@ HasOwnWork::~HasOwnWork() {
 }
 
 void forEachChunk(int count, const std::function<void(int)>& work) {
-    if (isToGiveWay()) giveWay();
+    if (isToGiveWay()) waitWhileOthersWork();
     const bool here = count < 2 || (alone && !alone->isOver());
     Helpers* const helpers = here ? nullptr : &Helpers::ofThisThread();
     // A helper more than there are cores would be given its chunk late, and all would wait for it.

@@ -1,13 +1,20 @@
 #include "core/numerics/urgent_work.h"
 
 #include <atomic>
+#include <optional>
+#include <thread>
 
 namespace sherd {
 
 namespace {
 
-std::atomic<int> urgent{0}, waiting{0};  // threads
-thread_local bool gives_way = false;
+std::atomic<int> urgent{0}, waiting{0}, busy{0};  // threads
+thread_local std::optional<GivesWay> gives_way;
+
+bool isAnyCoreLeft() {
+    static const int cores = static_cast<int>(std::thread::hardware_concurrency());
+    return busy < cores - 1;
+}
 
 }  // namespace
 
@@ -27,12 +34,20 @@ WaitsForAnother::~WaitsForAnother() {
     --waiting;
 }
 
-void giveWayToUrgentWork() {
-    gives_way = true;
+void giveWay(GivesWay to) {
+    gives_way = to;
+}
+
+BusyThread::BusyThread() : counts_(gives_way == GivesWay::to_urgent) {
+    busy += counts_;
+}
+
+BusyThread::~BusyThread() {
+    busy -= counts_;
 }
 
 bool isToGiveWay() {
-    return gives_way && urgent > 0 && waiting == 0;
+    return gives_way && waiting == 0 && (urgent > 0 || (gives_way == GivesWay::to_all && !isAnyCoreLeft()));
 }
 
 }  // namespace sherd

@@ -21,8 +21,24 @@ class WaitsForAnother {
     WaitsForAnother& operator=(const WaitsForAnother&) = delete;
 };
 
+/// What a thread stops for.
+enum class GivesWay {
+    to_urgent,  ///< work
+    to_all,     ///< also where threads that stop for urgent work only are busy on all cores but one
+};
 /// The calling thread gives way from now on.
-void giveWayToUrgentWork();
+void giveWay(GivesWay to);
+/// While one of these lives, its thread is busy, if it gives way to urgent work only.
+class BusyThread {
+  public:
+    BusyThread();
+    ~BusyThread();
+    BusyThread(const BusyThread&) = delete;
+    BusyThread& operator=(const BusyThread&) = delete;
+
+  private:
+    bool counts_;
+};
 /// Whether the calling thread is to stop.
 bool isToGiveWay();
 

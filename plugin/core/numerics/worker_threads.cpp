@@ -5,11 +5,10 @@
 #include <deque>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <vector>
-
-#include "core/numerics/urgent_work.h"
 
 namespace sherd {
 
@@ -17,11 +16,11 @@ namespace {
 
 class WorkerThreads {
   public:
-    WorkerThreads(int count, bool patient) {
+    WorkerThreads(int count, std::optional<GivesWay> gives_way) {
         try {
             for (int i = 0; i < count; ++i)
-                threads_.emplace_back([this, patient] {
-                    if (patient) giveWayToUrgentWork();
+                threads_.emplace_back([this, gives_way] {
+                    if (gives_way) giveWay(*gives_way);
                     run();
                 });
         } catch (const std::system_error&) {
@@ -59,6 +58,7 @@ class WorkerThreads {
                 job = std::move(jobs_.front());
                 jobs_.pop_front();
             }
+            const BusyThread busy;
             job();
         }
     }
@@ -70,20 +70,20 @@ class WorkerThreads {
     std::vector<std::thread> threads_;
 };
 
-Executor threadsOf(int count, bool patient) {
+Executor threadsOf(int count, std::optional<GivesWay> gives_way) {
     const int others = std::max(1, static_cast<int>(std::thread::hardware_concurrency())) - 1;
-    const auto threads = std::make_shared<WorkerThreads>(count > 0 ? count : others, patient);
+    const auto threads = std::make_shared<WorkerThreads>(count > 0 ? count : others, gives_way);
     return [threads](std::function<void()> job) { threads->add(std::move(job)); };
 }
 
 }  // namespace
 
 Executor workerThreads(int count) {
-    return threadsOf(count, false);
+    return threadsOf(count, std::nullopt);
 }
 
-Executor patientWorkerThreads(int count) {
-    return threadsOf(count, true);
+Executor patientWorkerThreads(GivesWay to, int count) {
+    return threadsOf(count, to);
 }
 
 }  // namespace sherd

@@ -2,9 +2,11 @@
 
 #include <sherd/executor.h>
 
+#include "core/numerics/urgent_work.h"
+
 namespace sherd {
 
-/// `workerThreads`, for work that has time: they give way to what is urgent (urgent_work.h).
-Executor patientWorkerThreads(int count = 0);
+/// `workerThreads`, for work that has time.
+Executor patientWorkerThreads(GivesWay to, int count = 0);
 
 }  // namespace sherd

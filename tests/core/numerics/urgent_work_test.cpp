@@ -32,7 +32,7 @@ TEST(UrgentWork, StopsThreadsThatGiveWay) {
     const auto job = Job::make([&] {
         while (!ending) doChunks(done);
     });
-    const Executor patient = patientWorkerThreads(1);
+    const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
     job->submit(patient);
     waitFor(done, 1);
     {
@@ -52,7 +52,7 @@ TEST(UrgentWork, WaitsForNoThreadThatItStopped) {
     const auto job = Job::make([&] {
         for (int i = 0; i < many; ++i) doChunks(done);
     });
-    const Executor patient = patientWorkerThreads(1);
+    const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
     job->submit(patient);
     waitFor(done, 1);
     const UrgentWork urgent;
@@ -68,7 +68,7 @@ TEST(UrgentWork, WaitsForNothingThatAThreadWhichStoppedIsMaking) {
         return 7;
     };
     const auto job = Job::make([&] { (void)made.get(make); });
-    const Executor patient = patientWorkerThreads(1);
+    const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
     job->submit(patient);
     waitFor(done, 1);
     {
