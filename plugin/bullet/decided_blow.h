@@ -39,6 +39,10 @@ class DecidedBlow {
     bool isSubmitted() const { return submitted_; }
     /// Decides it here if no thread has begun.
     void decideIfFree() { job_->doIfFree(); }
+    /// The same on any thread; not if it calls functions of the app's.
+    void decideIfFreeAnywhere() {
+        if (may_run_elsewhere_) job_->doIfFree();
+    }
     bool isDecided() const { return job_->isDone(); }
     /// Since a thread began with it, ms; 0: none has.
     double decidedFor_ms() const { return job_->begunFor_ms(); }

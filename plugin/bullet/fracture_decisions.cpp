@@ -87,13 +87,6 @@ const Executor& FractureWorld::Impl::executor() {
     return workers_;
 }
 
-/// For what the step waits for: threads that no blow keeps busy that has time.
-const Executor& FractureWorld::Impl::executorForNow() {
-    if (executor_of_app_) return *executor_of_app_;
-    if (!workers_for_now_) workers_for_now_ = workerThreads();
-    return workers_for_now_;
-}
-
 BlowToDecide FractureWorld::Impl::toDecide(const StruckBreakable& struck, int most_fragments) const {
     const Breakable& breakable = *struck.breakable;
     BlowToDecide blow{breakable.asset.solid(), struck.blow,       breakable.fracture,
@@ -112,7 +105,10 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     std::vector<std::shared_ptr<DecidedBlow>> decided) {
     std::optional<UrgentWork> urgent;
     if (decided.size() > 1) urgent.emplace();  // one alone leaves others their cores
-    for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(executorForNow());
+    if (executor_of_app_)
+        for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(*executor_of_app_);
+    else
+        forEachChunk(static_cast<int>(decided.size()), [&](int i) { decided[i]->decideIfFreeAnywhere(); });
     for (const auto& one : decided) one->decideIfFree();
     for (const auto& one : decided) one->finish(times_.steps.waiting);
     return decided;

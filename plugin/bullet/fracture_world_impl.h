@@ -140,7 +140,6 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool takeRoom(const StruckBreakable& struck, const BlowOutcome& outcome, int& room);
     StruckBreakable struckNow(Breakable& breakable, const WaitingBlow& blow) const;
     const Executor& executor();
-    const Executor& executorForNow();
     std::vector<StruckBreakable> struck(const btContactSolverInfo& info);
     bool anyWasHeld(const std::vector<Break>& breaks) const;
     bool wasDecided(const Breakable& breakable) const;
@@ -210,7 +209,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     WorldTimes times_;
     Budget budget_;
     std::optional<Executor> executor_of_app_;  // none yet: threads of our own
-    Executor workers_, workers_for_now_;       // made when there is work for them
+    Executor workers_;                         // made when there is work for them
     WaitingBlows waiting_;
     Foresight foresight_;
     SolversAhead solvers_ahead_;

@@ -29,14 +29,11 @@ void Job::submit(const Executor& executor) {
 }
 
 void Job::doIfFree() {
-    if (!begin()) return;
-    run();
-    done_here_ = true;
+    if (begin()) run();
 }
 
 void Job::finish() {
     doIfFree();
-    if (done_here_) return;
     awaited_ = true;
     std::unique_lock<std::mutex> lock(mutex_);
     ended_.wait(lock, [this] { return done_; });
@@ -73,6 +70,7 @@ void Job::run() {
     std::fesetenv(&own);
     // The lock is held while others are told: one that waits may delete the job right after.
     const std::lock_guard<std::mutex> lock(mutex_);
+    done_by_ = std::this_thread::get_id();
     done_ = true;
     ended_.notify_all();
 }

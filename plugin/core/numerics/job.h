@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <thread>
 
 #include "core/numerics/stopwatch.h"
 
@@ -31,8 +32,8 @@ class Job : public std::enable_shared_from_this<Job> {
     double begunFor_ms();
     /// Waits for a thread that is at it, for some milliseconds at most.
     void waitIfBegun(double most_ms);
-    /// After `finish`: whether the thread that called it, or `doIfFree`, did the work.
-    bool doneHere() const { return done_here_; }
+    /// After `finish`: whether the thread that called it did the work.
+    bool doneHere() const { return done_by_ == std::this_thread::get_id(); }
 
   private:
     explicit Job(std::function<void()> work);
@@ -45,7 +46,8 @@ class Job : public std::enable_shared_from_this<Job> {
     std::condition_variable ended_;
     std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
     Stopwatch since_begun_;
-    bool begun_ = false, done_ = false, done_here_ = false;
+    bool begun_ = false, done_ = false;
+    std::thread::id done_by_;
 };
 
 }  // namespace sherd

@@ -175,7 +175,8 @@ void forEachChunk(int count, const std::function<void(int)>& work) {
     const bool here = count < 2 || (alone && !alone->isOver());
     Helpers* const helpers = here ? nullptr : &Helpers::ofThisThread();
     // A helper more than there are cores would be given its chunk late, and all would wait for it.
-    const int free = helpers ? helpers->count() - (with_own_work - own_work) : 0;
+    const int others = isUrgentHere() ? 0 : with_own_work - own_work;
+    const int free = helpers ? helpers->count() - others : 0;
     if (free <= 0) {
         for (int chunk = 0; chunk < count; ++chunk) work(chunk);
         return;

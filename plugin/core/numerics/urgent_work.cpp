@@ -9,6 +9,7 @@ namespace sherd {
 namespace {
 
 std::atomic<int> urgent{0}, waiting{0}, busy{0};  // threads
+thread_local int urgent_here = 0;
 thread_local std::optional<GivesWay> gives_way;
 
 bool isAnyCoreLeft() {
@@ -20,10 +21,16 @@ bool isAnyCoreLeft() {
 
 UrgentWork::UrgentWork() {
     ++urgent;
+    ++urgent_here;
 }
 
 UrgentWork::~UrgentWork() {
     --urgent;
+    --urgent_here;
+}
+
+bool isUrgentHere() {
+    return urgent_here > 0;
 }
 
 WaitsForAnother::WaitsForAnother() {

@@ -12,6 +12,9 @@ class UrgentWork {
     UrgentWork& operator=(const UrgentWork&) = delete;
 };
 
+/// Whether one lives on the calling thread, so that it need not leave cores to threads that give way.
+bool isUrgentHere();
+
 /// While one of these lives, its thread waits for what some other one makes, so that none stops.
 class WaitsForAnother {
   public:
