@@ -29,7 +29,9 @@ void Job::submit(const Executor& executor) {
 }
 
 void Job::doIfFree() {
-    if (begin()) run();
+    if (!begin()) return;
+    run();
+    done_by_ = std::this_thread::get_id();
 }
 
 void Job::finish() {
@@ -70,7 +72,6 @@ void Job::run() {
     std::fesetenv(&own);
     // The lock is held while others are told: one that waits may delete the job right after.
     const std::lock_guard<std::mutex> lock(mutex_);
-    done_by_ = std::this_thread::get_id();
     done_ = true;
     ended_.notify_all();
 }

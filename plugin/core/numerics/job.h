@@ -32,7 +32,7 @@ class Job : public std::enable_shared_from_this<Job> {
     double begunFor_ms();
     /// Waits for a thread that is at it, for some milliseconds at most.
     void waitIfBegun(double most_ms);
-    /// After `finish`: whether the thread that called it did the work.
+    /// After `finish`: whether the thread that called it, or `doIfFree` on that thread, did the work.
     bool doneHere() const { return done_by_ == std::this_thread::get_id(); }
 
   private:
@@ -47,7 +47,7 @@ class Job : public std::enable_shared_from_this<Job> {
     std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
     Stopwatch since_begun_;
     bool begun_ = false, done_ = false;
-    std::thread::id done_by_;
+    std::thread::id done_by_;  // no executor
 };
 
 }  // namespace sherd
