@@ -123,8 +123,9 @@ class FractureWorld {
     const Budget& budget() const;
 
     /// Who works on blows beside the thread that steps; an empty one: nobody, and no thread is made. By
-    /// default it is `workerThreads()`, made when there is work for them. They run Bullet's allocator, too:
-    /// an app that sets one of its own gives one that serves several threads.
+    /// default it is as many threads as `workerThreads()` has, made when there is work for them; unlike those
+    /// they leave their cores to what a step waits for. They run Bullet's allocator, too: an app that sets
+    /// one of its own gives one that serves several threads.
     void setExecutor(Executor executor);
 
     BlowCounts counts() const;
