@@ -13,6 +13,8 @@ constexpr double same_place = 0.1, same_speed = 0.01, same_direction = 1e-3;
 // What presses without striking: in parts of the body's radius, and the cosine of an angle.
 constexpr double about_there = 0.35, about_so = 0.9, standing_m_s = 0.05;
 constexpr double light = 0.02;  // of the struck body's mass: what supports it has more
+// Of the strike: a contact that a blow lifts the body off presses by chance, and takes nothing of the blow.
+constexpr double hardly = 1e-3;
 
 using Partners = std::vector<BodyToken>;
 
@@ -62,7 +64,15 @@ bool pressesAlike(const ContactImpulse& a, const ContactImpulse& b, double radiu
            (is_there || (standsStill(a) && standsStill(b)));
 }
 
-/// Whether each contact of `a` is one of `b`, but for those of light bodies that only rest on this one.
+double strikeImpulse(const Blow& blow) {
+    double sum = 0;
+    for (const ContactImpulse& contact : blow.contacts)
+        if (contact.strikes()) sum += contact.impulse.norm();
+    return sum;
+}
+
+/// Whether each contact of `a` is one of `b`, but for those that hardly press and those of light bodies that
+/// only rest on this one.
 bool hasContactsOf(const Blow& a, const Partners& partners_a, const Blow& b, const Partners& partners_b,
                    const BreakableSolid& solid) {
     const auto isOf = [&](const ContactImpulse& one, const ContactImpulse& other) {
@@ -71,9 +81,14 @@ bool hasContactsOf(const Blow& a, const Partners& partners_a, const Blow& b, con
                (one.strikes() ? isSameStrike(one, other, solid.spacing())
                               : pressesAlike(one, other, solid.boundingRadius()));
     };
-    return std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ContactImpulse& one) {
+    const double strike_n_s = strikeImpulse(a);
+    const auto counts = [&](const ContactImpulse& one) {
+        if (one.strikes()) return true;
         const bool is_light = light * solid.mass() * a.partner(one.partner).inverse_mass > 1;
-        if (!one.strikes() && (!one.supports() || is_light)) return true;
+        return one.supports() && !is_light && one.impulse.norm() > hardly * strike_n_s;
+    };
+    return std::all_of(a.contacts.begin(), a.contacts.end(), [&](const ContactImpulse& one) {
+        if (!counts(one)) return true;
         return partners_a[one.partner] != no_token &&
                std::any_of(b.contacts.begin(), b.contacts.end(),
                            [&](const ContactImpulse& other) { return isOf(one, other); });
