@@ -43,6 +43,7 @@ class DecidedBlow {
     void decideIfFreeAnywhere() {
         if (may_run_elsewhere_) job_->doIfFree();
     }
+    void hurry() { job_->hurry(); }
     bool isDecided() const { return job_->isDone(); }
     /// Since a thread began with it, ms; 0: none has.
     double decidedFor_ms() const { return job_->begunFor_ms(); }

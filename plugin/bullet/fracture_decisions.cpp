@@ -105,6 +105,8 @@ std::vector<std::shared_ptr<DecidedBlow>> FractureWorld::Impl::decideNow(
     std::vector<std::shared_ptr<DecidedBlow>> decided) {
     std::optional<UrgentWork> urgent;
     if (decided.size() > 1) urgent.emplace();  // one alone leaves others their cores
+    for (const auto& one : decided)
+        if (one->isSubmitted()) one->hurry();  // it was foreseen: perhaps a thread is at it
     if (executor_of_app_)
         for (std::size_t i = 1; i < decided.size(); ++i) decided[i]->submit(*executor_of_app_);
     else

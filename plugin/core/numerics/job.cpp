@@ -36,7 +36,7 @@ void Job::doIfFree() {
 
 void Job::finish() {
     doIfFree();
-    awaited_ = true;
+    hurry();
     std::unique_lock<std::mutex> lock(mutex_);
     ended_.wait(lock, [this] { return done_; });
 }

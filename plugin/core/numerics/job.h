@@ -25,6 +25,8 @@ class Job : public std::enable_shared_from_this<Job> {
     void submit(const Executor& executor);
     /// Does the work here if nobody has begun.
     void doIfFree();
+    /// A thread that is at it stops for nothing more, and is helped: this one will wait for it.
+    void hurry() { awaited_ = true; }
     /// Returns when the work is done; does it here if nobody has begun.
     void finish();
     bool isDone();
@@ -44,7 +46,7 @@ class Job : public std::enable_shared_from_this<Job> {
     std::fenv_t rounding_;
     std::mutex mutex_;
     std::condition_variable ended_;
-    std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do
+    std::atomic<bool> awaited_{false};  // by a thread that has nothing else to do, or soon will
     Stopwatch since_begun_;
     bool begun_ = false, done_ = false;
     std::thread::id done_by_;  // no executor
