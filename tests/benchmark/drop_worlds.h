@@ -18,7 +18,7 @@ inline constexpr int orientations = 5;
 
 /// On which pieces do not slide far.
 struct World : FloorWorld {
-    World() { floor.setFriction(1); }
+    World() : FloorWorld(50) { floor.setFriction(1); }  // shards slide for metres
     void step() { world.stepSimulation(btScalar(time_step_s), 0); }
 };
 
