@@ -53,7 +53,8 @@ class Window : public Context {
         glfwTerminate();
         throw Failure(
             what + reason +
-            ". A machine without a display can still draw to files: --off-screen --screenshot FILE.");
+            ". A machine without a display can still draw to files: --off-screen --screenshot FILE, with "
+            "--steps 240 of a scene, --script-seconds 3 of the game.");
     }
 
     GLFWwindow* window_ = nullptr;

@@ -128,7 +128,8 @@ bool Foresight::isToBeLookedAt(BodyToken mover, double time_s, double ahead_s) c
     return !strikes && known->rests_until_s <= time_s && known->until_s < time_s + ahead_s;
 }
 
-void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost) {
+void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost,
+                     bool is_too_dear) {
     credit_ -= cost;
     Outlook* outlook = of(mover);
     if (!outlook) {
@@ -139,6 +140,7 @@ void Foresight::note(BodyToken mover, std::vector<BodyState> way, double until_s
     outlook->way = std::move(way);
     outlook->steps = 0;
     outlook->until_s = until_s;
+    if (is_too_dear) surprised(*outlook, until_s);
 }
 
 void Foresight::note(ForeseenBlow blow, double turn_s) {

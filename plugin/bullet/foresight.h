@@ -31,8 +31,10 @@ class Foresight {
     int credit() const { return credit_; }
     /// Whether nothing is known of what a body does from here on, or too little of it to be worth more.
     bool isToBeLookedAt(BodyToken mover, double time_s, double ahead_s) const;
-    /// Notes where a body goes, up to `until_s`, and what finding out cost.
-    void note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost);
+    /// Notes where a body goes, up to `until_s`, and what finding out cost. `is_too_dear`: nothing was found
+    /// in a single step, and more would have cost too much; after a few of these it is left alone for a
+    /// while.
+    void note(BodyToken mover, std::vector<BodyState> way, double until_s, int cost, bool is_too_dear);
     /// Notes a blow that keeps one worker busy for `turn_s` of simulated time, after those noted before it.
     void note(ForeseenBlow blow, double turn_s);
     bool isForeseen(std::uint64_t serial) const;

@@ -115,7 +115,10 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const Result<BreakableAsset> held =
         options.supports.empty() ? free_asset : free_asset.anchored(options.supports);
     if (!held) return Error{held.error()};
-    const BreakableAsset& asset = held.value();
+    // What a blow on another body leaves behind must not tell how one on this is decided.
+    const bool has_own_factor = keepsFactorForAWhile(*held.value().solid());
+    const BreakableAsset asset =
+        has_own_factor ? BreakableAsset(held.value().solid()->unsolved()) : held.value();
     const bool is_static = asset.solid()->isAnchored();
     if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
         return Error{"a body with supports is static, so its velocities must be 0"};
@@ -125,7 +128,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     auto breakable = std::make_unique<Breakable>(
         options.seed ? asset.ofBody(*options.seed) : asset,
         fractureSettingsFor(asset, options.fracture ? *options.fracture : asset.settings().fracture));
-    const auto shape = shapes_.shapeOf(asset.solid(), ShapeChoice(*breakable->fracture));
+    const auto shape = shapes_.shapeOf(held.value().solid(), ShapeChoice(*breakable->fracture));
     if (!shape) return Error{shape.error()};
     if (asset.solid()->prepared()) asset.solid()->prepareSurface();  // a baked one has none
     breakable->owned = makeRigidBody(*asset.solid(), shape.value(), is_static ? 0 : 1);

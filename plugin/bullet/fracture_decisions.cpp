@@ -61,7 +61,10 @@ std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
 }
 
 BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
-    BlowEvent event(struck.breakable->asset);
+    const std::shared_ptr<const BreakableSolid>& solid = struck.breakable->asset.solid();
+    // An app may keep events for as long as it likes.
+    BlowEvent event(keepsFactorForAWhile(*solid) ? BreakableAsset(solid->unsolved())
+                                                 : struck.breakable->asset);
     static_cast<BlowFigures&>(event) = figures;
     event.name = struck.breakable->name;
     event.asset_transform = struck.breakable->placed(struck.before.transform);
@@ -160,7 +163,7 @@ std::optional<FractureWorld::Impl::Break> FractureWorld::Impl::tell(
     std::shared_ptr<const DamagedMaterial>& damaged = struck.breakable->damaged;
     damaged = DamagedMaterial::united(damaged, outcome.damaged);
     if (outcome.outcome != Outcome::broke) {
-        if (outcome.level == Level::full) kept_factors_.noteHeld(*struck.breakable, breakables_);
+        if (decided) kept_factors_.noteDecided(*struck.breakable, breakables_);
         return std::nullopt;
     }
     return Break{struck.breakable->body,   decided,
@@ -264,6 +267,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         const auto own = is_now ? decided[k++] : is_torn ? tornOut(struck[i]) : nullptr;
         if (is_now && time_step_s > 0 && !takeRoom(struck[i], own->outcome, room)) {
             (own->doneElsewhere() ? times_.workers : times_.blows) += own->outcome.ms;
+            kept_factors_.noteDecided(*struck[i].breakable, breakables_);
             continue;
         }
         const auto broken = tell(struck[i], own ? own->outcome : *gated.held[i], own);

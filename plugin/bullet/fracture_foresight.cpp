@@ -80,7 +80,8 @@ void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
         found = worthSolving(std::move(struck), rehearsal.time());
         way.push_back(rehearsal.stateOf(mover));
     }
-    foresight_.note(token, std::move(way), rehearsal.time(), cost);
+    const bool is_too_dear = found.empty() && way.size() == 1 && cost >= most_cost;
+    foresight_.note(token, std::move(way), rehearsal.time(), cost, is_too_dear);
     for (ForeseenBlow& blow : found) {
         blow.mover = token;
         blow.decided = DecidedBlow::make(blow.blow);

@@ -194,6 +194,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         const double waited_s = time_s_ - blow.struck_at_s;
         if (count > 0 && count > roomForFragments() + (*found)->ownPlaces()) {
             (blow.decided->doneElsewhere() ? times_.workers : times_.blows) += blow.decided->outcome.ms;
+            kept_factors_.noteDecided(**found, breakables_);
             tellTooMany(struckNow(**found, blow), blow.impulse_n_s, waited_s);
             continue;
         }

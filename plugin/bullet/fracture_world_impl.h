@@ -209,11 +209,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     WorldTimes times_;
     Budget budget_;
     std::optional<Executor> executor_of_app_;  // none yet: threads of our own
-    Executor workers_;                         // made when there is work for them
     WaitingBlows waiting_;
     Foresight foresight_;
     SolversAhead solvers_ahead_;
     KeptFactors kept_factors_;
+    Executor workers_ = nullptr;  // made when there is work for them; they end before what is made ahead
     StepSpent spent_;
     Patience patience_{budget_, breakables_, [this](const auto& object) { return isFragmentOfAny(object); }};
     Stopwatch solve_watch_;  // of Bullet's own solve

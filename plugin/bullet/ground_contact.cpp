@@ -290,7 +290,7 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const BreakableRegistry& break
         moved_ground.endStep(world);
         return;
     }
-    static const MovedSurfaces none;
+    static const MovedSurfaces& none = *new MovedSurfaces;  // never destroyed, as worlds may end last
     for (const auto& breakable : breakables.all()) {
         const BodyState* start = breakable->in_world ? before.find(breakable->body) : nullptr;
         if (!start) continue;

@@ -6,30 +6,28 @@
 
 namespace sherd {
 
-namespace {
-
-constexpr std::size_t most_kept = 2;
-
-/// Others have theirs for good: the app has prepared them, or they count with `Budget::prepared_fragments`.
-/// Whether a thread has made it by now does not count.
-bool isKeptForAWhile(const Breakable& body) {
-    const BreakableSolid& solid = *body.asset.solid();
-    return body.isFragment() && !solid.expectsFactor() && !solid.prepared();
+bool keepsFactorForAWhile(const BreakableSolid& solid) {
+    // Not `isFactored`: of a body that is about to be struck again a thread may make it at any time.
+    return solid.isFragment() && !solid.expectsFactor() && !solid.prepared();
 }
 
-}  // namespace
-
-void KeptFactors::noteHeld(const Breakable& body, const BreakableRegistry& breakables) {
-    if (!isKeptForAWhile(body)) return;
-    serials_.erase(std::remove(serials_.begin(), serials_.end(), body.serial), serials_.end());
+void KeptFactors::noteDecided(const Breakable& body, const BreakableRegistry& breakables) {
+    constexpr std::size_t most_kept = 2;
+    if (!keepsFactorForAWhile(*body.asset.solid())) return;
+    const auto bodyOf = [&](std::uint64_t serial) {
+        const auto& all = breakables.all();
+        const auto found =
+            std::find_if(all.begin(), all.end(), [&](const auto& other) { return other->serial == serial; });
+        return found == all.end() ? nullptr : found->get();
+    };
+    const auto is_over = [&](std::uint64_t serial) { return serial == body.serial || !bodyOf(serial); };
+    serials_.erase(std::remove_if(serials_.begin(), serials_.end(), is_over), serials_.end());
     serials_.push_back(body.serial);
     if (serials_.size() <= most_kept) return;
-    const std::uint64_t oldest = serials_.front();
+    BreakableAsset& oldest = bodyOf(serials_.front())->asset;
     serials_.pop_front();
-    for (const auto& other : breakables.all())
-        // What others still hold of the solid, a thread that is at a blow on it too, goes with them.
-        if (other->serial == oldest && isKeptForAWhile(*other))
-            other->asset = BreakableAsset(other->asset.solid()->unsolved());
+    // Who else holds the solid, as a thread that is at a blow on it, keeps what it has.
+    if (keepsFactorForAWhile(*oldest.solid())) oldest = BreakableAsset(oldest.solid()->unsolved());
 }
 
 }  // namespace sherd

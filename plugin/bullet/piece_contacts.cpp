@@ -233,7 +233,8 @@ class PieceContacts::Table {
     /// The one that the dispatcher has, or a new one.
     static std::shared_ptr<Table> of(btCollisionDispatcher& dispatcher) {
         static std::mutex mutex;
-        static std::map<const btCollisionDispatcher*, std::weak_ptr<Table>> tables;  // for look-up only
+        // For look-up only; never destroyed, as worlds may end last.
+        static auto& tables = *new std::map<const btCollisionDispatcher*, std::weak_ptr<Table>>;
         const std::lock_guard lock(mutex);
         for (auto it = tables.begin(); it != tables.end();)
             it = it->second.expired() ? tables.erase(it) : std::next(it);

@@ -248,7 +248,7 @@ bool isForeseeable(const Breakable& breakable, double time_s) {
     const BreakableSolid& solid = *breakable.asset.solid();
     // Of other fragments a blow may leave the factor to the next one, which must not depend on what is
     // foreseen.
-    const bool is_answered = !breakable.isFragment() || solid.reducedStress() || solid.expectsFactor();
+    const bool is_answered = !solid.isFragment() || solid.reducedStress() || solid.expectsFactor();
     return breakable.in_world && is_answered && breakable.canBeStruck() &&
            breakable.body->getNumConstraintRefs() == 0 && breakable.breaksAt(time_s) &&
            mayRunElsewhere(solid, *breakable.fracture);

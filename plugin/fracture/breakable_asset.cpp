@@ -16,10 +16,10 @@ namespace sherd {
 
 namespace {
 
-/// One for all: every fragment has it, and there may be very many.
+/// One for all: every fragment has it, and there may be very many. Never destroyed, as worlds may end last.
 template <class T>
 const std::shared_ptr<const T>& emptyOne() {
-    static const auto empty = std::make_shared<const T>();
+    static const auto& empty = *new std::shared_ptr<const T>(std::make_shared<const T>());
     return empty;
 }
 
@@ -45,7 +45,7 @@ Result<BreakableAsset> BreakableAsset::fromObj(const std::string& path, const Ma
 namespace {
 
 /// Of numbers that no brittle material has, but that its table has in another unit. One that is scaled with
-/// the density (Material::withDensity) is right.
+/// the density (Material::withDensity) is right: sound is no faster in it than in others.
 std::vector<std::string> unitWarnings(const Material& material) {
     std::vector<std::string> warnings;
     const auto warn = [&](const char* name, double value, double least, const char* unit) {
@@ -60,11 +60,13 @@ std::vector<std::string> unitWarnings(const Material& material) {
     const double lighter = std::min(1.0, material.density_kg_m3 / lightest_kg_m3);
     warn("youngs_modulus_pa", material.youngs_modulus_pa, 1e6 * lighter, "Pa, not in GPa or MPa");
     warn("tensile_strength_pa", material.tensile_strength_pa, 500 * lighter, "Pa, not in MPa");
-    warn(
-        "density_kg_m3", material.density_kg_m3, lightest_kg_m3,
-        "kg/m^3, not in g/cm^3? That of a body of the program's own (makeBreakable) is its mass over its "
-        "volume: if it is to be as light as that, Material::withDensity has what breaks as a heavy one does. "
-        "Is that as it should be");
+    constexpr double fastest_m_s = 30000;  // sound, in any material
+    if (material.youngs_modulus_pa > fastest_m_s * fastest_m_s * material.density_kg_m3)
+        warn(
+            "density_kg_m3", material.density_kg_m3, lightest_kg_m3,
+            "kg/m^3, not in g/cm^3? That of a body of the program's own (makeBreakable) is its mass over its "
+            "volume: if it is to be as light as that, Material::withDensity makes it break at the speeds at "
+            "which a heavy one does. Is that as it should be");
     return warnings;
 }
 

@@ -102,6 +102,12 @@ std::shared_ptr<const BreakableSolid> BreakableSolid::ofBody(std::uint64_t seed)
     return body;
 }
 
+std::shared_ptr<const BreakableSolid> BreakableSolid::unsolved() const {
+    std::shared_ptr<BreakableSolid> same(new BreakableSolid(*this));
+    same->solver_ = std::make_shared<MadeOnce<Result<StressSolver>>>();
+    return same;
+}
+
 const FailureCriterion& BreakableSolid::failureCriterion() const {
     return *sherd::failureCriterion(material_.failure_criterion);
 }
@@ -148,7 +154,7 @@ Result<std::shared_ptr<const Discretisation>> BreakableSolid::completeDiscretisa
 }
 
 Result<const StressSolver*> BreakableSolid::stressSolver() const {
-    const Result<StressSolver>& solver = shared_->solver.get([&] { return stressSolverWithout({}); });
+    const Result<StressSolver>& solver = solver_->get([&] { return stressSolverWithout({}); });
     if (!solver) return Error{solver.error()};
     return &solver.value();
 }
@@ -179,7 +185,7 @@ Status BreakableSolid::makeReduced(const Progress& progress) const {
     if (stress.trial_function != TrialFunction::spline || stress.resample_contacts)
         return Error{"A reduced model needs spline trial functions, and contacts that are not resampled."};
     const auto& reduced = shared_->reduced.get([&]() -> Result<std::shared_ptr<const ReducedStress>> {
-        if (const Result<StressSolver>* made = shared_->solver.ifMade(); made && *made)
+        if (const Result<StressSolver>* made = solver_->ifMade(); made && *made)
             return made->value().reduced(progress);
         // Neither its factor is kept, nor what else only makes it, unless something has asked for that
         // before.
@@ -258,11 +264,11 @@ double BreakableSolid::sampleMilliseconds() const {
 int BreakableSolid::unknownCount() const {
     if (const ReducedStress* reduced = reducedStress())
         return 3 * reduced->model.problem().space->function_count;
-    return isFactored() ? shared_->solver.ifMade()->value().report().unknowns : 0;
+    return isFactored() ? solver_->ifMade()->value().report().unknowns : 0;
 }
 
 bool BreakableSolid::isFactored() const {
-    const Result<StressSolver>* solver = shared_->solver.ifMade();
+    const Result<StressSolver>* solver = solver_->ifMade();
     return solver && solver->ok();
 }
 

@@ -109,8 +109,8 @@ class BreakableSolid {
 
     /// The same solid held on `supports` instead of its own; sampled and factored anew.
     std::shared_ptr<const BreakableSolid> anchored(std::vector<SurfaceRegion> supports) const;
-    /// The same solid, of which nothing is made yet.
-    std::shared_ptr<const BreakableSolid> unsolved() const { return anchored(supports_); }
+    /// The same solid without a factored stress problem of its own yet; all else is made once for both.
+    std::shared_ptr<const BreakableSolid> unsolved() const;
     /// One like it, for all who hold the solid alike for as long as one of them does.
     std::shared_ptr<const BreakableSolid> anchoredTogether(const std::vector<SurfaceRegion>& supports) const;
     /// The same solid as that of one body: its strength scatters in another way for each seed. All else that
@@ -139,7 +139,6 @@ class BreakableSolid {
         MadeOnce<CuttableSolid> cuttable;
         MadeOnce<std::vector<Vec3>> wall_axes;
         MadeOnce<Sampled> sampled;
-        MadeOnce<Result<StressSolver>> solver;
         MadeOnce<Result<std::shared_ptr<const ReducedStress>>> reduced;
         MadeOnce<double> smallest_failure_energy;
         std::atomic<bool> prepared{false}, expects_factor{false};
@@ -149,6 +148,8 @@ class BreakableSolid {
     };
 
     std::shared_ptr<Shared> shared_;
+    std::shared_ptr<MadeOnce<Result<StressSolver>>> solver_ =
+        std::make_shared<MadeOnce<Result<StressSolver>>>();
     Material material_;
     Settings settings_;
     std::vector<SurfaceRegion> supports_;

@@ -1,6 +1,7 @@
 // Stress problems that fragments keep which held a blow.
 
 #include <algorithm>
+#include <future>
 #include <vector>
 
 #include "bullet/support.h"
@@ -75,6 +76,54 @@ TEST(KeptFactors, AreThoseOfTheFragmentsThatHeldLast) {
     EXPECT_TRUE(pieces.isFactored(held[0]));
     EXPECT_FALSE(pieces.isFactored(held[held.size() - 2]))
         << "the one of which nothing was heard for longest";
+}
+
+/// An app may have asked for it when the body broke off, and draws it.
+TEST(KeptFactors, WhatElseIsMadeOfAFragmentStays) {
+    Pieces pieces;
+    btRigidBody* const first = pieces.bodies[0];
+    const TriangleMesh& surface = pieces.fracture.asset(first)->surface();
+    const std::size_t vertices = surface.vertices.size();
+    std::future<Status> prepared;
+    std::size_t held = 0;
+    for (btRigidBody* piece : pieces.bodies) {
+        held += heldImpulse(pieces, piece) > 0;
+        if (piece == first) prepared = pieces.fracture.asset(first)->prepareOnThread();
+    }
+    ASSERT_GE(held, 4u);
+    EXPECT_EQ(&pieces.fracture.asset(first)->surface(), &surface);
+    EXPECT_EQ(surface.vertices.size(), vertices);
+    ASSERT_TRUE(prepared.get().ok());
+    EXPECT_TRUE(pieces.fracture.asset(first)->prepared());
+}
+
+/// Each would keep some megabytes.
+TEST(KeptFactors, AreNotThoseOfEvents) {
+    Pieces pieces;
+    for (btRigidBody* piece : pieces.bodies)
+        for (double impulse = 1e-4; impulse < 100; impulse *= 1.5) {
+            const auto events = pieces.strike(piece, impulse);
+            if (events.empty()) continue;
+            EXPECT_EQ(events[0].asset.unknownCount(), 0);
+            EXPECT_EQ(&events[0].asset.surface(), &pieces.fracture.asset(piece)->surface());
+            break;
+        }
+}
+
+/// What a blow on one left behind would tell whether a coarse look decides that on the other.
+TEST(KeptFactors, AreNotSharedByBodiesThatAnAppMakesOfAFragment) {
+    Pieces pieces;
+    const BreakableAsset asset = *pieces.fracture.asset(pieces.bodies[0]);
+    BodyOptions options(at(0, 5, 0));
+    options.fracture.emplace();
+    options.fracture->use_coarse_model = false;
+    btRigidBody* const a = pieces.fracture.add(asset, options).value();
+    options.start = at(0, 9, 0);
+    btRigidBody* const b = pieces.fracture.add(asset, options).value();
+    EXPECT_GT(heldImpulse(pieces, a), 0);
+    EXPECT_TRUE(pieces.isFactored(a));
+    EXPECT_FALSE(pieces.isFactored(b));
+    EXPECT_EQ(a->getCollisionShape(), b->getCollisionShape());
 }
 
 }  // namespace

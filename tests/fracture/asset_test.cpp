@@ -86,7 +86,7 @@ TEST(Asset, MaterialsThatAreHardlyMeantAreWarnedOf) {
         "or MPa?");
     EXPECT_EQ(warnings([](Material& m) { m.tensile_strength_pa = 40; }).size(), 1u);
     EXPECT_EQ(warnings([](Material& m) { m.density_kg_m3 = 2.5; }).size(), 1u);
-    EXPECT_EQ(warnings([](Material& m) { m = m.withDensity(1e-3); }).size(), 1u) << "of its density alone";
+    EXPECT_EQ(warnings([](Material& m) { m = m.withDensity(1e-3); }).size(), 0u) << "as it was asked for";
 }
 
 TEST(Asset, ColoursThatAreNoNumbersAreNamed) {

@@ -11,7 +11,8 @@ namespace sherd {
 SHERD_FAILURE_CRITERIA(SHERD_DECLARED)
 
 const std::vector<const FailureCriterion*>& failureCriteria() {
-    static const std::vector<const FailureCriterion*> all = {SHERD_FAILURE_CRITERIA(SHERD_LISTED)};
+    // Never destroyed: a world that lives as long as the program has threads that ask for it at the end.
+    static const auto& all = *new std::vector<const FailureCriterion*>{SHERD_FAILURE_CRITERIA(SHERD_LISTED)};
     return all;
 }
 

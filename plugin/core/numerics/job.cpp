@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "core/numerics/parallel_chunks.h"
+#include "core/numerics/urgent_work.h"
 
 namespace sherd {
 
@@ -42,6 +43,7 @@ void Job::finish() {
 }
 
 void Job::waitIfBegun(double most_ms) {
+    const WaitsForAnother waits;
     std::unique_lock<std::mutex> lock(mutex_);
     if (begun_)
         ended_.wait_for(lock, std::chrono::duration<double, std::milli>(most_ms), [this] { return done_; });

@@ -33,6 +33,7 @@ class WorkerThreads {
             ending_ = true;
         }
         wake_.notify_all();
+        const WaitsForAnother waits;
         for (std::thread& thread : threads_) thread.join();
     }
     WorkerThreads(const WorkerThreads&) = delete;
