@@ -88,7 +88,9 @@ TEST(KeptFactors, WhatElseIsMadeOfAFragmentStays) {
     std::size_t held = 0;
     for (btRigidBody* piece : pieces.bodies) {
         held += heldImpulse(pieces, piece) > 0;
-        if (piece == first) prepared = pieces.fracture.asset(first)->prepareOnThread();
+        if (piece == first)
+            prepared = std::async(std::launch::async,
+                                  [asset = *pieces.fracture.asset(first)] { return asset.prepare(); });
     }
     ASSERT_GE(held, 4u);
     EXPECT_EQ(&pieces.fracture.asset(first)->surface(), &surface);
