@@ -66,9 +66,9 @@ class Foresight {
     };
     Outlook* of(BodyToken mover);
     static void surprised(Outlook& outlook, double time_s);
-    /// Whether a body left the way that it was to go; forgets that.
     /// Where a blow leaves the plan, the worker goes on with the next one at once.
     void leavePlan(const ForeseenBlow& blow, double time_s);
+    /// Whether a body left the way that it was to go; forgets that.
     static bool strays(Outlook& outlook, const btRigidBody& body, double time_s);
 
     std::vector<Outlook> outlooks_;  // in the order in which they were noted

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <memory>
 #include <thread>
+#include <vector>
 
 #include "core/numerics/job.h"
 #include "core/numerics/made_once.h"
@@ -77,6 +78,53 @@ TEST(UrgentWork, WaitsForNothingThatAThreadWhichStoppedIsMaking) {
     }
     job->finish();
     EXPECT_EQ(done, many) << "made twice";
+}
+
+TEST(UrgentWork, StopsNothingThatIsToHurry) {
+    std::atomic<int> done{0};
+    const auto job = Job::make([&] {
+        for (int i = 0; i < many; ++i) doChunks(done);
+    });
+    const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
+    job->submit(patient);
+    waitFor(done, 1);
+    const UrgentWork urgent;
+    job->hurry();
+    waitFor(done, many);
+    job->finish();
+}
+
+/// The step keeps a core of its own, whatever is made ahead.
+TEST(PatientWorkerThreads, StopWhereOthersAreBusyOnAllCoresButOne) {
+    const int others = static_cast<int>(std::thread::hardware_concurrency()) - 1;
+    if (others < 1) GTEST_SKIP() << "one core";
+    std::atomic<int> done{0}, begun{0};
+    std::atomic<bool> ending{false}, ending_ahead{false};
+    const Executor workers = patientWorkerThreads(GivesWay::to_urgent, others);
+    const Executor ahead = patientWorkerThreads(GivesWay::to_all, 1);
+    const auto last = Job::make([&] {
+        while (!ending_ahead) doChunks(done);
+    });
+    last->submit(ahead);
+    waitFor(done, 1);
+    std::vector<std::shared_ptr<Job>> jobs;
+    for (int i = 0; i < others; ++i) {
+        jobs.push_back(Job::make([&] {
+            ++begun;
+            while (!ending) std::this_thread::sleep_for(std::chrono::microseconds(100));
+        }));
+        jobs.back()->submit(workers);
+    }
+    waitFor(begun, others);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // it comes to its next chunk
+    const int before = done;
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    EXPECT_LT(done - before, 5);
+    ending = true;
+    for (const auto& job : jobs) job->finish();
+    waitFor(done, done + many);
+    ending_ahead = true;
+    last->finish();
 }
 
 TEST(UrgentWork, LeavesOtherThreadsAlone) {
