@@ -1,60 +1,149 @@
 #include "core/sampling/surface_pieces.h"
 
+#include <cmath>
+
+#include "core/numerics/wide_vectors.h"
 #include "core/sampling/polygon_clipping.h"
 
 namespace sherd {
 namespace {
 
-/// Integrals of monomials over a triangle, exact up to degree 3, per unit area.
-struct TriangleMonomials {
-    Vec3 a, b, c, sum;
-    TriangleMonomials(const Vec3& a, const Vec3& b, const Vec3& c) : a(a), b(b), c(c), sum(a + b + c) {}
+constexpr int lane_count = 8;  // triangles that are measured at a time
 
-    double products(int i, int j) const { return a[i] * a[j] + b[i] * b[j] + c[i] * c[j]; }
-    double of(int i) const { return sum[i] / 3; }
-    double of(int i, int j) const { return (sum[i] * sum[j] + products(i, j)) / 12; }
-    double of(int i, int j, int k) const {
-        return (sum[i] * sum[j] * sum[k] + sum[i] * products(j, k) + sum[j] * products(k, i) +
-                sum[k] * products(i, j) +
-                2 * (a[i] * a[j] * a[k] + b[i] * b[j] * b[k] + c[i] * c[j] * c[k])) /
-               60;
+/// Of each triangle a number.
+using Lane = double[lane_count];
+
+/// Corners of triangles from the centre of their voxel; what is not in use is zero.
+struct TriangleLanes {
+    Lane a[3] = {}, b[3] = {}, c[3] = {};
+};
+
+/// What triangles add to the flux, and their pieces' areas, sizes and centroids times size.
+struct MeasuredLanes {
+    Lane volume[10], face[3][6], area[3], size, centroid[3];
+};
+
+constexpr double third = 1.0 / 3, twelfth = 1.0 / 12, sixtieth = 1.0 / 60;
+
+/// Integrals of monomials over one of the triangles, exact up to degree 3, per unit area.
+struct TriangleMonomials {
+    double a[3], b[3], c[3], sum[3];
+
+    SHERD_INLINED TriangleMonomials(const TriangleLanes& of, int lane) {
+        for (int i = 0; i < 3; ++i) {
+            a[i] = of.a[i][lane];
+            b[i] = of.b[i][lane];
+            c[i] = of.c[i][lane];
+            sum[i] = a[i] + b[i] + c[i];
+        }
+    }
+    SHERD_INLINED double products(int i, int j) const { return a[i] * a[j] + b[i] * b[j] + c[i] * c[j]; }
+    SHERD_INLINED double of(int i) const { return third * sum[i]; }
+    SHERD_INLINED double of(int i, int j) const { return twelfth * (sum[i] * sum[j] + products(i, j)); }
+    SHERD_INLINED double of(int i, int j, int k) const {
+        return sixtieth *
+               (sum[i] * sum[j] * sum[k] + sum[i] * products(j, k) + sum[j] * products(k, i) +
+                sum[k] * products(i, j) + 2 * (a[i] * a[j] * a[k] + b[i] * b[j] * b[k] + c[i] * c[j] * c[k]));
     }
 };
 
-void addTriangle(const TriangleMonomials& m, const Vec3& area, SurfaceFlux& flux) {
-    const double nx = area.x();
-    const std::array<double, 10> volume = {
-        m.of(0),           m.of(0, 0) / 2,    m.of(0, 1),    m.of(0, 2),    m.of(0, 0, 0) / 3,
-        m.of(0, 0, 1) / 2, m.of(0, 0, 2) / 2, m.of(0, 1, 1), m.of(0, 1, 2), m.of(0, 2, 2)};
-    for (int i = 0; i < 10; ++i) flux.volume[i] += nx * volume[i];
-    for (int d = 0; d < 3; ++d) {
-        flux.face[d][0] += area[d];
-        flux.face[d][1] += area[d] * m.of((d + 1) % 3);
-        flux.face[d][2] += area[d] * m.of((d + 2) % 3);
+SHERD_WIDE_VECTORS
+void measureLanes(const TriangleLanes& triangles, MeasuredLanes& measured) {
+    for (int l = 0; l < lane_count; ++l) {
+        const TriangleMonomials m(triangles, l);
+        double u[3], v[3], area[3];
+        for (int i = 0; i < 3; ++i) {
+            u[i] = m.b[i] - m.a[i];
+            v[i] = m.c[i] - m.a[i];
+        }
+        area[0] = (u[1] * v[2] - u[2] * v[1]) / 2;
+        area[1] = (u[2] * v[0] - u[0] * v[2]) / 2;
+        area[2] = (u[0] * v[1] - u[1] * v[0]) / 2;
+        const double nx = area[0];
+        measured.volume[0][l] = nx * m.of(0);
+        measured.volume[1][l] = nx * (m.of(0, 0) / 2);
+        measured.volume[2][l] = nx * m.of(0, 1);
+        measured.volume[3][l] = nx * m.of(0, 2);
+        measured.volume[4][l] = nx * (third * m.of(0, 0, 0));
+        measured.volume[5][l] = nx * (m.of(0, 0, 1) / 2);
+        measured.volume[6][l] = nx * (m.of(0, 0, 2) / 2);
+        measured.volume[7][l] = nx * m.of(0, 1, 1);
+        measured.volume[8][l] = nx * m.of(0, 1, 2);
+        measured.volume[9][l] = nx * m.of(0, 2, 2);
+        for (int d = 0; d < 3; ++d) {
+            measured.face[d][0][l] = area[d];
+            measured.face[d][1][l] = area[d] * m.of((d + 1) % 3);
+            measured.face[d][2][l] = area[d] * m.of((d + 2) % 3);
+            measured.area[d][l] = area[d];
+        }
+        measured.face[0][3][l] = nx * m.of(1, 1);
+        measured.face[0][4][l] = nx * m.of(1, 2);
+        measured.face[0][5][l] = nx * m.of(2, 2);
+        const double size = std::sqrt(area[0] * area[0] + area[1] * area[1] + area[2] * area[2]);
+        measured.size[l] = size;
+        for (int d = 0; d < 3; ++d) measured.centroid[d][l] = third * size * m.sum[d];
     }
-    flux.face[0][3] += nx * m.of(1, 1);
-    flux.face[0][4] += nx * m.of(1, 2);
-    flux.face[0][5] += nx * m.of(2, 2);
 }
 
-/// Adds the flux of a polygon and gives its area and centroid. It is summed as a fan of triangles, so that
-/// the fans of a closed surface still close where rounding has made a polygon not quite planar.
-SurfacePiece measure(const Polygon& polygon, const Vec3& centre, SurfaceFlux& flux) {
-    SurfacePiece piece;
-    double size = 0;
-    const Vec3 a = polygon.points[0] - centre;
-    for (int i = 1; i + 1 < polygon.count; ++i) {
-        const Vec3 b = polygon.points[i] - centre, c = polygon.points[i + 1] - centre;
-        const Vec3 area = (b - a).cross(c - a) / 2;
-        const TriangleMonomials monomials(a, b, c);
-        addTriangle(monomials, area, flux);
-        piece.area += area;
-        piece.centroid += area.norm() * monomials.sum / 3;
-        size += area.norm();
+/// Measures polygons, several at a time. They are summed as fans of triangles, so that the fans of a closed
+/// surface still close where rounding has made a polygon not quite planar.
+class PieceMeasure {
+  public:
+    explicit PieceMeasure(CutSurface& cut) : cut_(cut) {}
+
+    void add(const Polygon& polygon, const Vec3& centre, int cut_voxel) {
+        const Vec3 a = polygon.points[0] - centre;
+        cut_.pieces.emplace_back();
+        cut_.pieces.back().cut_voxel = cut_voxel;
+        corners_.push_back(a);
+        for (int i = 1; i + 1 < polygon.count; ++i) {
+            if (count_ == lane_count) flush();
+            const Vec3 b = polygon.points[i] - centre, c = polygon.points[i + 1] - centre;
+            for (int d = 0; d < 3; ++d) {
+                triangles_.a[d][count_] = a[d];
+                triangles_.b[d][count_] = b[d];
+                triangles_.c[d][count_] = c[d];
+            }
+            piece_of_[count_++] = static_cast<int>(cut_.pieces.size()) - 1;
+        }
     }
-    piece.centroid = size > 0 ? Vec3(piece.centroid / size) : a;
-    return piece;
-}
+
+    /// After the last polygon.
+    void finish() {
+        flush();
+        for (std::size_t p = 0; p < cut_.pieces.size(); ++p) {
+            Vec3& centroid = cut_.pieces[p].centroid;
+            centroid = sizes_[p] > 0 ? Vec3(centroid / sizes_[p]) : corners_[p];
+        }
+    }
+
+  private:
+    /// Adds what was collected, in its order.
+    void flush() {
+        MeasuredLanes measured;
+        measureLanes(triangles_, measured);
+        sizes_.resize(cut_.pieces.size(), 0.0);
+        for (int l = 0; l < count_; ++l) {
+            SurfacePiece& piece = cut_.pieces[piece_of_[l]];
+            SurfaceFlux& flux = cut_.flux[piece.cut_voxel];
+            for (int i = 0; i < 10; ++i) flux.volume[i] += measured.volume[i][l];
+            for (int d = 0; d < 3; ++d)
+                for (int i = 0; i < (d == 0 ? 6 : 3); ++i) flux.face[d][i] += measured.face[d][i][l];
+            for (int d = 0; d < 3; ++d) {
+                piece.area[d] += measured.area[d][l];
+                piece.centroid[d] += measured.centroid[d][l];
+            }
+            sizes_[piece_of_[l]] += measured.size[l];
+        }
+        count_ = 0;
+    }
+
+    CutSurface& cut_;
+    std::vector<Vec3> corners_;  // #pieces
+    std::vector<double> sizes_;  // #pieces
+    TriangleLanes triangles_;
+    int piece_of_[lane_count] = {}, count_ = 0;
+};
 
 /// Whether a polygon lies wholly outside the rows that a window covers.
 bool isBeside(const Polygon& polygon, const SamplingGrid& grid) {
@@ -108,6 +197,7 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
     CutSurface cut;
     cut.cut_voxel_at.assign(std::size_t(grid.voxelCount()), -1);
     cut.pieces.reserve(2 * surface.triangles.size());
+    PieceMeasure measure(cut);
     forEachVoxelPiece(surface, 0, int(surface.triangles.size()), grid,
                       [&](const Eigen::Vector3i& voxel, const Polygon& polygon) {
                           int& index = cut.cut_voxel_at[std::size_t(grid.indexOf(voxel))];
@@ -117,9 +207,9 @@ CutSurface cutSurface(const TriangleMesh& surface, const SamplingGrid& grid) {
                               cut.flux.emplace_back();
                           }
                           const Vec3 centre = voxel.cast<double>() + Vec3::Constant(0.5);
-                          cut.pieces.push_back(measure(polygon, centre, cut.flux[std::size_t(index)]));
-                          cut.pieces.back().cut_voxel = index;
+                          measure.add(polygon, centre, index);
                       });
+    measure.finish();
     return cut;
 }
 

@@ -3,8 +3,9 @@
 #include <sherd/settings.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 namespace {
@@ -25,17 +26,26 @@ Mat3 rootOf(const Mat3& second) {
     return root;
 }
 
-void addPoint(const Vec3& x, double weight, int powers, std::vector<double>& sum) {
-    std::array<double, most_powers> along_x;
-    along_x[0] = 1;
-    for (int a = 1; a < powers; ++a) along_x[a] = along_x[a - 1] * x.x();
-    double* target = sum.data();
-    double of_z = weight;
-    for (int c = 0; c < powers; ++c, of_z *= x.z()) {
-        double of_y = of_z;
-        for (int b = 0; b < powers; ++b, of_y *= x.y())
-            for (int a = 0; a < powers; ++a) *target++ += of_y * along_x[a];
-    }
+constexpr int point_count = 8;  // of a voxel
+constexpr int group = 8;        // powers of x, and zeros
+
+using Group = double __attribute__((vector_size(group * sizeof(double))));
+
+/// Powers of the points' coordinates; of z times the weight.
+struct PointPowers {
+    Group x[point_count];
+    double y[most_powers][point_count], z[most_powers][point_count];
+};
+
+/// sum[(c N + b) N + a] += sum over points of x^a y^b z^c, with N powers a direction.
+SHERD_WIDE_VECTORS
+void addProducts(const PointPowers& points, int powers, double* sum) {
+    for (int c = 0; c < powers; ++c)
+        for (int b = 0; b < powers; ++b, sum += powers) {
+            Group own = {};
+            for (int k = 0; k < point_count; ++k) own += points.y[b][k] * points.z[c][k] * points.x[k];
+            for (int a = 0; a < powers; ++a) sum[a] += own[a];
+        }
 }
 
 }  // namespace
@@ -47,10 +57,23 @@ void addVoxelPoints(const RawMoments& voxel, const Eigen::Vector3i& local, int p
     const Mat3 root = rootOf(voxel.second / voxel.volume - centre * centre.transpose());
     const Vec3 middle = local.cast<double>() + Vec3::Constant(0.5) + centre;
     const double weight = voxel.volume / (8 * per_cell * per_cell * per_cell);
-    for (int corner = 0; corner < 8; ++corner) {
+    PointPowers points;
+    const int powers = order + 1;
+    for (int corner = 0; corner < point_count; ++corner) {
         const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-        addPoint((middle + root * sign) / per_cell - Vec3::Constant(0.5), weight, order + 1, sum);
+        const Vec3 x = (middle + root * sign) / per_cell - Vec3::Constant(0.5);
+        double along_x = 1, along_y = 1, along_z = weight;
+        points.x[corner] = Group{};
+        for (int a = 0; a < powers; ++a) {
+            points.x[corner][a] = along_x;
+            points.y[a][corner] = along_y;
+            points.z[a][corner] = along_z;
+            along_x *= x.x();
+            along_y *= x.y();
+            along_z *= x.z();
+        }
     }
+    addProducts(points, powers, sum.data());
 }
 
 }  // namespace sherd
