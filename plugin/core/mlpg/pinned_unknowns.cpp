@@ -36,24 +36,25 @@ std::vector<int> unknownsToPin(const RigidMotions& motions, const BlockMatrix& s
 }
 
 std::vector<ReplacedValue> pinUnknowns(BlockMatrix& matrix, const std::vector<int>& unknowns) {
-    std::vector<char> pinned(matrix.size(), 0);
-    for (int unknown : unknowns) pinned[unknown] = 1;
-    double largest = 0;
-    for (double value : matrix.values) largest = std::max(largest, std::abs(value));
+    const int size = matrix.block_size;
+    std::vector<char> pinned(matrix.size(), 0), pinned_block(matrix.blockColumns(), 0);
+    for (const int unknown : unknowns) pinned[unknown] = pinned_block[unknown / size] = 1;
     // Any positive diagonal will do. A component's own may be zero: where it is a single particle, values
     // alone make no strain.
+    const std::vector<double> own = diagonalOf(matrix);
+    const double largest = own.empty() ? 0 : *std::max_element(own.begin(), own.end());
     const double diagonal = largest > 0 ? largest : 1;
     std::vector<ReplacedValue> replaced;
-    const int size = matrix.block_size;
     for (int c = 0; c < matrix.blockColumns(); ++c)
-        for (int j = 0; j < size; ++j) {
-            const int column = size * c + j;
-            auto index = static_cast<std::size_t>(matrix.column(c, j) - matrix.values.data());
-            for (int k = matrix.starts[c]; k < matrix.starts[c + 1]; ++k)
-                for (int row = size * matrix.rows[k]; row < size * (matrix.rows[k] + 1); ++row, ++index) {
+        for (int k = matrix.starts[c]; k < matrix.starts[c + 1]; ++k) {
+            if (!pinned_block[c] && !pinned_block[matrix.rows[k]]) continue;
+            for (int j = 0; j < size; ++j)
+                for (int i = 0; i < size; ++i) {
+                    const int column = size * c + j, row = size * matrix.rows[k] + i;
                     if (!pinned[column] && !pinned[row]) continue;
-                    replaced.push_back({index, matrix.values[index]});
-                    matrix.values[index] = row == column ? diagonal : 0;
+                    double& value = matrix.column(c, j)[size * (k - matrix.starts[c]) + i];
+                    replaced.push_back({static_cast<std::size_t>(&value - matrix.values.data()), value});
+                    value = row == column ? diagonal : 0;
                 }
         }
     return replaced;

@@ -24,3 +24,10 @@
 #else
 #define SHERD_INLINED inline
 #endif
+
+// SHERD_NO_OVERLAP before a loop says that what it writes is nothing that it reads.
+#if defined(__GNUC__) && !defined(__clang__)
+#define SHERD_NO_OVERLAP _Pragma("GCC ivdep")
+#else
+#define SHERD_NO_OVERLAP
+#endif

@@ -18,7 +18,12 @@ PartTies::PartTies(const SplineSpace& space, int part, const std::vector<int>& f
 
 void PartTies::apply(Eigen::MatrixXd& matrix) const {
     if (identity_) return;
-    matrix = columns(columns(matrix).transpose()).transpose().eval();
+    const Eigen::MatrixXd by_columns = columns(matrix);
+    const auto count = static_cast<long>(function_count_);
+    matrix.setZero(count, count);
+    for (long column = 0; column < count; ++column)
+        for (const Term& term : terms_)
+            matrix(term.unknown, column) += term.factor * by_columns(term.own, column);
 }
 
 Eigen::MatrixXd PartTies::columns(const Eigen::MatrixXd& matrix) const {

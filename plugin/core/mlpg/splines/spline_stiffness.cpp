@@ -7,16 +7,18 @@
 #include "core/mlpg/splines/part_ties.h"
 #include "core/mlpg/splines/stiffness_pattern.h"
 #include "core/numerics/parallel_chunks.h"
+#include "core/numerics/unset_vector.h"
 #include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 namespace {
 
-constexpr int batch_size = 32;  // sets of functions whose matrices are held at a time
+constexpr int batch_size = 16;  // sets of functions whose matrices are held at a time
 constexpr int chunk_count = 16;
 constexpr int scatter_count = 4;
 
 using Gram = PartIntegrals::Gram;
+using Blocks = UnsetVector<double>;
 
 /// sum over a part's springs k phi_a phi_b.
 Eigen::MatrixXd springMatrix(const SplineSpace& space, const std::vector<PointSpring>& springs,
@@ -31,29 +33,51 @@ Eigen::MatrixXd springMatrix(const SplineSpace& space, const std::vector<PointSp
     return matrix;
 }
 
+/// Products of the gradients of functions a, one after the other, with those of one function b:
+/// products[i][j] has int d_i phi_a d_j phi_b.
+using ProductColumns = const double* [3][3];
+
+/// The three columns of K that b has, where it meets the functions a. `springs`: between them and b.
+SHERD_WIDE_VECTORS
+void blockColumns(const ProductColumns& products, const double* springs, int count, double lambda, double mu,
+                  double* const* columns) {
+    const double *g00 = products[0][0], *g01 = products[0][1], *g02 = products[0][2];
+    const double *g10 = products[1][0], *g11 = products[1][1], *g12 = products[1][2];
+    const double *g20 = products[2][0], *g21 = products[2][1], *g22 = products[2][2];
+    double *x = columns[0], *y = columns[1], *z = columns[2];
+    SHERD_NO_OVERLAP
+    for (int a = 0; a < count; ++a) {
+        const double isotropic = mu * (g00[a] + g11[a] + g22[a]) + springs[a];
+        x[3 * a] = lambda * g00[a] + mu * g00[a] + isotropic;
+        x[3 * a + 1] = lambda * g10[a] + mu * g01[a];
+        x[3 * a + 2] = lambda * g20[a] + mu * g02[a];
+        y[3 * a] = lambda * g01[a] + mu * g10[a];
+        y[3 * a + 1] = lambda * g11[a] + mu * g11[a] + isotropic;
+        y[3 * a + 2] = lambda * g21[a] + mu * g12[a];
+        z[3 * a] = lambda * g02[a] + mu * g20[a];
+        z[3 * a + 1] = lambda * g12[a] + mu * g21[a];
+        z[3 * a + 2] = lambda * g22[a] + mu * g22[a] + isotropic;
+    }
+}
+
 /// The blocks of K that a part adds to between `count` functions: entry (i, j) of block (a, b) at
 /// ((3 b + j) count + a) 3 + i, for a >= b. `gram`: of gradients, for i <= j; `springs`: between functions,
 /// or empty.
 void blocksOf(const Gram& gram, const Eigen::MatrixXd& springs, int count, const Elasticity& elasticity,
-              std::vector<double>& blocks) {
-    const double lambda = elasticity.lambda_pa, mu = elasticity.mu_pa;
-    blocks.resize(static_cast<size_t>(9 * count * count));
-    for (int b = 0; b < count; ++b)
-        for (int a = b; a < count; ++a) {
-            Mat3 g;  // int grad phi_a grad phi_b^T
-            for (int j = 0; j < 3; ++j)
-                for (int i = 0; i <= j; ++i) {
-                    g(i, j) = gram[3 * i + j](a, b);
-                    if (i < j) g(j, i) = gram[3 * i + j](b, a);
-                }
-            double isotropic = mu * (g(0, 0) + g(1, 1) + g(2, 2));
-            if (springs.size() > 0) isotropic += springs(a, b);
-            for (int j = 0; j < 3; ++j) {
-                double* target = blocks.data() + ((3 * b + j) * count + a) * 3;
-                for (int i = 0; i < 3; ++i) target[i] = lambda * g(i, j) + mu * g(j, i);
-                target[j] += isotropic;
-            }
-        }
+              Blocks& blocks) {
+    const Eigen::MatrixXd turned[3] = {gram[1].transpose(), gram[2].transpose(), gram[5].transpose()};
+    const std::vector<double> no_springs(static_cast<std::size_t>(count), 0.0);
+    blocks.resize(static_cast<std::size_t>(9 * count * count));
+    for (int b = 0; b < count; ++b) {
+        const auto column = [&](const Eigen::MatrixXd& matrix) { return matrix.col(b).data() + b; };
+        const ProductColumns products = {{column(gram[0]), column(gram[1]), column(gram[2])},
+                                         {column(turned[0]), column(gram[4]), column(gram[5])},
+                                         {column(turned[1]), column(turned[2]), column(gram[8])}};
+        double* columns[3];
+        for (int j = 0; j < 3; ++j) columns[j] = blocks.data() + ((3 * b + j) * count + b) * 3;
+        blockColumns(products, springs.size() > 0 ? column(springs) : no_springs.data(), count - b,
+                     elasticity.lambda_pa, elasticity.mu_pa, columns);
+    }
 }
 
 /// Functions that follow each other in a set, and in a column of K.
@@ -87,8 +111,8 @@ SHERD_WIDE_VECTORS void addRuns(const std::vector<Run>& runs, const double* sour
 
 /// Adds a part's blocks to those of K that belong to `functions`, in every `stride`-th column of blocks from
 /// `first` on.
-void scatter(const std::vector<double>& blocks, const std::vector<int>& functions,
-             const StiffnessPattern& pattern, int first, int stride, BlockMatrix& matrix) {
+void scatter(const Blocks& blocks, const std::vector<int>& functions, const StiffnessPattern& pattern,
+             int first, int stride, BlockMatrix& matrix) {
     const int count = static_cast<int>(functions.size());
     std::vector<Run> runs;
     for (int b = 0; b < count; ++b) {
@@ -104,8 +128,8 @@ template <class BlocksOf>
 void addBlocks(const std::vector<std::vector<int>>& sets, const StiffnessPattern& pattern,
                const BlocksOf& blocks_of, BlockMatrix& matrix) {
     const int set_count = static_cast<int>(sets.size());
-    std::vector<std::vector<double>> storage(batch_size);
-    std::vector<const std::vector<double>*> batch(batch_size);
+    std::vector<Blocks> storage(batch_size);
+    std::vector<const Blocks*> batch(batch_size);
     for (int first = 0; first < set_count; first += batch_size) {
         const int size = std::min(batch_size, set_count - first);
         forEachChunk(chunk_count, [&](int chunk) {
@@ -136,7 +160,7 @@ bool isUntied(const SplineSpace& space, int part, const std::vector<int>& functi
 /// The blocks of K that a macro cell adds to between its unknown functions, laid out as in blocksOf:
 /// lambda times the sum over modes of their rates, c_k for coefficient (a, i) times that for (b, j).
 void blocksOf(const VolumetricProjection::MacroCell& cell, const SplineSpace& space,
-              const std::vector<int>& functions, double lambda_pa, std::vector<double>& blocks) {
+              const std::vector<int>& functions, double lambda_pa, Blocks& blocks) {
     const auto count = static_cast<long>(functions.size());
     Eigen::MatrixXd rates = Eigen::MatrixXd::Zero(cell.rates.rows(), 3 * count);
     for (size_t f = 0; f < cell.functions.size(); ++f)
@@ -164,9 +188,9 @@ BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, co
     matrix.setZero();
     const PartIntegrals integrals(space.degree, solid.edges);
     const Elasticity by_parts = projection ? withoutLambda(elasticity) : elasticity;
-    std::vector<double> whole;
+    Blocks whole;
     blocksOf(integrals.wholeCell(), {}, space.perPart(), by_parts, whole);
-    const auto blocks_of_part = [&](int part, std::vector<double>& blocks) -> const std::vector<double>& {
+    const auto blocks_of_part = [&](int part, Blocks& blocks) -> const Blocks& {
         const std::vector<int>& functions = pattern.functions_of_part[part];
         if (solid.parts[part].moments.empty() && share_of_part.empty() && springs_of[part].empty() &&
             isUntied(space, part, functions))
@@ -188,8 +212,7 @@ BlockMatrix splineStiffness(const CellParts& solid, const SplineSpace& space, co
     };
     addBlocks(pattern.functions_of_part, pattern, blocks_of_part, matrix);
     if (!projection) return matrix;
-    const auto blocks_of_macro_cell = [&](int cell,
-                                          std::vector<double>& blocks) -> const std::vector<double>& {
+    const auto blocks_of_macro_cell = [&](int cell, Blocks& blocks) -> const Blocks& {
         blocksOf(projection->cells()[cell], space, pattern.functions_of_macro_cell[cell],
                  elasticity.lambda_pa, blocks);
         return blocks;
