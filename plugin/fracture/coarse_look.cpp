@@ -29,7 +29,9 @@ std::optional<BlowOutcome> look(const BreakableSolid& solid, const Blow& blow,
     StageTimes parts_of_it;
     const Result<BlowForces> forces =
         blowForces(solid, fracture.contact, blow, solve, {model.value().spacing(), false}, parts_of_it);
-    constexpr double margin = 1.5;  // by which the full solve may store more, see CoarseModel
+    // By which the full solve may store more. Of 1914 blows on fragments 449 broke; of 1119 that stored less
+    // here than 0.8 of the price of a crack none did, of 89 that stored 0.8 to 1 of it six.
+    constexpr double margin = 1.25;
     if (!forces || !(margin * forces.value().strain_energy_j < smallestCrackEnergy(solid, fracture)))
         return std::nullopt;
     BlowOutcome held;

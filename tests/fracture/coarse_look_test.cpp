@@ -62,7 +62,7 @@ TEST(CoarseLook, ItsEnergyIsNearlyTheFullSolves) {
         ASSERT_TRUE(model.ok()) << model.error();
         const double ratio =
             coarseEnergy(*solid, blowInTheMiddle(0.1, 3)) / fullEnergy(*solid, blowInTheMiddle(0.1, 3));
-        EXPECT_GT(ratio, 1 / 1.5) << "the margin of the look";
+        EXPECT_GT(ratio, 1 / 1.25) << "the margin of the look";
         EXPECT_LT(ratio, 1.25) << "the dent is added in closed form";
     }
 }
