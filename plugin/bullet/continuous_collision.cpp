@@ -64,32 +64,33 @@ bool canBeSwept(const btDiscreteDynamicsWorld& world, const btRigidBody& body) {
            body.isActive() && !body.isStaticOrKinematicObject() && body.getCollisionShape()->isConvex();
 }
 
-bool isInTheWay(const btRigidBody& body, const btVector3& path, const btCollisionObject& other) {
-    const btVector3 from = body.getWorldTransform().getOrigin(), to = from + path;
-    const btScalar r = body.getCcdSweptSphereRadius();
-    btVector3 low = from, high = from;
-    low.setMin(to);
-    high.setMax(to);
-    const btVector3 margin(r, r, r);
+bool isInTheWay(const btConvexShape& swept, const btTransform& from, const btVector3& path,
+                const btCollisionObject& other) {
+    btVector3 low, high;
+    swept.getAabb(from, low, high);
+    low.setMin(low + path);
+    high.setMax(high + path);
     const btBroadphaseProxy& proxy = *other.getBroadphaseHandle();
-    return TestAabbAgainstAabb2(low - margin, high + margin, proxy.m_aabbMin, proxy.m_aabbMax);
+    return TestAabbAgainstAabb2(low, high, proxy.m_aabbMin, proxy.m_aabbMax);
 }
 
 btTransform moved(const btTransform& from, const btVector3& path) {
     return btTransform(from.getBasis(), from.getOrigin() + path);
 }
 
-/// As Bullet makes its own: the points are centres of the swept sphere.
+/// As Bullet makes its own: the points are centres of the swept sphere where that touches the other body.
 void addPredictiveContact(btDiscreteDynamicsWorld& world, btRigidBody& body, const NearestHit& hit,
                           const btVector3& path) {
     const btCollisionObject& other = *hit.m_hitCollisionObject;
-    const btVector3 origin = body.getWorldTransform().getOrigin(), way = path * hit.m_closestHitFraction;
-    const btVector3 there = origin + way;
+    const btVector3 way = path * hit.m_closestHitFraction;
+    const btVector3 there = hit.m_hitPointWorld + body.getCcdSweptSphereRadius() * hit.m_hitNormalWorld;
+    const btVector3 origin = there - way;
     btPersistentManifold* manifold = world.getDispatcher()->getNewManifold(&body, &other);
     if (!manifold) return;  // its pool is full, and may not grow
     WorldInternals::predictiveManifolds(world).push_back(manifold);
-    const btManifoldPoint point(btVector3(0, 0, 0), other.getWorldTransform().inverse() * there,
-                                hit.m_hitNormalWorld, way.dot(-hit.m_hitNormalWorld));
+    const btManifoldPoint point(body.getWorldTransform().inverse() * origin,
+                                other.getWorldTransform().inverse() * there, hit.m_hitNormalWorld,
+                                way.dot(-hit.m_hitNormalWorld));
     btManifoldPoint& added = manifold->getContactPoint(manifold->addManifoldPoint(point, true));
     added.m_combinedRestitution = 0;
     added.m_combinedFriction = gCalculateCombinedFrictionCallback(&body, &other);
@@ -138,17 +139,20 @@ const btCollisionObject* predictContacts(btDiscreteDynamicsWorld& world, btRigid
     world.convexSweepTest(&sphere, from, moved(from, path), nearest);
     if (nearest.hasHit()) addPredictiveContact(world, body, nearest, path);
 
+    // What flies through a body pushes what is in the way of all of it, as it does in steps that are shorter
+    // than it, not only of the sphere within it.
+    const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i) {
         btRigidBody* fragment = btRigidBody::upcast(objects[i]);
         if (!fragment || fragment == &body || !obstacles.is_fragment(*fragment)) continue;
         // Fragments move, too: many at nearly the same speed.
         const btVector3 relative = path - fragment->getLinearVelocity() * time_step_s;
-        if (!isSweptAlong(body, relative) || !isInTheWay(body, relative, *fragment)) continue;
+        if (!isSweptAlong(body, relative) || !isInTheWay(shape, from, relative, *fragment)) continue;
         NearestHit hit(world, body, relative);
         hit.m_closestHitFraction = nearest.m_closestHitFraction;  // not beyond what stops the body before
         if (!hit.needsCollision(fragment->getBroadphaseHandle())) continue;
-        btCollisionWorld::objectQuerySingle(&sphere, from, moved(from, relative), fragment,
+        btCollisionWorld::objectQuerySingle(&shape, from, moved(from, relative), fragment,
                                             fragment->getCollisionShape(), fragment->getWorldTransform(), hit,
                                             0);
         if (hit.m_hitCollisionObject) addPredictiveContact(world, body, hit, relative);
@@ -165,8 +169,11 @@ void SweepExceptions::begin(btDiscreteDynamicsWorld& world, const IsFragment& is
         if (!body || !canBeSwept(world, *body)) continue;
         const btVector3 path = pathOf(*body, time_step_s);
         if (!isSweptAlong(*body, path)) continue;
+        const btSphereShape sphere(body->getCcdSweptSphereRadius());
         for (int k = 0; k < objects.size(); ++k) {
-            if (k == i || !is_fragment(*objects[k]) || !isInTheWay(*body, path, *objects[k])) continue;
+            if (k == i || !is_fragment(*objects[k]) ||
+                !isInTheWay(sphere, body->getWorldTransform(), path, *objects[k]))
+                continue;
             objects[k]->setIgnoreCollisionCheck(body, true);
             pairs_.emplace_back(objects[k], body);
         }

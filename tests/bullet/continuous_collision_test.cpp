@@ -1,7 +1,9 @@
 // Balls with continuous collision go through what they break.
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
+#include <vector>
 
 #include "bullet/support.h"
 
@@ -50,15 +52,18 @@ struct Shot {
 
 struct Passage {
     int breaks = 0;
-    double worst_way = 0;  // relative difference between the way of a step and velocity times step
-    double time_s = -1;    // from the start until the ball has passed all
+    /// Relative difference between the way of a step and velocity times step. Bullet's own sweep takes a
+    /// whole body that is pushed ahead for one that stands, and stops the ball there: such steps do not
+    /// count.
+    double worst_way = 0;
+    double time_s = -1;  // from the start until the ball has passed all
     double last_speed_m_s = 0;
     btScalar threshold = 0, swept_radius = 0;  // the ball's, in the end
 };
 
 class ShootingRange {
   public:
-    ShootingRange(const Shot& shot, const Ball& ball) {
+    ShootingRange(const Shot& shot, const Ball& ball, double swept_share = 0.8) {
         Settings settings = coarse(shot.target == Target::cups ? 0.02 : 0.05);
         settings.fracture.collision_shape = shot.shape;
         settings.fracture.smallest_fragment_m3 = 0;
@@ -68,14 +73,17 @@ class ShootingRange {
         const auto asset = BreakableAsset::fromMesh(mesh, crumbly(), settings);
         EXPECT_TRUE(asset.ok()) << asset.error();
         const int count = shot.target == Target::cups ? 5 : 1;
-        for (int i = 0; i < count; ++i)
-            EXPECT_TRUE(fracture_.add(asset.value(), at(btScalar(0.12) * i, 0, 0)).ok());
+        for (int i = 0; i < count; ++i) {
+            const auto whole = fracture_.add(asset.value(), at(btScalar(0.12) * i, 0, 0));
+            EXPECT_TRUE(whole.ok()) << whole.error();
+            wholes_.push_back(whole.value());
+        }
         end_m_ = 0.12 * (count - 1) + 0.05 + 2 * ball.radius_m;
         ball_ = scene_.addBall(ball.mass_kg, ball.radius_m,
                                btVector3(btScalar(-0.26 - ball.radius_m), 0.011f, 0.007f),
                                btVector3(btScalar(shot.speed_m_s), 0, 0));
         ball_->setCcdMotionThreshold(0.02f);
-        ball_->setCcdSweptSphereRadius(btScalar(0.8 * ball.radius_m));
+        ball_->setCcdSweptSphereRadius(btScalar(swept_share * ball.radius_m));
     }
 
     Passage shoot(double hz) {
@@ -87,7 +95,7 @@ class ShootingRange {
             const btVector3 to = ball_->getCenterOfMassPosition();
             for (const BlowEvent& event : fracture_.takeEvents()) passage.breaks += event.outcome == broke;
             const double expected = ball_->getLinearVelocity().length() * dt;
-            if (passage.breaks > 0)
+            if (passage.breaks > 0 && !isWholePushed())
                 passage.worst_way =
                     std::max(passage.worst_way, std::abs((to - from).length() / expected - 1));
             if (to.x() > end_m_)
@@ -100,8 +108,17 @@ class ShootingRange {
     }
 
   private:
+    bool isWholePushed() const {
+        return std::any_of(wholes_.begin(), wholes_.end(), [&](const btRigidBody* whole) {
+            const auto& bodies = fracture_.bodies();
+            return std::find(bodies.begin(), bodies.end(), whole) != bodies.end() &&
+                   whole->getLinearVelocity().x() > 1;
+        });
+    }
+
     TestWorld scene_;
     FractureWorld fracture_{scene_.world.get()};
+    std::vector<const btRigidBody*> wholes_;
     btRigidBody* ball_ = nullptr;
     double end_m_ = 0;
 };
@@ -130,6 +147,18 @@ TEST(ContinuousCollision, LightBallMovesAsFastAsItsVelocitySaysInAHeavyWall) {
         EXPECT_LT(passage.worst_way, 0.1) << speed;
         EXPECT_GT(passage.time_s, 0) << speed << ": it never came through";
     }
+}
+
+TEST(ContinuousCollision, BallIsSlowedByAllThatIsInItsWayWhateverSphereItSweeps) {
+    for (const CollisionShape shape : {CollisionShape::boxes, CollisionShape::convex_parts})
+        for (const double speed : {5., 12.}) {
+            const Shot shot{Target::pane, speed, shape};
+            const double fine = ShootingRange(shot, light).shoot(480).last_speed_m_s;
+            for (const double share : {0.2, 0.5, 0.8}) {
+                const double left = ShootingRange(shot, light, share).shoot(60).last_speed_m_s;
+                EXPECT_NEAR(left, fine, 0.15 * fine) << Shot::nameOf(shot) << ", " << share;
+            }
+        }
 }
 
 std::vector<Shot> shots() {
