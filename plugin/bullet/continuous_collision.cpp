@@ -78,7 +78,8 @@ btTransform moved(const btTransform& from, const btVector3& path) {
     return btTransform(from.getBasis(), from.getOrigin() + path);
 }
 
-/// As Bullet makes its own: the points are centres of the swept sphere where that touches the other body.
+/// As Bullet makes its own: the points are as far off the other body's surface as the centre of the swept
+/// sphere would be, which is where the contact is read from.
 void addPredictiveContact(btDiscreteDynamicsWorld& world, btRigidBody& body, const NearestHit& hit,
                           const btVector3& path) {
     const btCollisionObject& other = *hit.m_hitCollisionObject;
@@ -140,7 +141,8 @@ const btCollisionObject* predictContacts(btDiscreteDynamicsWorld& world, btRigid
     if (nearest.hasHit()) addPredictiveContact(world, body, nearest, path);
 
     // What flies through a body pushes what is in the way of all of it, as it does in steps that are shorter
-    // than it, not only of the sphere within it.
+    // than it, not only of the sphere within it. Where that sphere meets something, that says more of a body
+    // which is not round than the one point of it that a sweep of its shape gives.
     const auto& shape = static_cast<const btConvexShape&>(*body.getCollisionShape());
     const auto& objects = world.getCollisionObjectArray();
     for (int i = 0; i < objects.size(); ++i) {
@@ -152,9 +154,13 @@ const btCollisionObject* predictContacts(btDiscreteDynamicsWorld& world, btRigid
         NearestHit hit(world, body, relative);
         hit.m_closestHitFraction = nearest.m_closestHitFraction;  // not beyond what stops the body before
         if (!hit.needsCollision(fragment->getBroadphaseHandle())) continue;
-        btCollisionWorld::objectQuerySingle(&shape, from, moved(from, relative), fragment,
-                                            fragment->getCollisionShape(), fragment->getWorldTransform(), hit,
-                                            0);
+        const auto sweep = [&](const btConvexShape& swept) {
+            btCollisionWorld::objectQuerySingle(&swept, from, moved(from, relative), fragment,
+                                                fragment->getCollisionShape(), fragment->getWorldTransform(),
+                                                hit, 0);
+        };
+        if (shape.getShapeType() != SPHERE_SHAPE_PROXYTYPE) sweep(sphere);
+        if (!hit.m_hitCollisionObject) sweep(shape);
         if (hit.m_hitCollisionObject) addPredictiveContact(world, body, hit, relative);
     }
     return nearest.m_hitCollisionObject;

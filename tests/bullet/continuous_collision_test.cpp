@@ -16,6 +16,8 @@ constexpr auto broke = Outcome::broke;
 /// What is shot.
 struct Ball {
     double mass_kg, radius_m;
+    bool is_cube = false;  ///< with edges of twice the radius
+    double tilt = 0;       ///< of the cube, rad
 };
 constexpr Ball light{2, 0.05};
 constexpr Ball steel{33, 0.1};
@@ -79,9 +81,14 @@ class ShootingRange {
             wholes_.push_back(whole.value());
         }
         end_m_ = 0.12 * (count - 1) + 0.05 + 2 * ball.radius_m;
-        ball_ = scene_.addBall(ball.mass_kg, ball.radius_m,
-                               btVector3(btScalar(-0.26 - ball.radius_m), 0.011f, 0.007f),
-                               btVector3(btScalar(shot.speed_m_s), 0, 0));
+        const btVector3 start(btScalar(-0.26 - ball.radius_m), 0.011f, 0.007f);
+        const auto half = btScalar(ball.radius_m);
+        ball_ = ball.is_cube ? scene_.addBox(ball.mass_kg, btVector3(half, half, half), start)
+                             : scene_.addBall(ball.mass_kg, ball.radius_m, start);
+        ball_->setLinearVelocity(btVector3(btScalar(shot.speed_m_s), 0, 0));
+        if (ball.is_cube)
+            ball_->setCenterOfMassTransform(
+                btTransform(btQuaternion(btVector3(0, 1, 0.3f).normalized(), btScalar(ball.tilt)), start));
         ball_->setCcdMotionThreshold(0.02f);
         ball_->setCcdSweptSphereRadius(btScalar(swept_share * ball.radius_m));
     }
@@ -159,6 +166,21 @@ TEST(ContinuousCollision, BallIsSlowedByAllThatIsInItsWayWhateverSphereItSweeps)
                 EXPECT_NEAR(left, fine, 0.15 * fine) << Shot::nameOf(shot) << ", " << share;
             }
         }
+}
+
+TEST(ContinuousCollision, CubeIsSlowedAboutAsInShortSteps) {
+    double sum = 0;
+    int count = 0;
+    for (const double speed : {6., 12., 20.})
+        for (const double tilt : {0., 0.2, 0.5, 0.7}) {
+            const Ball cube{2, 0.05, true, tilt};
+            const Shot shot{Target::pane, speed};
+            const double fine = ShootingRange(shot, cube, 0.5).shoot(480).last_speed_m_s;
+            const double left = ShootingRange(shot, cube, 0.5).shoot(60).last_speed_m_s;
+            sum += std::abs(left / fine - 1);
+            ++count;
+        }
+    EXPECT_LT(sum / count, 0.12);
 }
 
 std::vector<Shot> shots() {

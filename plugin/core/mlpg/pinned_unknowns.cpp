@@ -1,7 +1,6 @@
 #include "core/mlpg/pinned_unknowns.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace sherd {
 

@@ -13,7 +13,7 @@ constexpr int lane_count = 8;  // triangles that are measured at a time
 /// Of each triangle a number.
 using Lane = double[lane_count];
 
-/// Corners of triangles from the centre of their voxel; what is not in use is zero.
+/// Corners of triangles from the centre of their voxel.
 struct TriangleLanes {
     Lane a[3] = {}, b[3] = {}, c[3] = {};
 };

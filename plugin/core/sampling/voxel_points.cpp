@@ -29,6 +29,8 @@ Mat3 rootOf(const Mat3& second) {
 constexpr int point_count = 8;  // of a voxel
 constexpr int group = 8;        // powers of x, and zeros
 
+static_assert(most_powers <= group);
+
 using Group = double __attribute__((vector_size(group * sizeof(double))));
 
 /// Powers of the points' coordinates; of z times the weight.
