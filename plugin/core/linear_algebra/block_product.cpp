@@ -11,12 +11,8 @@ namespace sherd {
 
 namespace {
 
-constexpr long group = 8;  // numbers that are multiplied at a time
-
-using Group = double __attribute__((vector_size(group * sizeof(double))));
-
-SHERD_INLINED void take(const double* numbers, Group& group_of_them) {
-    std::memcpy(&group_of_them, numbers, sizeof(Group));
+SHERD_INLINED void take(const double* numbers, WideDoubles& side_by_side) {
+    std::memcpy(&side_by_side, numbers, sizeof(WideDoubles));
 }
 
 /// The three scalar columns of a block column, `height` numbers each: product = V own, and sums = V^T x but
@@ -26,22 +22,22 @@ void multiplyColumns(const double* values, long height, const double* own, const
                      double* sums) {
     const double *a = values, *b = values + height, *c = values + 2 * height;
     for (long i = 0; i < 3; ++i) product[i] = a[i] * own[0] + b[i] * own[1] + c[i] * own[2];
-    Group of_a = {}, of_b = {}, of_c = {};
+    WideDoubles of_a = {}, of_b = {}, of_c = {};
     long i = 3;
-    for (; i + group <= height; i += group) {
-        Group at_a, at_b, at_c, at_x;
+    for (; i + wide_count <= height; i += wide_count) {
+        WideDoubles at_a, at_b, at_c, at_x;
         take(a + i, at_a);
         take(b + i, at_b);
         take(c + i, at_c);
         take(x + i, at_x);
-        const Group sum = at_a * own[0] + at_b * own[1] + at_c * own[2];
+        const WideDoubles sum = at_a * own[0] + at_b * own[1] + at_c * own[2];
         std::memcpy(product + i, &sum, sizeof(sum));
         of_a += at_a * at_x;
         of_b += at_b * at_x;
         of_c += at_c * at_x;
     }
     for (int j = 0; j < 3; ++j) sums[j] = 0;
-    for (long l = 0; l < group; ++l) {
+    for (long l = 0; l < wide_count; ++l) {
         sums[0] += of_a[l];
         sums[1] += of_b[l];
         sums[2] += of_c[l];

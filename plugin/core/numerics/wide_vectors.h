@@ -31,3 +31,11 @@
 #else
 #define SHERD_NO_OVERLAP
 #endif
+
+namespace sherd {
+
+constexpr int wide_count = 8;
+/// As many numbers side by side, in one register where it is wide enough.
+using WideDoubles = double __attribute__((vector_size(wide_count * sizeof(double))));
+
+}  // namespace sherd

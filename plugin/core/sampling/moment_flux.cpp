@@ -15,9 +15,9 @@ namespace {
 
 constexpr int most_points = 64;                             // that are summed up at a time
 constexpr int most_powers = 2 * largest_spline_degree + 1;  // a direction
-constexpr int group = 8;  // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
+constexpr int group = wide_count;  // products with one power of y: x, x^2/2, ... x^N/N, 1, and zeros
 
-using Group = double __attribute__((vector_size(group * sizeof(double))));
+using Group = WideDoubles;
 
 /// Quadrature points on the surface.
 struct FluxPoints {

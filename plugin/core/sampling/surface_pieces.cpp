@@ -18,9 +18,9 @@ struct TriangleLanes {
     Lane a[3] = {}, b[3] = {}, c[3] = {};
 };
 
-/// What triangles add to the flux, and their pieces' areas, sizes and centroids times size.
+/// What triangles add to the flux, whose faces begin with their areas, their sizes, and centroids times size.
 struct MeasuredLanes {
-    Lane volume[10], face[3][6], area[3], size, centroid[3];
+    Lane volume[10], face[3][6], size, centroid[3];
 };
 
 constexpr double third = 1.0 / 3, twelfth = 1.0 / 12, sixtieth = 1.0 / 60;
@@ -74,7 +74,6 @@ void measureLanes(const TriangleLanes& triangles, MeasuredLanes& measured) {
             measured.face[d][0][l] = area[d];
             measured.face[d][1][l] = area[d] * m.of((d + 1) % 3);
             measured.face[d][2][l] = area[d] * m.of((d + 2) % 3);
-            measured.area[d][l] = area[d];
         }
         measured.face[0][3][l] = nx * m.of(1, 1);
         measured.face[0][4][l] = nx * m.of(1, 2);
@@ -130,7 +129,7 @@ class PieceMeasure {
             for (int d = 0; d < 3; ++d)
                 for (int i = 0; i < (d == 0 ? 6 : 3); ++i) flux.face[d][i] += measured.face[d][i][l];
             for (int d = 0; d < 3; ++d) {
-                piece.area[d] += measured.area[d][l];
+                piece.area[d] += measured.face[d][0][l];
                 piece.centroid[d] += measured.centroid[d][l];
             }
             sizes_[piece_of_[l]] += measured.size[l];

@@ -27,15 +27,12 @@ Mat3 rootOf(const Mat3& second) {
 }
 
 constexpr int point_count = 8;  // of a voxel
-constexpr int group = 8;        // powers of x, and zeros
 
-static_assert(most_powers <= group);
-
-using Group = double __attribute__((vector_size(group * sizeof(double))));
+static_assert(most_powers <= wide_count);
 
 /// Powers of the points' coordinates; of z times the weight.
 struct PointPowers {
-    Group x[point_count];
+    WideDoubles x[point_count];  // and zeros
     double y[most_powers][point_count], z[most_powers][point_count];
 };
 
@@ -44,7 +41,7 @@ SHERD_WIDE_VECTORS
 void addProducts(const PointPowers& points, int powers, double* sum) {
     for (int c = 0; c < powers; ++c)
         for (int b = 0; b < powers; ++b, sum += powers) {
-            Group own = {};
+            WideDoubles own = {};
             for (int k = 0; k < point_count; ++k) own += points.y[b][k] * points.z[c][k] * points.x[k];
             for (int a = 0; a < powers; ++a) sum[a] += own[a];
         }
@@ -65,7 +62,7 @@ void addVoxelPoints(const RawMoments& voxel, const Eigen::Vector3i& local, int p
         const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
         const Vec3 x = (middle + root * sign) / per_cell - Vec3::Constant(0.5);
         double along_x = 1, along_y = 1, along_z = weight;
-        points.x[corner] = Group{};
+        points.x[corner] = WideDoubles{};
         for (int a = 0; a < powers; ++a) {
             points.x[corner][a] = along_x;
             points.y[a][corner] = along_y;

@@ -27,6 +27,12 @@ void waitFor(std::atomic<int>& done, int count) {
     while (done < count) std::this_thread::sleep_for(std::chrono::microseconds(100));
 }
 
+std::shared_ptr<Job> jobOfMany(std::atomic<int>& done) {
+    return Job::make([&done] {
+        for (int i = 0; i < many; ++i) doChunks(done);
+    });
+}
+
 TEST(UrgentWork, StopsThreadsThatGiveWay) {
     std::atomic<int> done{0};
     std::atomic<bool> ending{false};
@@ -50,9 +56,7 @@ TEST(UrgentWork, StopsThreadsThatGiveWay) {
 
 TEST(UrgentWork, WaitsForNoThreadThatItStopped) {
     std::atomic<int> done{0};
-    const auto job = Job::make([&] {
-        for (int i = 0; i < many; ++i) doChunks(done);
-    });
+    const auto job = jobOfMany(done);
     const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
     job->submit(patient);
     waitFor(done, 1);
@@ -82,9 +86,7 @@ TEST(UrgentWork, WaitsForNothingThatAThreadWhichStoppedIsMaking) {
 
 TEST(UrgentWork, StopsNothingThatIsToHurry) {
     std::atomic<int> done{0};
-    const auto job = Job::make([&] {
-        for (int i = 0; i < many; ++i) doChunks(done);
-    });
+    const auto job = jobOfMany(done);
     const Executor patient = patientWorkerThreads(GivesWay::to_urgent, 1);
     job->submit(patient);
     waitFor(done, 1);
@@ -129,9 +131,7 @@ TEST(PatientWorkerThreads, StopWhereOthersAreBusyOnAllCoresButOne) {
 
 TEST(UrgentWork, LeavesOtherThreadsAlone) {
     std::atomic<int> done{0};
-    const auto job = Job::make([&] {
-        for (int i = 0; i < many; ++i) doChunks(done);
-    });
+    const auto job = jobOfMany(done);
     const Executor ordinary = workerThreads(1);
     const UrgentWork urgent;
     job->submit(ordinary);
