@@ -11,17 +11,17 @@ constexpr btScalar rounding = btScalar(1e-6);  // m
 /// A line along the ground.
 class Line {
   public:
-    Line(const Foot& from, const Foot& to) : from_(from) {
+    Line(const Foot& from, const Foot& to) : from_x_(from.x), from_y_(from.y) {
         const btScalar x = to.x - from.x, y = to.y - from.y, length = btSqrt(x * x + y * y);
         x_ = y / length;
         y_ = -x / length;
     }
     /// How far a point is to the right of it, m.
-    btScalar beyond(btScalar x, btScalar y) const { return x_ * (x - from_.x) + y_ * (y - from_.y); }
+    btScalar beyond(btScalar x, btScalar y) const { return x_ * (x - from_x_) + y_ * (y - from_y_); }
     btScalar beyond(const Foot& foot) const { return beyond(foot.x, foot.y); }
 
   private:
-    Foot from_;
+    btScalar from_x_, from_y_;
     btScalar x_, y_;  // to the right
 };
 
@@ -72,8 +72,9 @@ bool isUnderCentre(const std::vector<Foot>& base) {
 
 /// The lowest foot, one as far from it as can be, and one far to the side of the two where the centre is.
 std::vector<Foot> wideTriangle(const std::vector<Foot>& feet, const Foot& lowest) {
-    std::vector<Foot> base = {lowest};
+    std::vector<Foot> base;
     base.reserve(4);
+    base.push_back(lowest);
     const Foot* second = furthest(feet, [&](const Foot& foot) {
         return btSqrt((foot.x - lowest.x) * (foot.x - lowest.x) + (foot.y - lowest.y) * (foot.y - lowest.y));
     });
@@ -88,19 +89,22 @@ std::vector<Foot> wideTriangle(const std::vector<Foot>& feet, const Foot& lowest
 }
 
 /// Those on the corners of the hull of all, in turn (Andrew's monotone chain).
-std::vector<Foot> cornersOf(std::vector<Foot> feet) {
+std::vector<const Foot*> cornersOf(const std::vector<Foot>& all) {
+    std::vector<const Foot*> feet;
+    feet.reserve(all.size());
+    for (const Foot& foot : all) feet.push_back(&foot);
     std::sort(feet.begin(), feet.end(),
-              [](const Foot& a, const Foot& b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
-    std::vector<Foot> corners;
+              [](const Foot* a, const Foot* b) { return a->x < b->x || (a->x == b->x && a->y < b->y); });
+    std::vector<const Foot*> corners;
     corners.reserve(2 * feet.size());
     const auto addSide = [&](auto first, auto last) {
         const std::size_t start = corners.size();
         const auto is_reflex = [&](const Foot& next) {
-            const Foot &from = corners[corners.size() - 2], &over = corners.back();
+            const Foot &from = *corners[corners.size() - 2], &over = *corners.back();
             return (over.x - from.x) * (next.y - from.y) <= (over.y - from.y) * (next.x - from.x);
         };
         for (; first != last; ++first) {
-            while (corners.size() > start + 1 && is_reflex(*first)) corners.pop_back();
+            while (corners.size() > start + 1 && is_reflex(**first)) corners.pop_back();
             corners.push_back(*first);
         }
         corners.pop_back();  // the first of the other side
@@ -113,9 +117,9 @@ std::vector<Foot> cornersOf(std::vector<Foot> feet) {
 /// The lowest foot and two more between which the way from it over the centre leaves the hull of all; nothing
 /// if the centre is over no triangle.
 std::vector<Foot> triangleUnderCentre(const std::vector<Foot>& feet, const Foot& lowest) {
-    const std::vector<Foot> corners = cornersOf(feet);
+    const std::vector<const Foot*> corners = cornersOf(feet);
     for (std::size_t i = 0; i < corners.size(); ++i) {
-        const Foot &second = corners[i], &third = corners[(i + 1) % corners.size()];
+        const Foot &second = *corners[i], &third = *corners[(i + 1) % corners.size()];
         const auto is_lowest = [&](const Foot& foot) { return foot.x == lowest.x && foot.y == lowest.y; };
         if (is_lowest(second) || is_lowest(third)) continue;
         const btScalar across = (third.x - second.x) * lowest.y - (third.y - second.y) * lowest.x;

@@ -4,7 +4,6 @@
 #include <BulletDynamics/Dynamics/btRigidBody.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "bullet/convex_part.h"
 #include "bullet/even_ground.h"
@@ -46,7 +45,7 @@ std::vector<Foot> feetWithin(btScalar reach, const ConvexPart& part, const EvenG
     btVector3 x, y;
     btPlaneSpace1(ground.up, x, y);
     std::vector<Foot> feet;
-    feet.reserve(16);
+    feet.reserve(static_cast<std::size_t>(part.shape->getNumVertices()));
     bool is_beside = false;
     const auto add = [&](const btVector3& vertex, btScalar highest) {
         const btVector3 at = part.transform * vertex;
@@ -99,14 +98,24 @@ std::vector<Foot> without(const std::vector<Foot>& known, std::vector<Foot> feet
 /// Those that come next to the ground: for one of the upper side of a body, straight above another one, that
 /// would have to roll over.
 std::vector<Foot> lowerSide(const std::vector<Foot>& feet) {
-    constexpr btScalar straight = 8;  // tangent
+    constexpr btScalar straight = 8;                 // tangent
+    std::vector<btScalar> numbers(3 * feet.size());  // side by side, for a loop over pairs without branches
+    btScalar *x = numbers.data(), *y = x + feet.size(), *above = y + feet.size();
+    for (std::size_t i = 0; i < feet.size(); ++i) {
+        x[i] = feet[i].x;
+        y[i] = feet[i].y;
+        above[i] = feet[i].above;
+    }
     std::vector<Foot> lower;
-    std::copy_if(feet.begin(), feet.end(), std::back_inserter(lower), [&](const Foot& foot) {
-        return std::none_of(feet.begin(), feet.end(), [&](const Foot& other) {
-            const btScalar x = foot.x - other.x, y = foot.y - other.y, higher = foot.above - other.above;
-            return higher > 0 && higher * higher > straight * straight * (x * x + y * y);
-        });
-    });
+    lower.reserve(feet.size());
+    for (const Foot& foot : feet) {
+        int is_upper = 0;
+        for (std::size_t i = 0; i < feet.size(); ++i) {
+            const btScalar to_x = foot.x - x[i], to_y = foot.y - y[i], higher = foot.above - above[i];
+            is_upper |= (higher > 0) & (higher * higher > straight * straight * (to_x * to_x + to_y * to_y));
+        }
+        if (!is_upper) lower.push_back(foot);
+    }
     return lower;
 }
 
