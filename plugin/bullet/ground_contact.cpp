@@ -246,7 +246,8 @@ btVector3 ballOnItsSide(btDiscreteDynamicsWorld& world, const Breakable& breakab
 void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
                      const std::vector<std::unique_ptr<Breakable>>& fragments, const MovedSurfaces& moved) {
     if (!whole.way.is_known) return;
-    // Bullet's solver moves what is deep in the ground a little; what is further away the app has put there.
+    // Bullet's solver moves what is deep in the ground a little, perhaps to its other side; what is further
+    // away the app has put there.
     const btScalar radius = radiusAboutOrigin(*whole.body);
     if (travel(whole.way.to, whole.body->getWorldTransform(), radius) > deepest_birth * radius) return;
     std::vector<btRigidBody*> bodies;
@@ -256,7 +257,7 @@ void setBackOnGround(btDiscreteDynamicsWorld& world, const Breakable& whole,
     }
     const Past past{
         moved.empty() ? btTransform::getIdentity() : moveOf(groundAround(world, *whole.body), moved),
-        onItsSide(world, *whole.body, ballCentre(whole), moved)};
+        onItsSide(world, *whole.body, whole.way.to * whole.inner_ball.centre, moved)};
     btVector3 shift(0, 0, 0);
     for (int round = 0; round < most_shifts; ++round) {
         btVector3 furthest(0, 0, 0);
