@@ -48,9 +48,11 @@ struct Budget {
     /// step then takes what is left of it. So it is with what explosions do to whole and held bodies, however
     /// many these are.
     double longest_wait_s = 0.5;
-    /// Computing time for blows that wait or may wait, ms a step: of one core of about 2020, estimated from
-    /// the size of the bodies. At 0 it is half of the step's own length. Foreseen
-    /// blows have as much of their own from when they are found; one that is solved by then waits no more.
+    /// Computing time for blows that wait, ms a step: of one core of about 2020, estimated from the size of
+    /// the bodies. At 0 it is the step's own length, as a core has that does nothing else. A step has half of
+    /// it for blows that may wait; what it decides takes the core from those that do, for as long as the step
+    /// is at most. Foreseen blows have as much of their own from when they are found; one that is solved by
+    /// then waits no more.
     double milliseconds_per_step = 0;
     /// So many blows that wait are decided a step at most, each with its share of the step's computing time
     /// at least; and so many of those that may wait.

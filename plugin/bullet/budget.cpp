@@ -33,7 +33,7 @@ Status Budget::validate() const {
         !ok)
         return ok;
     if (Status ok = check(not_below(milliseconds_per_step, 0), "milliseconds_per_step",
-                          "0 (half of the step's length) or more");
+                          "0 (the step's length) or more");
         !ok)
         return ok;
     if (Status ok = check(not_below(foresight_s, 0) && foresight_s <= 1, "foresight_s",

@@ -258,6 +258,7 @@ std::vector<FractureWorld::Impl::Break> FractureWorld::Impl::evaluateBlows(
         blows.push_back(DecidedBlow::make(std::move(blow)));
     }
     spent_.decided += deciding;
+    if (time_step_s > 0) interruptWaiting(time_step_s);
     const auto decided = decideNow(std::move(blows));
     std::vector<Break> breaks;
     for (std::size_t i = 0, k = 0; i < struck.size(); ++i) {

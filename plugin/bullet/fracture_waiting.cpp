@@ -156,6 +156,13 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
     }
 }
 
+/// What a step decides has all cores.
+void FractureWorld::Impl::interruptWaiting(btScalar time_step_s) {
+    const double until_now_s = std::min<double>(time_step_s, 1e-3 * spent_.decided_ms);
+    waiting_.interrupt(until_now_s - spent_.interrupted_s, budget_, time_s_);
+    spent_.interrupted_s = until_now_s;
+}
+
 /// The blow on a body that has moved on meanwhile.
 StruckBreakable FractureWorld::Impl::struckNow(Breakable& breakable, const WaitingBlow& blow) const {
     StruckBreakable struck;

@@ -127,6 +127,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool isOutdone(const StruckBreakable& struck) const;
     double energyOf(const StruckBreakable& struck) const;
     double hasteFor(const std::vector<const StruckBreakable*>& blows, btScalar time_step_s) const;
+    void interruptWaiting(btScalar time_step_s);
     void letWait(std::vector<const StruckBreakable*> blows, int promised, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);

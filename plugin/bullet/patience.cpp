@@ -152,7 +152,8 @@ void Patience::thinOut(const std::vector<StruckBreakable>& struck, double time_s
     std::stable_sort(others, end, is_more_urgent);
     const Turns turns{static_cast<std::size_t>(may_wait - begin), static_cast<std::size_t>(others - begin),
                       is_crowd};
-    fillStep(struck, turns, millisecondsPerStep(budget_, time_step_s), spent, gated);
+    constexpr double of_a_step = 0.5;  // Bullet takes part of it, too
+    fillStep(struck, turns, of_a_step * millisecondsPerStep(budget_, time_step_s), spent, gated);
 }
 
 /// Decides which blows the step has room for: those of `gated.now`, in the order in which they get it.

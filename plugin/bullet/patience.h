@@ -32,8 +32,9 @@ struct GatedBlows {
 
 /// What a step has taken of its budget so far.
 struct StepSpent {
-    int decided = 0;        ///< blows
-    double decided_ms = 0;  ///< what these are estimated to take
+    int decided = 0;           ///< blows
+    double decided_ms = 0;     ///< what these are estimated to take
+    double interrupted_s = 0;  ///< of the time of what waits
     int new_fragments = 0;
 };
 

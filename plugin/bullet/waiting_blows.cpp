@@ -37,7 +37,7 @@ double estimatedMilliseconds(const BreakableSolid& solid, const Blow& blow) {
 }
 
 double millisecondsPerStep(const Budget& budget, double time_step_s) {
-    return budget.milliseconds_per_step > 0 ? budget.milliseconds_per_step : 1e3 * time_step_s / 2;
+    return budget.milliseconds_per_step > 0 ? budget.milliseconds_per_step : 1e3 * time_step_s;
 }
 
 double WaitingBlows::turn_s(double work_ms, const Budget& budget, double time_step_s) {
@@ -92,6 +92,18 @@ WaitingBlows::Fate WaitingBlows::add(WaitingBlow blow, double turn_s, const Budg
     for (auto later = blows_.insert(place, std::move(blow)); later != blows_.end(); ++later)
         due_s = later->due_s = std::max(later->due_s, due_s);
     return Fate::waits;
+}
+
+void WaitingBlows::interrupt(double for_s, const Budget& budget, double time_s) {
+    if (busy_until_s_ <= time_s) return;
+    busy_until_s_ += for_s;
+    double due_s = 0;
+    for (WaitingBlow& blow : blows_) {
+        if (blow.begun_s > time_s) blow.begun_s += for_s;
+        const double last_s = std::max(blow.worked_by_s, blow.struck_at_s + budget.longest_wait_s);
+        if (blow.worked_by_s > time_s) blow.worked_by_s = std::min(blow.worked_by_s + for_s, last_s);
+        due_s = blow.due_s = std::max({due_s, blow.due_s, blow.worked_by_s});
+    }
 }
 
 void WaitingBlows::keepTo(const Budget& budget, double time_s) {

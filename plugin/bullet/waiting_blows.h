@@ -38,7 +38,7 @@ struct WaitingBlow {
 /// alone.
 double estimatedMilliseconds(const BreakableSolid& solid, const Blow& blow);
 
-/// Computing time that a budget has for a step.
+/// Computing time that a budget has beside a step.
 double millisecondsPerStep(const Budget& budget, double time_step_s);
 
 /// The blows that wait, in the order of their turns. When it is a blow's turn follows from the estimates, as
@@ -59,6 +59,9 @@ class WaitingBlows {
     /// Of two blows on a body the harder one waits, in the place of the other if that is not begun; the
     /// weaker one is merged. One that was foreseen has part of its turn behind it.
     Fate add(WaitingBlow blow, double turn_s, const Budget& budget, double time_s);
+    /// The one worker is at something else for a while: what it is at, and what it has not begun, is done
+    /// later, but waits no longer than the budget says.
+    void interrupt(double for_s, const Budget& budget, double time_s);
     /// For another budget: none waits for longer than it says, nor any more where it lets none wait.
     void keepTo(const Budget& budget, double time_s);
     /// Has blows worked on whose turn comes next: those of bodies that have no earlier one.

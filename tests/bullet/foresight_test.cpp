@@ -488,7 +488,7 @@ TEST(Foresight, OfACrowdThatWouldWaitNoMoreThanThereIsTimeFor) {
     scene.world->removeRigidBody(lid);
     scene.step(1);
     EXPECT_GT(fracture.counts().foreseen_in_vain, 0);
-    EXPECT_LE(fracture.counts().foreseen_in_vain, 3);
+    EXPECT_LE(fracture.counts().foreseen_in_vain, 4) << "in 50 ms";
 }
 
 TEST(Foresight, WhatSleepsIsStruckAsItStands) {

@@ -44,7 +44,7 @@ TEST(WaitingBlows, ASmallOneIsDueAfterTheShortestWait) {
 TEST(WaitingBlows, AHarderBlowTakesThePlaceOfOneThatIsNotBegun) {
     const Budget budget;
     WaitingBlows waiting;
-    constexpr double work_ms = 100;  // of which the budget does 500 a second
+    constexpr double work_ms = 200;  // of which the budget does 1000 a second
     for (const int body : {1, 2})
         ASSERT_EQ(add(waiting, blowOn(body), work_ms, budget, 2), WaitingBlows::Fate::waits);
     WaitingBlow harder = blowOn(2);
@@ -89,7 +89,7 @@ TEST(WaitingBlows, WhereNoneMayWaitAnyMoreAllAreDue) {
 TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
     const Budget budget;
     WaitingBlows waiting;
-    constexpr double work_ms = 50;  // a tenth of a second
+    constexpr double work_ms = 100;  // a tenth of a second
     for (const int body : {1, 2, 3}) add(waiting, blowOn(body), work_ms, budget, 2);
     for (const int body : {4, 5}) {
         WaitingBlow whole = blowOn(body);
@@ -111,7 +111,7 @@ TEST(WaitingBlows, WholeBodiesGoBeforeFragments) {
 TEST(WaitingBlows, WholeBodiesHaveTheTimeOfFragmentsAndHalfOfTheLongestWaitAtLeast) {
     const Budget budget;
     WaitingBlows waiting;
-    for (const int body : {1, 2}) add(waiting, blowOn(body), 100, budget, 2);
+    for (const int body : {1, 2}) add(waiting, blowOn(body), 200, budget, 2);
     EXPECT_NEAR(waiting.left_s(budget, 2), 0.3, 1e-9) << "the second fragment is overtaken";
     WaitingBlow kept = blowOn(3);
     kept.is_on_fragment = false;
@@ -126,7 +126,7 @@ TEST(WaitingBlows, ABodyOfAnExplosionIsKeptWhateverElseStrikesIt) {
     for (const bool is_first : {true, false}) {
         WaitingBlows waiting;
         WaitingBlow of_explosion = blowOn(1), ordinary = blowOn(1);
-        for (const std::uint64_t body : {10, 11}) add(waiting, blowOn(body), 90, budget, 2);
+        for (const std::uint64_t body : {10, 11}) add(waiting, blowOn(body), 180, budget, 2);
         of_explosion.is_kept = true;
         of_explosion.promised = 5;
         ordinary.promised = 8;
@@ -149,6 +149,19 @@ TEST(WaitingBlows, OneThatIsBegunIsAnswered) {
     EXPECT_EQ(add(waiting, harder, 50, budget, 2), WaitingBlows::Fate::waits);
     EXPECT_EQ(waiting.takeFirst().energy_j, 1);
     EXPECT_EQ(waiting.takeFirst().energy_j, 5);
+}
+
+TEST(WaitingBlows, WhatAStepDecidesTakesTheWorkerFromThem) {
+    const Budget budget;
+    WaitingBlows waiting;
+    constexpr double work_ms = 100, until_s = 0.5;
+    for (const int body : {1, 2}) add(waiting, blowOn(body), work_ms, budget, 2);
+    waiting.interrupt(0.01, budget, 2.05);  // in the midst of the first
+    add(waiting, blowOn(3), work_ms, budget, 2.05);
+    for (const double due_s : {0.11, 0.21, 0.31}) EXPECT_NEAR(waiting.takeFirst().due_s - 2, due_s, 1e-9);
+    add(waiting, blowOn(4), work_ms, budget, 3);
+    waiting.interrupt(ages_ms, budget, 3.01);
+    EXPECT_NEAR(waiting.takeFirst().due_s - 3, until_s, 1e-9) << "none waits for longer";
 }
 
 /// A pane thinner than a spacing has particles side by side, not a part of one in its thickness.
