@@ -162,19 +162,20 @@ EvenGround evenTriangles(const PlacedShape& part, const btCollisionObject& surfa
     return ground;
 }
 
-/// Whether Bullet found that ground, too: the number of a part of a compound in a compound is not that of one
-/// of its own parts.
+/// Whether Bullet found that ground, and none on its other side: a kinematic box may come to lie around what
+/// lay on it. The number of a part of a compound in a compound is not that of one of its own parts.
 bool agrees(const btPersistentManifold& manifold, bool part_is_a, const Facet& facet) {
     constexpr btScalar parallel = btScalar(0.9);
+    bool is_found = false;
     for (int p = 0; p < manifold.getNumContacts(); ++p) {
         const btManifoldPoint& point = manifold.getContactPoint(p);
         const btVector3& place = placeOnGround(point, part_is_a);
         const btVector3 up = part_is_a ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
-        if (up.dot(facet.normal) > parallel &&
-            btFabs(facet.above(place)) < manifold.getContactBreakingThreshold())
-            return true;
+        if (up.dot(facet.normal) < -parallel) return false;
+        is_found |= up.dot(facet.normal) > parallel &&
+                    btFabs(facet.above(place)) < manifold.getContactBreakingThreshold();
     }
-    return false;
+    return is_found;
 }
 
 }  // namespace

@@ -232,6 +232,27 @@ TEST(PiecesInAnotherBody, AreNotPushedOutOfIt) {
 }
 
 // What is no piece comes out of what supports still hold of a body.
+/// Bullet keeps the contacts of the step before, which push up, and finds new ones, which push out below.
+TEST(WholeBodies, BreakOnALiftThatStartsByMoreThanHalfOfItsHeightInAStep) {
+    for (const btScalar speed_m_s : {3, 4, 5, 6, 8}) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, -9.81f));
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* lift = scene.addBox(0, btVector3(1, 1, 0.05f), btVector3(0, 0, -0.05f));
+        lift->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+        lift->setActivationState(DISABLE_DEACTIVATION);
+        const auto dish = BreakableAsset::fromMesh(cylinderMesh(0.13, 0.012, 32), Material::ceramic());
+        ASSERT_TRUE(fracture.add(dish.value(), at(0, 0, 0.007f)).ok());
+        scene.step(30, 1.0 / 60);
+        ASSERT_EQ(fracture.takeEvents().size(), 0u);
+        lift->setWorldTransform(at(0, 0, -0.05f + speed_m_s / 60));
+        scene.step(1, 1.0 / 60);
+        const auto events = fracture.takeEvents();
+        ASSERT_EQ(events.size(), 1u) << speed_m_s << " m/s";
+        EXPECT_EQ(events[0].outcome, Outcome::broke) << speed_m_s << " m/s";
+    }
+}
+
 TEST(HeldRests, LiftWhatFallsOntoThem) {
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, -9.81f));
