@@ -90,7 +90,7 @@ struct Breakable : Pooled {
         btTransform at = btTransform::getIdentity();
         double time_s = 0;
     };
-    Stay settled, rocking;
+    Stay settled, rocking, turning;
     bool just_added = false;  ///< by the app: no step has seen it
     bool being_born = false;  ///< a fragment that is about to enter the world
 

@@ -17,38 +17,55 @@ namespace sherd {
 namespace {
 
 // Of the radius: how far points of a piece may move. It is 5 mm/s at most that a piece of 10 cm creeps by.
-constexpr btScalar while_it_settles = btScalar(0.1), while_it_rocks = btScalar(0.5);
+constexpr btScalar while_it_settles = btScalar(0.1), while_it_rocks = btScalar(0.5),
+                   while_it_turns = btScalar(1);  // its centre
 // How long it takes until it is calmed, of sqrt(radius / gravity): in that a piece that stands on an edge
 // falls over.
 constexpr btScalar rocking = 10;
+constexpr double patience = 2;   // with one that turns on and on: times Bullet's
 constexpr btScalar calming = 2;  // of the angle that it can fall over by in a step
 
-/// Adds a step to how long a piece has been where it is, and returns that, s.
-double timeInPlace(const btRigidBody& body, btScalar surroundings, double time_step_s,
+/// Adds a step to how long a piece has been where it is, and returns that, s. `way`: how far it has come from
+/// there, m.
+double timeInPlace(const btRigidBody& body, btScalar way, btScalar surroundings, double time_step_s,
                    Breakable::Stay& stay) {
-    const btTransform& now = body.getWorldTransform();
-    const btScalar radius = radiusAboutOrigin(body);
-    if (body.isActive() && travel(stay.at, now, radius) <= surroundings * radius)
-        return stay.time_s += time_step_s;
-    stay.at = now;
+    if (body.isActive() && way <= surroundings) return stay.time_s += time_step_s;
+    stay.at = body.getWorldTransform();
     return stay.time_s = 0;
 }
 
-void letSleep(Breakable& piece, double time_step_s) {
-    const double time_s = timeInPlace(*piece.body, while_it_settles, time_step_s, piece.settled);
-    const bool may_sleep = !gDisableDeactivation && gDeactivationTime > 0;
-    if (may_sleep && time_s > gDeactivationTime && piece.body->getActivationState() == ACTIVE_TAG)
-        piece.body->setActivationState(WANTS_DEACTIVATION);
+double timeOfPoints(const btRigidBody& body, btScalar radius, btScalar surroundings, double time_step_s,
+                    Breakable::Stay& stay) {
+    const btScalar way = travel(stay.at, body.getWorldTransform(), radius);
+    return timeInPlace(body, way, surroundings * radius, time_step_s, stay);
 }
 
-void calm(Breakable& piece, btScalar time_step_s) {
+double timeOfCentre(const btRigidBody& body, btScalar radius, double time_step_s, Breakable::Stay& stay) {
+    const btScalar way = (body.getCenterOfMassPosition() - stay.at.getOrigin()).length();
+    return timeInPlace(body, way, while_it_turns * radius, time_step_s, stay);
+}
+
+/// Spins it less and less, if it rocks or turns on a spot.
+void calm(Breakable& piece, btScalar radius, btScalar gravity, btScalar time_step_s) {
     btRigidBody& body = *piece.body;
-    const btScalar gravity = body.getGravity().length(), radius = radiusAboutOrigin(body);
-    if (!(gravity > 0)) return;
-    const double time_s = timeInPlace(body, while_it_rocks, time_step_s, piece.rocking);
-    if (time_s < rocking * btSqrt(radius / gravity)) return;
+    const double rocks_s = timeOfPoints(body, radius, while_it_rocks, time_step_s, piece.rocking),
+                 turns_s = timeOfCentre(body, radius, time_step_s, piece.turning);
+    if (rocks_s < rocking * btSqrt(radius / gravity) && turns_s < gDeactivationTime) return;
     const btScalar falls_by = gravity * time_step_s * time_step_s / radius;
     body.setAngularVelocity(body.getAngularVelocity() / (1 + calming * falls_by));
+}
+
+void settle(Breakable& piece, bool is_on_joint, double time_step_s) {
+    btRigidBody& body = *piece.body;
+    const btScalar radius = radiusAboutOrigin(body), gravity = body.getGravity().length();
+    const double time_s = timeOfPoints(body, radius, while_it_settles, time_step_s, piece.settled);
+    const bool may_be_calmed = gravity > 0 && !is_on_joint;
+    if (may_be_calmed) calm(piece, radius, gravity, btScalar(time_step_s));
+    const bool may_sleep = !gDisableDeactivation && gDeactivationTime > 0;
+    const bool is_settled =
+        time_s > gDeactivationTime || (may_be_calmed && piece.turning.time_s > patience * gDeactivationTime);
+    if (may_sleep && is_settled && body.getActivationState() == ACTIVE_TAG)
+        body.setActivationState(WANTS_DEACTIVATION);
 }
 
 /// Sorted.
@@ -74,16 +91,15 @@ void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry&
     const std::vector<const btRigidBody*> on_joints = bodiesOnJoints(world);
     for (const auto& breakable : breakables.all()) {
         if (!breakable->in_world || !breakable->isFragment() || !breakable->isDynamic()) continue;
-        letSleep(*breakable, time_step_s);
-        if (!std::binary_search(on_joints.begin(), on_joints.end(), breakable->body))
-            calm(*breakable, static_cast<btScalar>(time_step_s));
+        settle(*breakable, std::binary_search(on_joints.begin(), on_joints.end(), breakable->body),
+               time_step_s);
     }
 }
 
 void forgetSettled(const BreakableRegistry& breakables) {
     for (const auto& breakable : breakables.all())
         if (breakable->in_world && breakable->isFragment() && !breakable->body->isActive())
-            breakable->settled.time_s = breakable->rocking.time_s = 0;
+            breakable->settled.time_s = breakable->rocking.time_s = breakable->turning.time_s = 0;
 }
 
 }  // namespace sherd

@@ -12,7 +12,10 @@ namespace sherd {
 /// left its surroundings for Bullet's time of deactivation counts as one at rest, as long as it stays there.
 /// And one that rocks on a spot for longer than any piece does that falls or rolls spins less and less: in
 /// steps of 1/60 s a contact that the solver lacks lets a splinter tip by a tenth of a turn, on and on.
-/// Pieces on joints and without gravity are left alone. For before a solve, of bodies that are in the world.
+/// So does one that turns on a spot for as long as it takes Bullet to let bodies sleep, and after twice that
+/// time it counts as one at rest: on rough ground a shard may turn for good, and keeps its heap awake.
+/// Pieces on joints and without gravity are left alone but for the first. For before a solve, of bodies that
+/// are in the world.
 void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   double time_step_s);
 

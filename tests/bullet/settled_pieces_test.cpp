@@ -102,4 +102,20 @@ TEST_F(SettledPieces, SpinLessAndLessWhereTheyRockOnASpot) {
     scene_.world->removeConstraint(&joint);
 }
 
+TEST_F(SettledPieces, SleepWhereTheyTurnOnAndOn) {
+    const auto turnsFor = [&](btRigidBody& piece, const btVector3& gravity) {
+        piece.setGravity(gravity);
+        int steps = 0;
+        for (; steps < 300 && piece.isActive(); ++steps) {
+            piece.applyCentralForce(-gravity / piece.getInvMass());
+            piece.setLinearVelocity(btVector3(0, 0, 0));
+            piece.setAngularVelocity(btVector3(0, 0, 10));
+            scene_.step(1, 1.0 / 60);
+        }
+        return steps / 60.0;
+    };
+    EXPECT_EQ(turnsFor(*pieces_[1], btVector3(0, 0, 0)), 5) << "a satellite turns on";
+    EXPECT_NEAR(turnsFor(*pieces_[0], btVector3(0, 0, -10)), 4, 0.1);
+}
+
 }  // namespace
