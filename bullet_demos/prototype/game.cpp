@@ -98,10 +98,12 @@ void Game::takeEvents() {
         Place& place = placeOf(*event.body);
         const bool broke = event.outcome == sherd::Outcome::broke;
         if (broke) count(event, place);
+        // Of half a sine. The impulse of Bullet's contacts also has what they push apart.
+        const double pulse_n_s = 0.64 * event.peak_force_n * event.contact_time_s;
         happenings_.push_back(
             {ready_.level.kinds[place.prop->kind].timbre,
              btVector3(float(event.position.x()), float(event.position.y()), float(event.position.z())),
-             float(event.impulse_n_s), float(event.asset.mass()), broke, place.prop->look.inside});
+             float(pulse_n_s), float(event.asset.mass()), broke, place.prop->look.inside});
     }
 }
 

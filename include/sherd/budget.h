@@ -44,9 +44,10 @@ struct Budget {
     /// How long blows on fragments wait at least, s of simulated time. At 0 none waits: each is decided in
     /// its step, however long that takes.
     double shortest_wait_s = 0.05;
-    /// A blow that would wait longer is dropped. One that nothing has to wait for waits no longer either: the
-    /// step then takes what is left of it. So it is with what explosions do to whole and held bodies, however
-    /// many these are.
+    /// A blow that would wait longer is dropped when it falls; whole bodies that are struck after it go
+    /// before it, which comes on top. One that nothing has to wait for waits no longer either: the step then
+    /// takes what is left of it. So it is with what explosions do to whole and held bodies, however many
+    /// these are.
     double longest_wait_s = 0.5;
     /// Computing time for blows that wait, ms a step: of one core of about 2020, estimated from the size of
     /// the bodies. At 0 it is the step's own length, as a core has that does nothing else. A step has half of
