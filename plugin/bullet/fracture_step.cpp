@@ -1,4 +1,14 @@
-// What a FractureWorld does in a step of Bullet's.
+// What a FractureWorld does in a step of Bullet's, and where it is:
+//   beforeSolve       contacts of fragments are steadied, velocities noted: steady_contacts, island_state
+//   (Bullet solves)
+//   afterSolve        struck: what was struck, and how hard: contact_collector
+//                     evaluateBlows: the gate; now, later, or dropped: fracture_decisions, patience
+//                     resolveIslands: broken bodies become fragments, and Bullet solves their islands once
+//                     more with them: fracture_resolve, body_swap
+//   endSolve          finish: what the app asked for, blows whose turn it is: fracture_blows,
+//                     fracture_waiting
+//   (Bullet integrates)
+//   afterIntegration  what has crossed ground is set back; looks ahead: ground_contact, fracture_foresight
 
 #include <algorithm>
 #include <unordered_set>

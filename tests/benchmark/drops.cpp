@@ -121,7 +121,7 @@ struct Drop {
     bool broke = false;
     int pieces = 0, parts = 0, most_parts = 0, awake = 0, breaks = 0;
     double slept_s = 0;  // when the last piece fell asleep
-    double depth = 0, rise = 0, shapes_ms = 0, step_ms = 0, slowest_shape_ms = 0;
+    double depth = 0, rise = 0, shapes_ms = 0, step_ms = 0;
     double plain_rise = 0, plain_depth = 0;
     int plain_awake = 0;
 };

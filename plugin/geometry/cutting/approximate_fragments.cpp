@@ -20,6 +20,7 @@
 #include "geometry/cutting/surface_fitting.h"
 #include "geometry/mass_properties.h"
 #include "geometry/surface_checks.h"
+#include "geometry/surface_mesh_conversion.h"
 #include "geometry/triangle_tree.h"
 
 namespace sherd {
@@ -34,17 +35,9 @@ constexpr double nodes_across_wall = 3;
 constexpr double smallest_crumb = 0.05;         // of a particle's mean volume
 constexpr double largest_volume_change = 1.25;  // more means that walls are missing
 
-CgalMesh toCgal(const TriangleMesh& mesh) {
-    CgalMesh result;
-    for (const Vec3& v : mesh.vertices) result.add_vertex({v.x(), v.y(), v.z()});
-    for (const auto& [a, b, c] : mesh.triangles)
-        result.add_face(CgalMesh::Vertex_index(a), CgalMesh::Vertex_index(b), CgalMesh::Vertex_index(c));
-    return result;
-}
-
 // Gives the nodes outside of the body a label of their own.
 void labelOutside(const TriangleMesh& surface, int outside, LabelLattice& lattice) {
-    const CgalMesh mesh = toCgal(surface);
+    const auto mesh = toSurfaceMesh<CgalMesh>(surface);
     const CGAL::Side_of_triangle_mesh<CgalMesh, Kernel> side(mesh);
     for (std::size_t node = 0; node < lattice.nodes.size(); ++node) {
         const Vec3& x = lattice.nodes[node];

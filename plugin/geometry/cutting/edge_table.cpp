@@ -51,13 +51,6 @@ void sortFew(HalfEdge* begin, HalfEdge* end) {
 
 }  // namespace
 
-int EdgeTable::find(int a, int b) const {
-    const auto [low, high] = std::minmax(a, b);
-    const auto begin = edges.begin() + first_edge[low], end = edges.begin() + first_edge[low + 1];
-    const auto found = std::lower_bound(begin, end, std::array<int, 2>{low, high});
-    return found != end && (*found)[1] == high ? static_cast<int>(found - edges.begin()) : -1;
-}
-
 EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_count) {
     std::vector<int> offset(vertex_count + 1, 0);
     std::vector<HalfEdge> grouped = groupByLowerVertex(triangles, offset);
@@ -66,9 +59,7 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
     table.first_use.reserve(grouped.size() / 2 + 1);
     table.of_triangle.resize(triangles.size());
     table.uses.resize(grouped.size());
-    table.first_edge.resize(vertex_count + 1);
     for (int v = 0; v < vertex_count; ++v) {
-        table.first_edge[v] = static_cast<int>(table.edges.size());
         sortFew(grouped.data() + offset[v], grouped.data() + offset[v + 1]);
         for (int k = offset[v]; k < offset[v + 1]; ++k) {
             const int other = otherOf(grouped[k]), id = idOf(grouped[k]);
@@ -80,7 +71,6 @@ EdgeTable buildEdgeTable(const std::vector<Triangle>& triangles, int vertex_coun
             table.uses[k] = id;
         }
     }
-    table.first_edge[vertex_count] = static_cast<int>(table.edges.size());
     table.first_use.push_back(static_cast<int>(grouped.size()));
     return table;
 }

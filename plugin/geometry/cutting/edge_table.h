@@ -14,10 +14,6 @@ struct EdgeTable {
     std::vector<std::array<int, 3>> of_triangle;  ///< #T, the edge of half-edge 3 t + i
     std::vector<int> first_use;                   ///< #E + 1, offsets into `uses`
     std::vector<int> uses;                        ///< half-edges, grouped by edge
-    std::vector<int> first_edge;                  ///< #V + 1, offsets: the edges whose lower vertex is v
-
-    /// The edge between two vertices, or -1.
-    int find(int a, int b) const;
 };
 
 /// Linear time; vertices are numbered below `vertex_count`.

@@ -17,12 +17,6 @@ namespace {
 constexpr int lane_count = 16;  // parts whose bounds are made side by side
 using Lane = float[lane_count];
 
-double choose(int n, int k) {
-    double value = 1;
-    for (int i = 0; i < k; ++i) value *= static_cast<double>(n - i) / (i + 1);
-    return value;
-}
-
 /// The polar form of x^power for `degree` arguments of which `high` are `to` and the others `from`: the mean
 /// of the products of `power` of them.
 double polarForm(int degree, int power, int high, double from, double to) {

@@ -9,13 +9,13 @@ double power(double x, int exponent) {
     return value;
 }
 
+}  // namespace
+
 double choose(int n, int k) {
     double value = 1;
     for (int i = 0; i < k; ++i) value *= static_cast<double>(n - i) / (i + 1);
     return value;
 }
-
-}  // namespace
 
 std::vector<Eigen::Vector3i> monomialsOf(int degree) {
     std::vector<Eigen::Vector3i> monomials;

@@ -7,6 +7,9 @@
 
 namespace sherd {
 
+/// The binomial coefficient n over k.
+double choose(int n, int k);
+
 /// Exponents of the monomials x^i y^j z^k with i, j, k <= degree, i fastest.
 std::vector<Eigen::Vector3i> monomialsOf(int degree);
 
