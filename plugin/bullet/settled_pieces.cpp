@@ -50,7 +50,8 @@ void calm(Breakable& piece, btScalar radius, btScalar gravity, btScalar time_ste
     btRigidBody& body = *piece.body;
     const double rocks_s = timeOfPoints(body, radius, while_it_rocks, time_step_s, piece.rocking),
                  turns_s = timeOfCentre(body, radius, time_step_s, piece.turning);
-    if (rocks_s < rocking * btSqrt(radius / gravity) && turns_s < gDeactivationTime) return;
+    const bool turns = gDeactivationTime > 0 && turns_s >= gDeactivationTime;
+    if (!turns && rocks_s < rocking * btSqrt(radius / gravity)) return;
     const btScalar falls_by = gravity * time_step_s * time_step_s / radius;
     body.setAngularVelocity(body.getAngularVelocity() / (1 + calming * falls_by));
 }

@@ -231,7 +231,6 @@ TEST(PiecesInAnotherBody, AreNotPushedOutOfIt) {
     }
 }
 
-// What is no piece comes out of what supports still hold of a body.
 /// Bullet keeps the contacts of the step before, which push up, and finds new ones, which push out below.
 TEST(WholeBodies, BreakOnALiftThatStartsByMoreThanHalfOfItsHeightInAStep) {
     for (const btScalar speed_m_s : {3, 4, 5, 6, 8}) {
@@ -253,6 +252,7 @@ TEST(WholeBodies, BreakOnALiftThatStartsByMoreThanHalfOfItsHeightInAStep) {
     }
 }
 
+// What is no piece comes out of what supports still hold of a body.
 TEST(HeldRests, LiftWhatFallsOntoThem) {
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, -9.81f));
