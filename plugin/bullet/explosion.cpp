@@ -8,7 +8,7 @@
 #include <sstream>
 #include <utility>
 
-#include "bullet/conversions.h"
+#include "bullet/world/conversions.h"
 #include "core/loads/load_patch.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"

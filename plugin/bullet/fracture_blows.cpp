@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "bullet/applied_blow.h"
-#include "bullet/body_swap.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/world_internals.h"
+#include "bullet/fragments/body_swap.h"
+#include "bullet/strikes/applied_blow.h"
+#include "bullet/world/world_internals.h"
 
 namespace sherd {
 

@@ -4,13 +4,13 @@
 #include <cmath>
 #include <utility>
 
-#include "bullet/body_checks.h"
-#include "bullet/body_removal.h"
-#include "bullet/body_swap.h"
-#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/shapes.h"
-#include "bullet/world_internals.h"
+#include "bullet/fragments/body_removal.h"
+#include "bullet/fragments/body_swap.h"
+#include "bullet/shapes/shapes.h"
+#include "bullet/world/body_checks.h"
+#include "bullet/world/conversions.h"
+#include "bullet/world/world_internals.h"
 #include "fracture/can_break.h"
 
 namespace sherd {

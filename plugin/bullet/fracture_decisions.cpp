@@ -5,10 +5,10 @@
 #include <string>
 #include <utility>
 
-#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/shapes.h"
-#include "bullet/torn_out.h"
+#include "bullet/shapes/shapes.h"
+#include "bullet/strikes/torn_out.h"
+#include "bullet/world/conversions.h"
 #include "core/numerics/parallel_chunks.h"
 #include "core/numerics/split_mix.h"
 #include "core/numerics/urgent_work.h"

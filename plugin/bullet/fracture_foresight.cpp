@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "bullet/fracture_world_impl.h"
-#include "bullet/rehearsal.h"
-#include "bullet/torn_out.h"
+#include "bullet/schedule/rehearsal.h"
+#include "bullet/strikes/torn_out.h"
 #include "fracture/decide_blow.h"
 
 namespace sherd {

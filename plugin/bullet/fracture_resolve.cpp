@@ -4,17 +4,17 @@
 #include <exception>
 #include <unordered_set>
 
-#include "bullet/applied_blow.h"
-#include "bullet/birth_callback.h"
-#include "bullet/body_removal.h"
-#include "bullet/body_swap.h"
-#include "bullet/collision_exceptions.h"
-#include "bullet/contact_motion.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/ground_contact.h"
-#include "bullet/same_blow.h"
-#include "bullet/steady_contacts.h"
-#include "bullet/world_internals.h"
+#include "bullet/fragments/birth_callback.h"
+#include "bullet/fragments/body_removal.h"
+#include "bullet/fragments/body_swap.h"
+#include "bullet/fragments/collision_exceptions.h"
+#include "bullet/ground/ground_contact.h"
+#include "bullet/ground/steady_contacts.h"
+#include "bullet/island/contact_motion.h"
+#include "bullet/strikes/applied_blow.h"
+#include "bullet/strikes/same_blow.h"
+#include "bullet/world/world_internals.h"
 #include "core/numerics/split_mix.h"
 
 namespace sherd {

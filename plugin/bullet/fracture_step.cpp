@@ -1,26 +1,28 @@
 // What a FractureWorld does in a step of Bullet's, and where it is:
-//   beforeSolve       contacts of fragments are steadied, velocities noted: steady_contacts, island_state
+//   beforeSolve       contacts of fragments are steadied, velocities noted: ground/steady_contacts,
+//                     island/island_state
 //   (Bullet solves)
-//   afterSolve        struck: what was struck, and how hard: contact_collector
-//                     evaluateBlows: the gate; now, later, or dropped: fracture_decisions, patience
+//   afterSolve        struck: what was struck, and how hard: strikes/contact_collector
+//                     evaluateBlows: the gate; now, later, or dropped: fracture_decisions, schedule/patience
 //                     resolveIslands: broken bodies become fragments, and Bullet solves their islands once
-//                     more with them: fracture_resolve, body_swap
+//                     more with them: fracture_resolve, fragments/body_swap
 //   endSolve          finish: what the app asked for, blows whose turn it is: fracture_blows,
 //                     fracture_waiting
 //   (Bullet integrates)
-//   afterIntegration  what has crossed ground is set back; looks ahead: ground_contact, fracture_foresight
+//   afterIntegration  what has crossed ground is set back; looks ahead: ground/ground_contact,
+//                     fracture_foresight
 
 #include <algorithm>
 #include <unordered_set>
 #include <utility>
 
-#include "bullet/extra_contacts.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/ground_contact.h"
-#include "bullet/ground_surface.h"
-#include "bullet/quiet_step.h"
-#include "bullet/settled_pieces.h"
-#include "bullet/steady_contacts.h"
+#include "bullet/fragments/settled_pieces.h"
+#include "bullet/ground/ground_contact.h"
+#include "bullet/ground/ground_surface.h"
+#include "bullet/ground/quiet_step.h"
+#include "bullet/ground/steady_contacts.h"
+#include "bullet/world/extra_contacts.h"
 
 namespace sherd {
 

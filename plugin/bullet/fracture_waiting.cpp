@@ -4,11 +4,11 @@
 #include <limits>
 #include <utility>
 
-#include "bullet/applied_blow.h"
-#include "bullet/contact_motion.h"
-#include "bullet/conversions.h"
 #include "bullet/fracture_world_impl.h"
-#include "bullet/world_internals.h"
+#include "bullet/island/contact_motion.h"
+#include "bullet/strikes/applied_blow.h"
+#include "bullet/world/conversions.h"
+#include "bullet/world/world_internals.h"
 #include "fracture/blow_stress.h"
 
 namespace sherd {

@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "bullet/fracture_world_impl.h"
-#include "bullet/rigid_body_factory.h"
+#include "bullet/shapes/rigid_body_factory.h"
 
 namespace sherd {
 

@@ -3,10 +3,10 @@
 
 #include <cmath>
 
-#include "bullet/contact_collector.h"
-#include "bullet/conversions.h"
-#include "bullet/fragment_motion.h"
+#include "bullet/fragments/fragment_motion.h"
+#include "bullet/strikes/contact_collector.h"
 #include "bullet/support.h"
+#include "bullet/world/conversions.h"
 #include "core/numerics/pi.h"
 
 namespace {

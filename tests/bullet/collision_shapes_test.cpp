@@ -1,8 +1,8 @@
 // What stands for bodies in collisions, and that fragments are not pushed apart when they are born.
 
-#include "bullet/conversions.h"
-#include "bullet/rigid_body_factory.h"
+#include "bullet/shapes/rigid_body_factory.h"
 #include "bullet/support.h"
+#include "bullet/world/conversions.h"
 #include "geometry/convex/convex_decomposition.h"
 #include "geometry/convex/convex_hull.h"
 #include "geometry/mass_properties.h"

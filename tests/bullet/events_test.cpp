@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bullet/event_queue.h"
+#include "bullet/bodies/event_queue.h"
 #include "bullet/support.h"
 
 namespace {

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "bullet/conversions.h"
 #include "bullet/support.h"
+#include "bullet/world/conversions.h"
 #include "core/loads/load_patch.h"
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/pi.h"

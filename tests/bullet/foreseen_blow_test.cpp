@@ -1,6 +1,6 @@
 // Whether a blow falls as it was foreseen.
 
-#include "bullet/foreseen_blow.h"
+#include "bullet/schedule/foreseen_blow.h"
 
 #include "bullet/support.h"
 #include "fracture/breakable_solid.h"

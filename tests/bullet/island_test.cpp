@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bullet/island_state.h"
+#include "bullet/island/island_state.h"
 #include "bullet/support.h"
 
 namespace {

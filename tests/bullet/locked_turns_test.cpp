@@ -1,8 +1,8 @@
 // Bodies that the app's angular factor keeps from turning: characters that stay upright, games in a plane.
 
-#include "bullet/contact_motion.h"
-#include "bullet/conversions.h"
+#include "bullet/island/contact_motion.h"
 #include "bullet/plate_of_the_app.h"
+#include "bullet/world/conversions.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "bullet/missed_vertices.h"
+#include "bullet/shapes/missed_vertices.h"
 
 #include "bullet/support.h"
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "bullet/conversions.h"
 #include "bullet/support.h"
+#include "bullet/world/conversions.h"
 #include "core/numerics/mesh_measures.h"
 
 namespace {

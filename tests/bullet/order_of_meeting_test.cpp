@@ -1,8 +1,8 @@
 // Several bodies that strike one in the same step, and bodies behind each other: what meets first, what is
 // held up before, and what is stopped once though several do it.
 
-#include "bullet/applied_blow.h"
 #include "bullet/plate_of_the_app.h"
+#include "bullet/strikes/applied_blow.h"
 #include "core/loads/contact_loads.h"
 #include "fracture/blow_stress.h"
 

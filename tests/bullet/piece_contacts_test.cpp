@@ -1,6 +1,6 @@
 // What two hulls touch with, at every size, and what becomes of the app's own algorithms.
 
-#include "bullet/piece_contacts.h"
+#include "bullet/shapes/piece_contacts.h"
 
 #include <BulletCollision/CollisionDispatch/btConvexConvexAlgorithm.h>
 #include <BulletCollision/NarrowPhaseCollision/btGjkEpaPenetrationDepthSolver.h>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "bullet/piece_hull.h"
+#include "bullet/shapes/piece_hull.h"
 #include "bullet/support.h"
 
 namespace {

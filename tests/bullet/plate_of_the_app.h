@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "bullet/contact_collector.h"
+#include "bullet/strikes/contact_collector.h"
 #include "bullet/support.h"
 #include "core/loads/contact_loads.h"
 #include "fracture/blow_stress.h"

@@ -1,6 +1,6 @@
 // Which bodies the contacts of a step may break at most.
 
-#include "bullet/possible_strikes.h"
+#include "bullet/strikes/possible_strikes.h"
 
 #include "bullet/support.h"
 #include "core/loads/blow.h"

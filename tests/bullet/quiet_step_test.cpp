@@ -1,6 +1,6 @@
-#include "bullet/quiet_step.h"
+#include "bullet/ground/quiet_step.h"
 
-#include "bullet/breakable.h"
+#include "bullet/bodies/breakable.h"
 #include "bullet/support.h"
 #include "fracture/can_break.h"
 

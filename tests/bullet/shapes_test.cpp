@@ -1,10 +1,10 @@
-#include "bullet/shapes.h"
+#include "bullet/shapes/shapes.h"
 
 #include <BulletCollision/CollisionShapes/btUniformScalingShape.h>
 
 #include <algorithm>
 
-#include "bullet/rigid_body_factory.h"
+#include "bullet/shapes/rigid_body_factory.h"
 #include "bullet/support.h"
 
 namespace {

@@ -1,6 +1,6 @@
 // Which vertices a fragment stands on.
 
-#include "bullet/standing_base.h"
+#include "bullet/ground/standing_base.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "bullet/contact_collector.h"
+#include "bullet/strikes/contact_collector.h"
 #include "bullet/support.h"
 #include "fracture/blow_stress.h"
 

@@ -1,4 +1,4 @@
-#include "bullet/waiting_blows.h"
+#include "bullet/schedule/waiting_blows.h"
 
 #include <gtest/gtest.h>
 #include <sherd/breakable_asset.h>

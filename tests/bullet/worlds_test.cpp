@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "bullet/support.h"
-#include "bullet/world_internals.h"
+#include "bullet/world/world_internals.h"
 
 namespace {
 

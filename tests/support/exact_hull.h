@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bullet/conversions.h"
+#include "bullet/world/conversions.h"
 #include "geometry/convex/convex_hull.h"
 
 namespace sherd {

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "bullet/rigid_body_factory.h"
+#include "bullet/shapes/rigid_body_factory.h"
 
 namespace sherd {
 

@@ -1,0 +1,106 @@
+#include "bullet/fragments/settled_pieces.h"
+
+#include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
+#include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
+#include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "bullet/island/other_joints.h"
+#include "bullet/world/body_travel.h"
+
+extern btScalar gDeactivationTime;  // s; Bullet's
+
+namespace sherd {
+
+namespace {
+
+// Of the radius: how far points of a piece may move. It is 5 mm/s at most that a piece of 10 cm creeps by.
+constexpr btScalar while_it_settles = btScalar(0.1), while_it_rocks = btScalar(0.5),
+                   while_it_turns = btScalar(1);  // its centre
+// How long it takes until it is calmed, of sqrt(radius / gravity): in that a piece that stands on an edge
+// falls over.
+constexpr btScalar rocking = 10;
+constexpr double patience = 2;   // with one that turns on and on: times Bullet's
+constexpr btScalar calming = 2;  // of the angle that it can fall over by in a step
+
+/// Adds a step to how long a piece has been where it is, and returns that, s. `way`: how far it has come from
+/// there, m.
+double timeInPlace(const btRigidBody& body, btScalar way, btScalar surroundings, double time_step_s,
+                   Breakable::Stay& stay) {
+    if (body.isActive() && way <= surroundings) return stay.time_s += time_step_s;
+    stay.at = body.getWorldTransform();
+    return stay.time_s = 0;
+}
+
+double timeOfPoints(const btRigidBody& body, btScalar radius, btScalar surroundings, double time_step_s,
+                    Breakable::Stay& stay) {
+    const btScalar way = travel(stay.at, body.getWorldTransform(), radius);
+    return timeInPlace(body, way, surroundings * radius, time_step_s, stay);
+}
+
+double timeOfCentre(const btRigidBody& body, btScalar radius, double time_step_s, Breakable::Stay& stay) {
+    const btScalar way = (body.getCenterOfMassPosition() - stay.at.getOrigin()).length();
+    return timeInPlace(body, way, while_it_turns * radius, time_step_s, stay);
+}
+
+/// Spins it less and less, if it rocks or turns on a spot.
+void calm(Breakable& piece, btScalar radius, btScalar gravity, btScalar time_step_s) {
+    btRigidBody& body = *piece.body;
+    const double rocks_s = timeOfPoints(body, radius, while_it_rocks, time_step_s, piece.rocking),
+                 turns_s = timeOfCentre(body, radius, time_step_s, piece.turning);
+    const bool turns = gDeactivationTime > 0 && turns_s >= gDeactivationTime;
+    if (!turns && rocks_s < rocking * btSqrt(radius / gravity)) return;
+    const btScalar falls_by = gravity * time_step_s * time_step_s / radius;
+    body.setAngularVelocity(body.getAngularVelocity() / (1 + calming * falls_by));
+}
+
+void settle(Breakable& piece, bool is_on_joint, double time_step_s) {
+    btRigidBody& body = *piece.body;
+    const btScalar radius = radiusAboutOrigin(body), gravity = body.getGravity().length();
+    const double time_s = timeOfPoints(body, radius, while_it_settles, time_step_s, piece.settled);
+    const bool may_be_calmed = gravity > 0 && !is_on_joint;
+    if (may_be_calmed) calm(piece, radius, gravity, btScalar(time_step_s));
+    const bool may_sleep = !gDisableDeactivation && gDeactivationTime > 0;
+    const bool is_settled =
+        time_s > gDeactivationTime || (may_be_calmed && piece.turning.time_s > patience * gDeactivationTime);
+    if (may_sleep && is_settled && body.getActivationState() == ACTIVE_TAG)
+        body.setActivationState(WANTS_DEACTIVATION);
+}
+
+/// Sorted.
+std::vector<const btRigidBody*> bodiesOnJoints(const btDiscreteDynamicsWorld& world) {
+    std::vector<const btRigidBody*> bodies;
+    for (int i = 0; i < world.getNumConstraints(); ++i) {
+        const btTypedConstraint& joint = *world.getConstraint(i);
+        bodies.push_back(&joint.getRigidBodyA());
+        bodies.push_back(&joint.getRigidBodyB());
+    }
+    if (const auto* multi = dynamic_cast<const btMultiBodyDynamicsWorld*>(&world))
+        for (int i = 0; i < multi->getNumMultiBodyConstraints(); ++i)
+            for (const btRigidBody* body : rigidBodiesOf(*multi->getMultiBodyConstraint(i)))
+                bodies.push_back(body);
+    std::sort(bodies.begin(), bodies.end());
+    return bodies;
+}
+
+}  // namespace
+
+void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
+                  double time_step_s) {
+    const std::vector<const btRigidBody*> on_joints = bodiesOnJoints(world);
+    for (const auto& breakable : breakables.all()) {
+        if (!breakable->in_world || !breakable->isFragment() || !breakable->isDynamic()) continue;
+        settle(*breakable, std::binary_search(on_joints.begin(), on_joints.end(), breakable->body),
+               time_step_s);
+    }
+}
+
+void forgetSettled(const BreakableRegistry& breakables) {
+    for (const auto& breakable : breakables.all())
+        if (breakable->in_world && breakable->isFragment() && !breakable->body->isActive())
+            breakable->settled.time_s = breakable->rocking.time_s = breakable->turning.time_s = 0;
+}
+
+}  // namespace sherd
