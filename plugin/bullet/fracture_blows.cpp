@@ -29,7 +29,7 @@ Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Pus
             "break"};
     if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
     if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
-    blows_.push_back({breakable->serial, body, pushes, explosion});
+    requests_.add(AppRequests::Blow{breakable->serial, body, pushes, explosion});
     return success();
 }
 
@@ -42,17 +42,17 @@ Result<int> FractureWorld::Impl::applyBlows(
         if (!breakable) continue;
         if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return Error{valid.error()};
     }
-    ++explosions_;
+    const int explosion = requests_.newExplosion();
     int struck = 0;
     for (const auto& [body, pushes] : blows)
-        if (enqueueBlow(body, pushes, explosions_)) ++struck;
+        if (enqueueBlow(body, pushes, explosion)) ++struck;
     if (!insideStep()) finishBetweenSteps();
     return struck;
 }
 
 /// What waited for the end of the step, or of the blow that is applied between steps.
 bool FractureWorld::Impl::hasWork() const {
-    return !to_remove_.empty() || !blows_.empty() || !current_.empty() || !waiting_.empty();
+    return !requests_.empty() || !log_.ofStep().empty() || !waiting_.empty();
 }
 
 void FractureWorld::Impl::finish(btScalar time_step_s) {
@@ -60,24 +60,11 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
     const InsideStep guard(world_);
     timed(times_.steps.sync, [&] { removeRequested(); });
     if (time_step_s > 0) answerWaiting(time_step_s);
-    while (!blows_.empty()) {
-        std::vector<QueuedBlow> together;
-        do {
-            together.push_back(std::move(blows_.front()));
-            blows_.pop_front();
-        } while (together.back().explosion > 0 && !blows_.empty() &&
-                 blows_.front().explosion == together.back().explosion);
-        carryOut(together, time_step_s);
+    for (auto blows = requests_.takeBlows(); !blows.empty(); blows = requests_.takeBlows()) {
+        carryOut(blows, time_step_s);
         timed(times_.steps.sync, [&] { removeRequested(); });
     }
-    const AddedTime time(times_.steps.sync);
-    for (QueuedEvent& queued : current_) {
-        times_.blows += queued.event.ms;
-        times_.blows -= queued.event.ms_elsewhere;
-        times_.workers += queued.event.ms_elsewhere;
-        events_.push(std::move(queued));
-    }
-    current_.clear();
+    timed(times_.steps.sync, [&] { log_.endStep(); });
 }
 
 void FractureWorld::Impl::finishBetweenSteps() {
@@ -86,19 +73,15 @@ void FractureWorld::Impl::finishBetweenSteps() {
 }
 
 void FractureWorld::Impl::removeRequested() {
-    while (!to_remove_.empty()) {
-        const Removal removal = to_remove_.front();
-        to_remove_.pop_front();
-        removeNow(removal);
-    }
+    while (const auto removal = requests_.takeRemoval()) removeNow(*removal);
 }
 
 /// A blow by itself, or all of an explosion: those are decided side by side, or when the budget has their
 /// turn. What is held takes no impulse itself; what comes loose of it does.
-void FractureWorld::Impl::carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s) {
+void FractureWorld::Impl::carryOut(const std::vector<AppRequests::Blow>& blows, btScalar time_step_s) {
     const bool is_explosion = !blows.empty() && blows.front().explosion > 0;
     std::vector<StruckBreakable> together;
-    for (const QueuedBlow& blow : blows)
+    for (const AppRequests::Blow& blow : blows)
         for (const auto& [body, pushes] : targetsOf(blow)) {
             if (!isInWorld(world_, body->body) || !body->canBeStruck()) continue;
             const auto struck = timed(times_.steps.contacts, [&, struck_body = body, by = &pushes] {
@@ -125,11 +108,11 @@ void FractureWorld::Impl::replaceBroken(std::vector<Break> breaks, btScalar time
 /// The body itself with all pushes; if it has broken since the blow was asked for, the fragments that are
 /// nearest to each push; none if it was removed.
 std::vector<std::pair<Breakable*, std::vector<Push>>> FractureWorld::Impl::targetsOf(
-    const QueuedBlow& blow) const {
+    const AppRequests::Blow& blow) const {
     for (const auto& breakable : breakables_.all())
         if (breakable->serial == blow.serial) return {{breakable.get(), blow.pushes}};
     std::vector<Breakable*> fragments;
-    for (const QueuedEvent& queued : current_) {
+    for (const QueuedEvent& queued : log_.ofStep()) {
         if (!queued.broken || queued.broken->serial != blow.serial) continue;
         for (const btRigidBody* body : queued.event.fragments)
             if (Breakable* fragment = breakables_.find(body)) fragments.push_back(fragment);

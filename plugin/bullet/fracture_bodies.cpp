@@ -86,17 +86,11 @@ void FractureWorld::Impl::tellWhatCannotBreak() {
         if (!breakable->in_world || breakable->body->isKinematicObject()) continue;
         const bool can_break = is_hooked && breakable->canBeStruck();
         if (std::exchange(breakable->told_unbreakable, !can_break) || can_break) continue;
-        BlowEvent event(breakable->asset);
-        event.outcome = Outcome::failed;
-        event.name = breakable->name;
-        event.body = breakable->body;
-        event.asset_transform = breakable->placed(breakable->body->getWorldTransform());
-        event.position = fromBullet(breakable->body->getWorldTransform().getOrigin());
-        event.message =
+        log_.addUnbreakable(
+            *breakable,
             is_hooked ? "nothing breaks this body while its mass is 0, which it was set to after it was "
                         "added; a static body breaks where it has BodyOptions::supports"
-                      : checkHook().error();
-        current_.push_back({std::move(event)});
+                      : checkHook().error());
     }
 }
 
@@ -218,26 +212,25 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
 void FractureWorld::Impl::remove(btRigidBody* body) {
     const BodyToken token = tokenToRemove(body);
     if (token == no_token) return;
-    to_remove_.push_back({body, token});
+    requests_.add({body, token});
     if (!insideStep()) finishBetweenSteps();
 }
 
 /// Of a breakable body, or of one that broke in the current step; no_token for others.
 BodyToken FractureWorld::Impl::tokenToRemove(const btRigidBody* body) const {
     if (const Breakable* breakable = breakables_.find(body)) return breakable->token;
-    for (const QueuedEvent& queued : current_)
+    for (const QueuedEvent& queued : log_.ofStep())
         if (queued.broken && queued.broken->body == body) return queued.broken->token;
     return no_token;
 }
 
 bool FractureWorld::Impl::isToBeRemoved(const Breakable& breakable) const {
-    return std::any_of(to_remove_.begin(), to_remove_.end(),
-                       [&](const Removal& removal) { return removal.token == breakable.token; });
+    return requests_.isToBeRemoved(breakable.token);
 }
 
-void FractureWorld::Impl::removeNow(const Removal& removal) {
+void FractureWorld::Impl::removeNow(const AppRequests::Removal& removal) {
     std::unique_ptr<Breakable> breakable = breakables_.take(removal.token);
-    for (QueuedEvent& queued : current_) {
+    for (QueuedEvent& queued : log_.ofStep()) {
         auto& fragments = queued.event.fragments;
         fragments.erase(std::remove(fragments.begin(), fragments.end(), removal.body), fragments.end());
         // A body that has broken in this step: what it broke into.
@@ -255,7 +248,7 @@ void FractureWorld::Impl::removeNow(const Removal& removal) {
 
 BlowCounts FractureWorld::Impl::counts() const {
     BlowCounts counts = counts_;
-    counts.events_dropped = events_.dropped();
+    counts.events_dropped = log_.leftOut();
     return counts;
 }
 

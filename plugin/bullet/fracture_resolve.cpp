@@ -113,7 +113,7 @@ void FractureWorld::Impl::allowOverlapsAtBirth(const std::vector<btCollisionObje
 
 /// Returns the fragments, now in the world; none if their bodies could not be made.
 std::vector<btCollisionObject*> FractureWorld::Impl::swap(Break& broken, btScalar time_step_s) {
-    BlowEvent& event = current_[broken.event].event;
+    BlowEvent& event = log_.ofStep()[broken.event].event;
     Breakable* const parent = stillThere(broken);
     if (!parent) {
         event.outcome = Outcome::failed;
@@ -153,7 +153,7 @@ std::vector<std::unique_ptr<Breakable>> FractureWorld::Impl::makePieces(const Br
     try {
         return makeFragmentBodies(parent, *broken.decided, world_.getGravity(), inside_step);
     } catch (const std::exception& trouble) {
-        BlowEvent& event = current_[broken.event].event;
+        BlowEvent& event = log_.ofStep()[broken.event].event;
         event.outcome = Outcome::failed;
         event.message = std::string("the fragments' bodies could not be made (") + trouble.what() +
                         "); the body stays whole";
@@ -165,7 +165,7 @@ std::vector<std::unique_ptr<Breakable>> FractureWorld::Impl::makePieces(const Br
 std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Breakable& parent,
                                                               std::vector<std::unique_ptr<Breakable>> pieces,
                                                               btScalar time_step_s) {
-    BlowEvent& event = current_[broken.event].event;
+    BlowEvent& event = log_.ofStep()[broken.event].event;
     pushLoose(pieces, broken.for_pieces);
     pushLoose(pieces,
               moved(waiting_.pushesFor(parent.serial), parent.placed(broken.body->getWorldTransform())));
@@ -187,7 +187,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     addToWorld(world_, born, time_step_s);
     for (Breakable* fragment : born) fragment->being_born = false;
     spent_.new_fragments += static_cast<int>(born.size());
-    current_[broken.event].broken = breakables_.take(parent.token);
+    log_.ofStep()[broken.event].broken = breakables_.take(parent.token);
     return {event.fragments.begin(), event.fragments.end()};
 }
 

@@ -39,7 +39,7 @@ void FractureWorld::Impl::beforeSolve() {
     write_back_.end(world_);  // where the app was called in the last step, and has thrown
     const bool was_awake = std::exchange(awake_, anythingAwake(world_));
     // The clock would take more time than a world asleep does.
-    if (!awake_ && !was_awake && !integrating_ && to_delete_.empty() && !events_.hasReleased()) return;
+    if (!awake_ && !was_awake && !integrating_ && to_delete_.empty() && !log_.hasReleased()) return;
     timed(times_.whole, [&] { prepareSolve(); });
     solve_watch_ = {};
 }
@@ -105,10 +105,10 @@ void FractureWorld::Impl::endIntegration() {
 
 void FractureWorld::Impl::prepareSolve() {
     StepTimes& ms = times_.steps;
-    if (!to_delete_.empty() || events_.hasReleased())
+    if (!to_delete_.empty() || log_.hasReleased())
         timed(ms.release, [&] {
             to_delete_.clear();
-            events_.deleteReleased();
+            log_.deleteReleased();
         });
     if (integrating_) {  // the world went on without calling its actions
         world_calls_actions_ = false;
@@ -204,14 +204,14 @@ void FractureWorld::Impl::solveBreaks(const btContactSolverInfo& info, btIDebugD
 /// hold.
 bool FractureWorld::Impl::anyWasHeld(const std::vector<Break>& breaks) const {
     return std::any_of(breaks.begin(), breaks.end(), [&](const Break& broken) {
-        const auto& whole = current_[broken.event].broken;
+        const auto& whole = log_.ofStep()[broken.event].broken;
         return whole && whole->asset.solid()->isAnchored();
     });
 }
 
 /// Whether more than the gate has decided a blow on the body in this step.
 bool FractureWorld::Impl::wasDecided(const Breakable& breakable) const {
-    return std::any_of(current_.begin(), current_.end(), [&](const QueuedEvent& queued) {
+    return std::any_of(log_.ofStep().begin(), log_.ofStep().end(), [&](const QueuedEvent& queued) {
         return queued.event.body == breakable.body && queued.event.level != Level::gate;
     });
 }

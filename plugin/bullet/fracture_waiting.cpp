@@ -55,7 +55,7 @@ void FractureWorld::Impl::dropWithoutRoom(const std::vector<StruckBreakable>& st
     const auto without = std::stable_partition(gated.now.begin(), gated.now.end(), has_room);
     for (auto i = without; i != gated.now.end(); ++i) {
         times_.blows += gated.ms[*i];
-        tellTooMany(struck[*i], normalImpulse(struck[*i].blow));
+        log_.addTooMany(struck[*i], normalImpulse(struck[*i].blow));
     }
     gated.now.erase(without, gated.now.end());
 }
@@ -66,7 +66,7 @@ bool FractureWorld::Impl::takeRoom(const StruckBreakable& struck, const BlowOutc
     if (outcome.outcome != Outcome::broke) return true;
     const int more = static_cast<int>(outcome.fragments.size()) - struck.breakable->ownPlaces();
     if (more > room) {
-        tellTooMany(struck, outcome.impulse_n_s);
+        log_.addTooMany(struck, outcome.impulse_n_s);
         return false;
     }
     room -= more;
@@ -114,7 +114,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
         const int places = (struck->isKept() ? share : room) + breakable.ownPlaces();
         const int most_fragments = std::min(places, budget_.fragments_per_step);
         if (most_fragments < fewest_fragments) {
-            tellTooMany(*struck, normalImpulse(struck->blow));
+            log_.addTooMany(*struck, normalImpulse(struck->blow));
             continue;
         }
         const btTransform from_world = breakable.placed(struck->before.transform).inverse();
@@ -150,7 +150,7 @@ void FractureWorld::Impl::letWait(std::vector<const StruckBreakable*> blows, int
                 ++counts_.merged;
                 break;
             case WaitingBlows::Fate::dropped:
-                tellDropped(*struck, normalImpulse(struck->blow), too_long_a_queue);
+                log_.addDropped(*struck, normalImpulse(struck->blow), too_long_a_queue);
                 break;
         }
     }
@@ -202,7 +202,7 @@ void FractureWorld::Impl::answerWaiting(btScalar time_step_s) {
         if (count > 0 && count > roomForFragments() + (*found)->ownPlaces()) {
             (blow.decided->doneElsewhere() ? times_.workers : times_.blows) += blow.decided->outcome.ms;
             kept_factors_.noteDecided(**found, breakables_);
-            tellTooMany(struckNow(**found, blow), blow.impulse_n_s, waited_s);
+            log_.addTooMany(struckNow(**found, blow), blow.impulse_n_s, waited_s);
             continue;
         }
         BlowOutcome& outcome = blow.decided->outcome;

@@ -3,13 +3,12 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <sherd/fracture_world.h>
 
-#include <deque>
 #include <optional>
 #include <vector>
 
+#include "bullet/bodies/app_requests.h"
 #include "bullet/bodies/asset_store.h"
 #include "bullet/bodies/breakable.h"
-#include "bullet/bodies/event_queue.h"
 #include "bullet/bodies/kept_factors.h"
 #include "bullet/fragments/birth_overlaps.h"
 #include "bullet/fragments/continuous_collision.h"
@@ -23,6 +22,7 @@
 #include "bullet/schedule/waiting_blows.h"
 #include "bullet/shapes/piece_contacts.h"
 #include "bullet/shapes/shape_store.h"
+#include "bullet/strikes/blow_log.h"
 #include "bullet/strikes/contact_collector.h"
 #include "bullet/strikes/striker_contacts.h"
 #include "bullet/world/impulse_write_back.h"
@@ -56,7 +56,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void onFragment(FragmentCallback callback) {
         on_fragment_ = std::make_shared<const FragmentCallback>(std::move(callback));
     }
-    std::vector<BlowEvent> takeEvents() { return events_.take(insideStep()); }
+    std::vector<BlowEvent> takeEvents() { return log_.take(insideStep()); }
     Status setBudget(const Budget& budget);
     const Budget& budget() const { return budget_; }
     void setExecutor(Executor executor);
@@ -82,23 +82,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     struct Break {
         btRigidBody* body = nullptr;
         std::shared_ptr<const DecidedBlow> decided;
-        std::size_t event = 0;         // in current_
+        std::size_t event = 0;         // of the step
         std::vector<Push> for_pieces;  // as in StruckBreakable
         std::uint64_t serial = 0;      // of the body
         StrikeOnWhole strike;
         std::optional<StruckBreakable> breaks_later = std::nullopt;  // its only fragment, by this
-    };
-    /// A blow of the app's, from inside a step.
-    struct QueuedBlow {
-        std::uint64_t serial = 0;           // of the body
-        const btRigidBody* body = nullptr;  // may be dead: compared only
-        std::vector<Push> pushes;
-        int explosion = 0;  // its number; 0: the blow stands by itself
-    };
-    /// A body that the app wants removed.
-    struct Removal {
-        btRigidBody* body = nullptr;
-        BodyToken token = no_token;
     };
 
     void prepareSolve();
@@ -131,8 +119,6 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void letWait(std::vector<const StruckBreakable*> blows, int promised, btScalar time_step_s);
     std::optional<Break> tell(const StruckBreakable& struck, const BlowOutcome& outcome,
                               const std::shared_ptr<DecidedBlow>& decided);
-    void tellDropped(const StruckBreakable& struck, double impulse_n_s, const char* why, double waited_s = 0);
-    void tellTooMany(const StruckBreakable& struck, double impulse_n_s, double waited_s = 0);
     BlowToDecide toDecide(const StruckBreakable& struck, int most_fragments) const;
     void answerWaiting(btScalar time_step_s);
     int roomForFragments() const;
@@ -174,11 +160,11 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void finish(btScalar time_step_s);
     void finishBetweenSteps();
     void removeRequested();
-    void carryOut(const std::vector<QueuedBlow>& blows, btScalar time_step_s);
+    void carryOut(const std::vector<AppRequests::Blow>& blows, btScalar time_step_s);
     void replaceBroken(std::vector<Break> breaks, btScalar time_step_s);
     Breakable* stillThere(const Break& broken) const;
     Status enqueueBlow(btRigidBody* body, const std::vector<Push>& pushes, int explosion);
-    std::vector<std::pair<Breakable*, std::vector<Push>>> targetsOf(const QueuedBlow& blow) const;
+    std::vector<std::pair<Breakable*, std::vector<Push>>> targetsOf(const AppRequests::Blow& blow) const;
     Breakable& registerBreakable(std::unique_ptr<Breakable> breakable);
     Status checkHook() const;
     void tellWhatCannotBreak();
@@ -187,7 +173,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool insideStep() const { return isInsideStep(world_); }
     bool isToBeRemoved(const Breakable& breakable) const;
     BodyToken tokenToRemove(const btRigidBody* body) const;
-    void removeNow(const Removal& removal);
+    void removeNow(const AppRequests::Removal& removal);
 
     btDiscreteDynamicsWorld& world_;
     PieceContacts piece_contacts_;
@@ -204,10 +190,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     bool any_breakable_ = false;   // something may break in the step
     double time_s_ = 0;            // simulated since the hook was set
     std::uint64_t next_serial_ = 0;
-    std::vector<QueuedEvent> current_;  // of the current step; the app may empty events_ at any time
-    EventQueue events_;
     BlowCounts counts_;
     WorldTimes times_;
+    BlowLog log_{counts_, times_};
     Budget budget_;
     std::optional<Executor> executor_of_app_;  // none yet: threads of our own
     WaitingBlows waiting_;
@@ -219,11 +204,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     Patience patience_{budget_, breakables_, [this](const auto& object) { return isFragmentOfAny(object); }};
     Stopwatch solve_watch_;  // of Bullet's own solve
     std::shared_ptr<const FragmentCallback> on_fragment_ = std::make_shared<const FragmentCallback>();
-    std::deque<Removal> to_remove_;  // requested inside a step, carried out at its end
-    std::deque<QueuedBlow> blows_;   // the same
-    int explosions_ = 0;             // so far
-    bool released_ = false;          // inside a step: to be destroyed at its end
-    bool integrating_ = false;       // the step's positions are not integrated yet
+    AppRequests requests_;
+    bool released_ = false;     // inside a step: to be destroyed at its end
+    bool integrating_ = false;  // the step's positions are not integrated yet
     bool world_calls_actions_ = true;
     // Removed bodies stay alive until the next solve: contacts of the current step may still point to them.
     std::vector<std::unique_ptr<Breakable>> to_delete_;
