@@ -155,6 +155,30 @@ TEST(Budget, FewThatFallBreakAtOnceAndManyALittleLater) {
     EXPECT_EQ(many.breakIn(200), few + 1);
 }
 
+// The first blow makes what the others need; a queue that had that for each of them would drop all but one.
+TEST(Budget, ManyOfOneAssetThatIsNotPreparedBreak) {
+    TestWorld scene;
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.2, -0.2, 0), Vec3(0.2, 0.2, 0.02)), Material::plaster());
+    constexpr int count = 8;
+    for (int i = 0; i < count; ++i) {
+        BodyOptions options;
+        options.start =
+            btTransform(btQuaternion(btVector3(1, 0, 0), 1), btVector3(btScalar(0.6 * i), 0, 0.25f));
+        options.velocity = btVector3(0, 0, -6);
+        ASSERT_TRUE(fracture.add(asset.value(), options).ok());
+    }
+    int broken = 0;
+    for (int step = 0; step < 60; ++step) {
+        scene.step(1, 1. / 60);
+        for (const BlowEvent& event : fracture.takeEvents())
+            broken += event.outcome == Outcome::broke && event.generation == 0;
+    }
+    EXPECT_EQ(broken, count);
+}
+
 TEST(Budget, WhatABallBreaksGoesBeforeWhatFalls) {
     RowOfPlates row(2, 3);
     row.scene.addBall(5, 0.1, btVector3(0, 0, 0.162f), btVector3(0, 0, -8));
