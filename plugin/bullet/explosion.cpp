@@ -8,6 +8,7 @@
 #include <sstream>
 #include <utility>
 
+#include "bullet/fracture_world_impl.h"
 #include "bullet/world/conversions.h"
 #include "core/loads/load_patch.h"
 #include "core/numerics/mesh_measures.h"
@@ -65,9 +66,26 @@ struct Division {
     double reach_m, largest_m;
 };
 
-/// Adds what of a triangle is exposed.
+/// What a triangle exposes that faces the centre.
+Exposure exposureOf(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& middle, double edge) {
+    constexpr double small = 0.02;  // over the distance: all of it is seen alike, to 0.02 %
+    const double within =
+        ((a - middle).squaredNorm() + (b - middle).squaredNorm() + (c - middle).squaredNorm()) / 12;
+    const double squared = middle.squaredNorm();
+    if (edge * edge <= small * small * squared) {
+        const double distance = std::sqrt(squared);
+        const double angle = -0.5 * (b - a).cross(c - a).dot(middle) / (squared * distance);
+        return {angle, angle / distance * middle, angle * middle, angle * (squared + within)};
+    }
+    const double angle = -solidAngle(a, b, c);
+    return {angle, -directionOver(a, b, c), angle * middle, angle * (squared + within)};
+}
+
+/// Adds what of a triangle is exposed. Triangles are counter-clockwise from outside: those with a volume
+/// above zero show the centre their backs.
 void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Division& division, int splits,
                  std::vector<Exposure>& exposed) {
+    if (!(a.dot(b.cross(c)) < 0)) return;
     const Vec3 middle = (a + b + c) / 3;
     const double edge = std::max({(a - b).norm(), (b - c).norm(), (c - a).norm()});
     if (splits > 0 && edge > std::min(middle.norm(), division.largest_m)) {
@@ -78,13 +96,9 @@ void addTriangle(const Vec3& a, const Vec3& b, const Vec3& c, const Division& di
         addTriangle(bc, ca, ab, division, splits - 1, exposed);
         return;
     }
-    // Triangles are counter-clockwise from outside, so the angle is below zero where one faces the centre.
-    const double angle = -solidAngle(a, b, c);
-    if (!(angle > 0) || middle.norm() > division.reach_m) return;
-    const double within =
-        ((a - middle).squaredNorm() + (b - middle).squaredNorm() + (c - middle).squaredNorm()) / 12;
-    exposed.push_back(
-        {angle, -directionOver(a, b, c), angle * middle, angle * (middle.squaredNorm() + within)});
+    if (middle.squaredNorm() > division.reach_m * division.reach_m) return;
+    const Exposure part = exposureOf(a, b, c, middle, edge);
+    if (part.solid_angle > 0) exposed.push_back(part);
 }
 
 std::vector<Exposure> exposuresOf(const TriangleMesh& surface, const Vec3& centre, const Division& division) {
@@ -152,17 +166,19 @@ Vec3 offTheSurface(const BreakableSolid& solid, const Vec3& centre) {
     return place;
 }
 
-std::vector<Push> pushesOn(const FractureWorld& world, const btRigidBody* body, const Explosion& explosion) {
+std::vector<Push> pushesOn(const Breakable& body, const Explosion& explosion) {
     constexpr double nothing =
         1e-9;  // steradians, as a grain of 0.1 mm at 3 m: surface that is seen from its edge
-    const btTransform world_from_asset = world.assetTransform(body);
-    const auto asset = world.asset(body);
-    const Vec3 centre =
-        offTheSurface(*asset->solid(), fromBullet(world_from_asset.inverse() * explosion.centre));
+    const BreakableSolid& solid = *body.asset.solid();
+    const btTransform world_from_asset = body.placed(body.body->getWorldTransform());
+    const Vec3 given = fromBullet(world_from_asset.inverse() * explosion.centre);
+    const double away_m = (given - solid.moments().centroid).norm();
+    if (away_m > solid.boundingRadius() + explosion.reach_m) return {};
+    const Vec3 centre = offTheSurface(solid, given);
     std::vector<Push> pushes;
     constexpr double of_radius = 0.125;  // parts of the body that the octants are made of
-    const Division division{explosion.reach_m, of_radius * asset->solid()->boundingRadius()};
-    for (const Exposure& part : octantsOf(exposuresOf(asset->surface(), centre, division))) {
+    const Division division{explosion.reach_m, of_radius * solid.boundingRadius()};
+    for (const Exposure& part : octantsOf(exposuresOf(body.asset.surface(), centre, division))) {
         if (!(part.solid_angle > nothing)) continue;
         const Vec3 impulse = explosion.impulse_n_s / (4 * pi) * part.direction;
         pushes.push_back({world_from_asset * toBullet(Vec3(centre + part.mean())),
@@ -192,11 +208,8 @@ Status checkExplosion(const Explosion& explosion) {
 Result<int> explode(FractureWorld& world, const Explosion& explosion) {
     if (const Status valid = checkExplosion(explosion); !valid) return Error{valid.error()};
     // All pushes are there before anything breaks: fragments are not struck by the same explosion again.
-    std::vector<std::pair<btRigidBody*, std::vector<Push>>> blows;
-    for (btRigidBody* body : world.bodies())
-        if (std::vector<Push> pushes = pushesOn(world, body, explosion); !pushes.empty())
-            blows.emplace_back(body, std::move(pushes));
-    return world.applyBlows(blows);
+    return world.applyBlows(
+        world.impl_->pushesOnAll([&](const Breakable& body) { return pushesOn(body, explosion); }));
 }
 
 }  // namespace sherd

@@ -33,6 +33,22 @@ Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Pus
     return success();
 }
 
+std::vector<std::pair<btRigidBody*, std::vector<Push>>> FractureWorld::Impl::pushesOnAll(
+    const std::function<std::vector<Push>(const Breakable& body)>& pushes_on) {
+    std::optional<AddedTime> whole;
+    if (!insideStep()) whole.emplace(times_.whole);
+    const AddedTime time(times_.steps.contacts);
+    breakables_.syncWithWorld(world_.getCollisionObjectArray());
+    const std::vector<const Breakable*> bodies = bodiesInWorld();
+    std::vector<std::vector<Push>> pushes(bodies.size());
+    const ThreadsAsAllowed threads(*this);
+    forEachChunk(static_cast<int>(bodies.size()), [&](int i) { pushes[i] = pushes_on(*bodies[i]); });
+    std::vector<std::pair<btRigidBody*, std::vector<Push>>> struck;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+        if (!pushes[i].empty()) struck.emplace_back(bodies[i]->body, std::move(pushes[i]));
+    return struck;
+}
+
 /// Blows of an explosion, each on another body.
 Result<int> FractureWorld::Impl::applyBlows(
     const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows) {

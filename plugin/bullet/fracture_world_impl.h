@@ -3,6 +3,7 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 #include <sherd/fracture_world.h>
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -53,6 +54,9 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     void remove(btRigidBody* body);
     Status applyBlow(btRigidBody* body, const std::vector<Push>& pushes);
     Result<int> applyBlows(const std::vector<std::pair<btRigidBody*, std::vector<Push>>>& blows);
+    /// Of the bodies in the world those that an explosion pushes, and how.
+    std::vector<std::pair<btRigidBody*, std::vector<Push>>> pushesOnAll(
+        const std::function<std::vector<Push>(const Breakable& body)>& pushes_on);
     void onFragment(FragmentCallback callback) {
         on_fragment_ = std::make_shared<const FragmentCallback>(std::move(callback));
     }

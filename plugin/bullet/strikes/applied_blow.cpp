@@ -162,8 +162,9 @@ Status checkSpeeds(const Breakable& breakable, const std::vector<Push>& pushes) 
 Status checkPlaces(const Breakable& breakable, const std::vector<Push>& pushes) {
     const double forgiven = 0.5 * breakable.asset.solid()->boundingRadius();
     for (const Push& push : pushes) {
+        if (isInBoxOf(*breakable.body, push.point)) continue;
         const double distance = distanceTo(breakable, push.point);
-        if (distance <= forgiven || isInBoxOf(*breakable.body, push.point)) continue;
+        if (distance <= forgiven) continue;
         std::ostringstream sentence;
         sentence << "the point of the push is " << distance
                  << " m away from the surface of the body; give a point on it, as a ray test finds it";

@@ -79,7 +79,7 @@ struct Facing {
 };
 
 /// Of those of `triangles` within `radius` of a point that face the push, directions rounded, each once: so
-/// that the order of triangles does not matter.
+/// that the order of triangles does not matter. What faces the push most comes first.
 std::vector<Facing> facingNormals(const TriangleMesh& surface, const std::vector<int>& triangles,
                                   const Vec3& point, const Vec3& push, double radius) {
     std::map<RoundedNormal, double> found;
@@ -95,7 +95,22 @@ std::vector<Facing> facingNormals(const TriangleMesh& surface, const std::vector
         const auto& [x, y, z] = direction;
         normals.push_back({Vec3(double(x), double(y), double(z)).normalized(), cosine});
     }
+    std::stable_sort(normals.begin(), normals.end(),
+                     [](const Facing& a, const Facing& b) { return a.cosine > b.cosine; });
     return normals;
+}
+
+/// How much a triangle faces the push, as a cosine, or of the faces that it goes on from smoothly the one
+/// that does so most.
+double smoothlyFacing(const Vec3& normal, const Vec3& push, const std::vector<Facing>& faces) {
+    constexpr double turned_away = -0.65;  // on no face with what faces the push, rounding included
+    const double own = -normal.dot(push);
+    if (own < turned_away) return own;
+    for (const Facing& face : faces) {
+        if (face.cosine <= own) break;
+        if (normal.dot(face.normal) >= on_one_face) return face.cosine;
+    }
+    return own;
 }
 
 /// What presses on a face beside one that faces the push more: less the more it turns away, and nothing on
@@ -174,16 +189,11 @@ std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& 
     const std::vector<int> near = tree.trianglesNear(spot.point, radius);
     const std::vector<Facing> facing = facingNormals(tree.surface(), near, spot.point, push, radius);
     if (facing.empty()) return {};
-    double largest = 0;
-    for (const Facing& face : facing) largest = std::max(largest, face.cosine);
     std::vector<PatchPart> parts;
     for (const int t : near) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         const Vec3 normal = areaVector(triangle).normalized();
-        double cosine = -normal.dot(push);
-        for (const Facing& face : facing)
-            if (normal.dot(face.normal) >= on_one_face) cosine = std::max(cosine, face.cosine);
-        const double pressed = pressedShare(cosine, largest);
+        const double pressed = pressedShare(smoothlyFacing(normal, push, facing), facing.front().cosine);
         if (!(pressed > 0)) continue;
         const auto longest = [&](double) { return length * radius; };
         subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {
