@@ -1,6 +1,10 @@
 // Pieces that the solver pushes about where they are.
 
+#include <utility>
+
 #include "bullet/support.h"
+
+extern btScalar gDeactivationTime;  // s; Bullet's
 
 namespace {
 
@@ -116,6 +120,27 @@ TEST_F(SettledPieces, SleepWhereTheyTurnOnAndOn) {
     };
     EXPECT_EQ(turnsFor(*pieces_[1], btVector3(0, 0, 0)), 5) << "a satellite turns on";
     EXPECT_NEAR(turnsFor(*pieces_[0], btVector3(0, 0, -10)), 4, 0.1);
+}
+
+TEST_F(SettledPieces, StayAwakeForAWhileWhereTheyAreDeepInTheGround) {
+    const btScalar usual_s = std::exchange(gDeactivationTime, btScalar(0.5));
+    const auto sleepsAfter = [&](btRigidBody& piece, btScalar depth_m) {
+        btVector3 low, high;
+        piece.getAabb(low, high);
+        // Between two walls, which push it to and fro, so that it stays as deep in both.
+        const btVector3 half(1, btScalar(0.4), 1), middle = (low + high) / 2;
+        const btScalar away = (high - low).z() / 2 + half.z() - depth_m;
+        for (const btScalar side : {btScalar(-1), btScalar(1)})
+            scene_.addBox(0, half, middle + btVector3(0, 0, side * away));
+        int steps = 0;
+        for (; steps < 300 && piece.isActive(); ++steps) scene_.step(1, 1.0 / 60);
+        return steps / 60.0;
+    };
+    EXPECT_LT(sleepsAfter(*pieces_[0], btScalar(1e-3)), 1.5);
+    const double seconds = sleepsAfter(*pieces_[1], btScalar(8e-3));
+    EXPECT_GT(seconds, 2);
+    EXPECT_LT(seconds, 4) << "what is caught there sleeps in the end";
+    gDeactivationTime = usual_s;
 }
 
 }  // namespace

@@ -91,6 +91,7 @@ struct Breakable : Pooled {
         double time_s = 0;
     };
     Stay settled, rocking, turning;
+    double sunk_s = 0;        ///< how long a fragment has been deep in what does not give way
     bool just_added = false;  ///< by the app: no step has seen it
     bool being_born = false;  ///< a fragment that is about to enter the world
 

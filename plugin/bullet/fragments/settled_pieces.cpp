@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "bullet/island/contact_motion.h"
 #include "bullet/island/other_joints.h"
 #include "bullet/world/body_travel.h"
 
@@ -22,8 +23,9 @@ constexpr btScalar while_it_settles = btScalar(0.1), while_it_rocks = btScalar(0
 // How long it takes until it is calmed, of sqrt(radius / gravity): in that a piece that stands on an edge
 // falls over.
 constexpr btScalar rocking = 10;
-constexpr double patience = 2;   // with one that turns on and on: times Bullet's
-constexpr btScalar calming = 2;  // of the angle that it can fall over by in a step
+constexpr double patience = 2;              // with one that turns on and on: times Bullet's
+constexpr btScalar calming = 2;             // of the angle that it can fall over by in a step
+constexpr double usual_deactivation_s = 2;  // gDeactivationTime, as Bullet has it
 
 /// Adds a step to how long a piece has been where it is, and returns that, s. `way`: how far it has come from
 /// there, m.
@@ -69,6 +71,36 @@ void settle(Breakable& piece, bool is_on_joint, double time_step_s) {
         body.setActivationState(WANTS_DEACTIVATION);
 }
 
+/// Fragments with a contact deep in what does not give way; sorted.
+std::vector<const btCollisionObject*> sunkPieces(const btDiscreteDynamicsWorld& world,
+                                                 const BreakableRegistry& breakables) {
+    constexpr btScalar deep_m = btScalar(3e-3);
+    std::vector<const btCollisionObject*> sunk;
+    const btDispatcher& dispatcher = *world.getDispatcher();
+    for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
+        const btPersistentManifold& manifold =
+            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+        if (givesWay(*a) == givesWay(*b)) continue;
+        const btCollisionObject* const piece = givesWay(*a) ? a : b;
+        bool is_deep = false;
+        for (int p = 0; p < manifold.getNumContacts(); ++p)
+            is_deep = is_deep || manifold.getContactPoint(p).getDistance() < -deep_m;
+        if (is_deep && breakables.isFragment(*piece)) sunk.push_back(piece);
+    }
+    std::sort(sunk.begin(), sunk.end());
+    return sunk;
+}
+
+/// Bullet takes bodies out of the ground so slowly that they count as at rest: for as long as it takes by its
+/// own time of deactivation, they do not.
+void keepAwake(Breakable& piece, bool is_sunk, double time_step_s) {
+    piece.sunk_s = is_sunk ? piece.sunk_s + time_step_s : 0;
+    if (!is_sunk || piece.sunk_s > usual_deactivation_s) return;
+    piece.body->setDeactivationTime(0);
+    piece.settled.time_s = piece.turning.time_s = 0;
+}
+
 /// Sorted.
 std::vector<const btRigidBody*> bodiesOnJoints(const btDiscreteDynamicsWorld& world) {
     std::vector<const btRigidBody*> bodies;
@@ -90,10 +122,14 @@ std::vector<const btRigidBody*> bodiesOnJoints(const btDiscreteDynamicsWorld& wo
 void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   double time_step_s) {
     const std::vector<const btRigidBody*> on_joints = bodiesOnJoints(world);
+    const bool sleep_early = gDeactivationTime < usual_deactivation_s;
+    const auto sunk = sleep_early ? sunkPieces(world, breakables) : std::vector<const btCollisionObject*>();
     for (const auto& breakable : breakables.all()) {
         if (!breakable->in_world || !breakable->isFragment() || !breakable->isDynamic()) continue;
-        settle(*breakable, std::binary_search(on_joints.begin(), on_joints.end(), breakable->body),
-               time_step_s);
+        const btRigidBody* const body = breakable->body;
+        if (sleep_early)
+            keepAwake(*breakable, std::binary_search(sunk.begin(), sunk.end(), body), time_step_s);
+        settle(*breakable, std::binary_search(on_joints.begin(), on_joints.end(), body), time_step_s);
     }
 }
 

@@ -14,7 +14,9 @@ namespace sherd {
 /// steps of 1/60 s a contact that the solver lacks lets a splinter tip by a tenth of a turn, on and on.
 /// So does one that turns on a spot for as long as it takes Bullet to let bodies sleep, and after twice that
 /// time it counts as one at rest: on rough ground a shard may turn for good, and keeps its heap awake.
-/// Pieces on joints and without gravity are left alone but for the first. For before a solve, of bodies that
+/// Pieces on joints and without gravity are left alone but for the first.
+/// Where the app lets bodies sleep earlier than Bullet's 2 s, pieces deep in the ground stay awake for that
+/// long: Bullet lifts them out of it more slowly than what counts as rest. For before a solve, of bodies that
 /// are in the world.
 void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables,
                   double time_step_s);
