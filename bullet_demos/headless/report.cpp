@@ -105,6 +105,7 @@ ordered_json describe(const TimedEvent& timed) {
         entry["full_solve_largest_stress_pa"] = event.full_solve_largest_stress_pa;
     }
     entry["fragments"] = event.fragments.size();
+    entry["crack_area_m2"] = event.crack_area_m2;
     entry["position_m"] = list(event.position);
     entry["normal"] = list(event.normal);
     entry["impulse_n_s"] = event.impulse_n_s;

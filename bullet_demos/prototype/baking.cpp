@@ -10,29 +10,15 @@ namespace {
 using Progress = std::function<void(double)>;
 using sherd::BreakableAsset;
 
-std::vector<std::string> described(const std::vector<sherd::SurfaceRegion>& regions) {
-    std::vector<std::string> sentences;
-    for (const sherd::SurfaceRegion& region : regions) sentences.push_back(sherd::describe(region));
-    return sentences;
-}
-
-bool isStill(const BreakableAsset& asset, const Kind& kind) {
-    const sherd::TriangleMesh& surface = asset.surface();
-    return surface.vertices == kind.surface.vertices && surface.triangles == kind.surface.triangles &&
-           asset.material().toJson() == kind.material.toJson() &&
-           asset.settings().toJson() == kind.settings.toJson() &&
-           described(asset.supports()) == described(kind.supports);
-}
-
-sherd::Result<BreakableAsset> bake(const Kind& kind, const std::string& file, const Progress& progress) {
+sherd::Result<BreakableAsset> assetOf(const Kind& kind) {
     auto asset = BreakableAsset::fromMesh(kind.surface, kind.material, kind.settings);
     if (asset && !kind.supports.empty()) asset = asset.value().anchored(kind.supports);
-    if (!asset) return sherd::Error{kind.name + ": " + asset.error()};
-    const sherd::Status prepared = asset.value().prepare(progress);
-    if (!prepared) return sherd::Error{kind.name + ": " + prepared.error()};
-    const sherd::Status saved = asset.value().save(file);
-    if (!saved) return sherd::Error{saved.error()};
     return asset;
+}
+
+sherd::Status bake(const BreakableAsset& asset, const std::string& file, const Progress& progress) {
+    const sherd::Status prepared = asset.prepare(progress);
+    return prepared ? asset.save(file) : prepared;
 }
 
 sherd::Result<ReadyLevel> getReady(const std::string& folder, const Progress& progress) {
@@ -47,13 +33,16 @@ sherd::Result<ReadyLevel> getReady(const std::string& folder, const Progress& pr
         const auto some = [&](double done) { progress((double(i) + done) / double(count)); };
         const Kind& kind = ready.level.kinds[i];
         const std::string file = folder + "/" + kind.name + ".sherd";
-        auto asset = BreakableAsset::load(file);
-        if (!asset || !isStill(asset.value(), kind)) {
-            asset = bake(kind, file, some);
+        const auto made = assetOf(kind);
+        if (!made) return sherd::Error{kind.name + ": " + made.error()};
+        const auto loaded = BreakableAsset::load(file);
+        const bool is_ready = loaded && loaded.value().isSameAs(made.value());
+        if (!is_ready) {
+            if (const auto baked = bake(made.value(), file, some); !baked)
+                return sherd::Error{kind.name + ": " + baked.error()};
             ++ready.baked;
         }
-        if (!asset) return sherd::Error{asset.error()};
-        ready.assets.push_back(std::move(asset).value());
+        ready.assets.push_back(is_ready ? loaded.value() : made.value());
         some(1);
     }
     return ready;

@@ -44,6 +44,11 @@ class BreakableAsset {
     /// since it was written.
     static Result<BreakableAsset> load(const std::string& path);
 
+    /// Whether another asset has the same surface, material, settings and supports: whether what `load` gave
+    /// is what the program would bake now. Repairs, attributes of the surface and a strength of the app's
+    /// function are not compared.
+    bool isSameAs(const BreakableAsset& other) const;
+
     /// Writes the asset for `load`: surface with all attributes, material, settings, supports, repairs and
     /// warnings, and what `prepare` makes, which is made now if it is not there. About 10 MB at
     /// Quality::game. A file of that name is replaced only when the new one is complete.

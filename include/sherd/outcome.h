@@ -37,12 +37,16 @@ struct BlowFigures {
     /// Sum of the normal impulses of all contacts; of the pulse below where there are none, since something
     /// else stopped the striker in the step.
     double impulse_n_s = 0;
-    double peak_force_n = 0;    ///< of the contact, as a pulse of half a sine
+    /// Of the contact, as a pulse of half a sine: its impulse is 2 / pi times the two. That of an elastic
+    /// contact, rebound included, it is up to twice what moves the body: for loudness, not for momentum.
+    double peak_force_n = 0;
     double contact_time_s = 0;  ///< duration of that pulse
     /// Largest principal stress at any particle or surface point of the body as if it held: where it breaks
     /// that may be many times its strength. 0 if nothing is under tension, and where the gate or a coarse
     /// solve decided.
     double largest_stress_pa = 0;
+    /// Of the cracks that broke the body, one side, those around dropped debris included; 0 where it held.
+    double crack_area_m2 = 0;
     double mass_error_rel = 0;    ///< of all fragments together, relative to the body
     double volume_error_rel = 0;  ///< the same of the volume
     double residual_rel = 0;      ///< of the linear solve

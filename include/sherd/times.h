@@ -48,7 +48,8 @@ struct StepTimes {
     double total() const;  ///< sum of all fields
 };
 
-/// What a FractureWorld took since it was made, in steps, applyBlow and explode.
+/// What a FractureWorld took since it was made, in steps, applyBlow and explode. Stages count when their blow
+/// is decided, which may be steps after they were done: what one step took is the growth of `whole`.
 struct WorldTimes {
     StageTimes blows;  ///< of all blows, those without an event included, on the thread that steps
     /// The same on other threads, without what was foreseen in vain; no part of `whole`.

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "core/numerics/thread_priority.h"
 #include "fracture/baked_asset.h"
@@ -160,6 +162,19 @@ const std::vector<SurfaceRegion>& BreakableAsset::supports() const {
 }
 double BreakableAsset::tensileStrength(const Vec3& x) const {
     return solid_->strength().at().at(x);
+}
+bool BreakableAsset::isSameAs(const BreakableAsset& other) const {
+    if (solid_ == other.solid_) return true;
+    const auto sentences = [](const std::vector<SurfaceRegion>& regions) {
+        std::vector<std::string> all;
+        for (const SurfaceRegion& region : regions) all.push_back(describe(region));
+        return all;
+    };
+    return surface().vertices == other.surface().vertices &&
+           surface().triangles == other.surface().triangles &&
+           material().toJson() == other.material().toJson() &&
+           settings().toJson() == other.settings().toJson() &&
+           sentences(supports()) == sentences(other.supports());
 }
 BreakableAsset BreakableAsset::ofBody(std::uint64_t seed) const {
     return BreakableAsset(solid_->ofBody(seed), repairs_, warnings_);

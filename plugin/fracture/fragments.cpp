@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "core/numerics/mesh_measures.h"
 #include "fracture/debris.h"
 #include "fracture/voxel_owners.h"
 #include "geometry/cutting/cut_fragments.h"
@@ -16,6 +17,14 @@ Result<FragmentSurfaces> cutPieces(const StrikeContext& struck, const FragmentLa
     if (struck.fracture.debris == Debris::merged)
         settings.pieces.smallest_m3 = smallestFragment(struck.solid, struck.fracture);
     return cutFragments(struck.solid.cuttable(struck.sampling), struck.sampling, labels, settings);
+}
+
+double crackArea(const FragmentSurfaces& surfaces) {
+    double both_sides = 0;
+    for (const FragmentSurface& piece : surfaces.pieces)
+        for (std::size_t t = 0; t < piece.parents.size(); ++t)
+            if (piece.parents[t] < 0) both_sides += areaVector(cornersOf(piece.mesh, t)).norm();
+    return both_sides / 2;
 }
 
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,

@@ -24,6 +24,9 @@ struct Fragment {
 /// part of a neighbour.
 Result<FragmentSurfaces> cutPieces(const StrikeContext& struck, const FragmentLabels& labels);
 
+/// Of one side of the new cracks, m^2.
+double crackArea(const FragmentSurfaces& surfaces);
+
 /// Makes a solid of every cut surface, and the boxes that stand for it in collisions if they are asked for.
 std::vector<Fragment> makeFragments(const StrikeContext& struck, const FragmentLabels& labels,
                                     FragmentSurfaces surfaces);

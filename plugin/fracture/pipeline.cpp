@@ -107,6 +107,7 @@ void runStages(const BreakableSolid& solid, const Blow& blow, const FractureSett
     if (!pieces) return;
 
     const AddedTime making(out.ms.fragments);
+    out.crack_area_m2 = crackArea(pieces->surfaces);
     out.fragments = makeFragments(struck, pieces->labels, std::move(pieces->surfaces));
     if (fracture.debris == Debris::dropped) markDropped(smallestFragment(solid, fracture), out.fragments);
     const ConservationErrors errors = conservationErrors(solid, out.fragments);

@@ -384,6 +384,27 @@ TEST(BakedAssets, SavingPrepares) {
     EXPECT_TRUE(asset.prepared());
 }
 
+TEST_F(BakedAssetTest, TellsWhetherItIsWhatTheProgramWouldBake) {
+    const auto made = [&](TriangleMesh surface, const Material& material, const Settings& settings) {
+        return BreakableAsset::fromMesh(surface, material, settings).value();
+    };
+    const BreakableAsset same = made(loaded.surface(), loaded.material(), loaded.settings());
+    EXPECT_TRUE(loaded.isSameAs(same));
+    EXPECT_TRUE(same.isSameAs(loaded));
+    Material stronger = loaded.material();
+    stronger.tensile_strength_pa *= 2;
+    EXPECT_FALSE(loaded.isSameAs(made(loaded.surface(), stronger, loaded.settings())));
+    Settings other = loaded.settings();
+    other.fracture.largest_generation = 1;
+    EXPECT_FALSE(loaded.isSameAs(made(loaded.surface(), loaded.material(), other)));
+    TriangleMesh moved = loaded.surface();
+    for (Vec3& x : moved.vertices) x.x() += 0.01;
+    EXPECT_FALSE(loaded.isSameAs(made(moved, loaded.material(), loaded.settings())));
+    const auto held = same.anchored({BoxRegion{{-1, -1, 0}, {1, 1, 0}}});
+    ASSERT_TRUE(held.ok()) << held.error();
+    EXPECT_FALSE(loaded.isSameAs(held.value()));
+}
+
 TEST(BakedAssets, BrokenFilesGetASentence) {
     const std::string path = temporaryPath("asset.sherd");
     std::filesystem::remove(path);  // of an earlier run

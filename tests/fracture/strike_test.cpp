@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/numerics/mesh_measures.h"
 #include "fracture/blow_stress.h"
 #include "fracture/default_fracture.h"
 #include "fracture/random_blows.h"
@@ -30,6 +31,15 @@ TEST(Strike, HardBlowBreaksAPlateAndLosesNothing) {
     EXPECT_LT(out.mass_error_rel, 1e-9);
     EXPECT_LT(out.residual_rel, 1e-10);
     EXPECT_GT(out.largest_stress_pa, solid->material().tensile_strength_pa);
+    double crack_faces = 0;
+    for (const Fragment& f : out.fragments) {
+        const TriangleMesh& mesh = f.solid->surface();
+        for (std::size_t t = 0; t < mesh.triangles.size(); ++t)
+            if (mesh.kinds[t] == SurfaceKind::crack) crack_faces += areaVector(cornersOf(mesh, t)).norm();
+    }
+    EXPECT_GT(out.crack_area_m2, 0.5 * 0.03 * 0.4) << "from the middle to the rim";
+    EXPECT_NEAR(out.crack_area_m2, crack_faces / 2, 1e-9 * crack_faces);
+    EXPECT_EQ(strike(*solid, blowInTheMiddle(0.001, 0.1), 1).crack_area_m2, 0);
     Vec3 moment = Vec3::Zero();
     for (const Fragment& f : out.fragments) moment += f.solid->mass() * f.solid->moments().centroid;
     EXPECT_LT((moment / solid->mass() - solid->moments().centroid).norm(), 1e-9);
