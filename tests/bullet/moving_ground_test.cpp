@@ -106,7 +106,7 @@ class PiecesOnAMesh : public testing::Test {
   protected:
     PiecesOnAMesh() {
         scene_.world->setGravity(btVector3(0, 0, -9.81f));
-        const btVector3 corners[] = {{-6, -6, 0}, {6, -6, 0}, {6, 6, 0}, {-6, 6, 0}};
+        const btVector3 corners[] = {{-30, -30, 0}, {30, -30, 0}, {30, 30, 0}, {-30, 30, 0}};
         triangles_.addTriangle(corners[0], corners[1], corners[2]);
         triangles_.addTriangle(corners[0], corners[2], corners[3]);
         mesh_ = scene_.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles_, true), 0,

@@ -36,6 +36,8 @@ PointMotion motionAt(const btCollisionObject& object, const BodyState* state, co
         const btVector3 linear = state ? state->linear : body->getLinearVelocity();
         motion.velocity = state ? state->velocityAt(point)
                                 : body->getVelocityInLocalPoint(point - body->getCenterOfMassPosition());
+        motion.spin = state ? state->angular : body->getAngularVelocity();
+        motion.arm = point - (state ? state->transform : body->getWorldTransform()).getOrigin();
         if (!canMove(*body)) return motion;
         motion.gravity = body->getGravity().dot(normal);
         motion.fall = falls(*body, linear, time_step_s) ? motion.gravity : 0;
@@ -53,6 +55,55 @@ double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, dou
 
 double timeSinceTouch(double closing_m_s, double depth_m, double time_step_s) {
     return closing_m_s > 0 ? std::clamp(depth_m / closing_m_s, -time_step_s, time_step_s) : 0;
+}
+
+namespace {
+
+/// How far a point on a turning body is along a direction from where its velocity alone would have it, and
+/// how much faster.
+struct Bend {
+    double way_m = 0, speed_m_s = 0;
+};
+
+Bend bendOf(const PointMotion& motion, const btVector3& direction, double time_s) {
+    const btScalar spin = motion.spin.length();
+    const btScalar angle = spin * btScalar(time_s);
+    if (!(btFabs(angle) > 0)) return {};
+    const btVector3 turned = motion.arm.rotate(motion.spin / spin, angle);
+    const btVector3 straight = motion.spin.cross(motion.arm);
+    return {direction.dot(turned - motion.arm - btScalar(time_s) * straight),
+            direction.dot(motion.spin.cross(turned) - straight)};
+}
+
+}  // namespace
+
+TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const btVector3& normal,
+                      double depth_m, double time_step_s) {
+    const double closing = (other.velocity - pushed.velocity).dot(normal);
+    const double gravity = other.fall - pushed.fall;
+    TouchOfPoints touch{timeSinceTouch(closing, depth_m, time_step_s),
+                        speedOfTouch(closing, gravity, depth_m, time_step_s)};
+    if (pushed.spin.isZero() && other.spin.isZero()) return touch;
+    const double now = closing + gravity * time_step_s / 2;
+    const auto bendAt = [&](double time_s) {
+        const Bend a = bendOf(pushed, normal, time_s), b = bendOf(other, normal, time_s);
+        return Bend{b.way_m - a.way_m, b.speed_m_s - a.speed_m_s};
+    };
+    // Newton's method for the time at which the depth is zero.
+    constexpr int most_rounds = 12;
+    constexpr double exact = 1e-6;  // of a step
+    double time_s = -touch.ago_s, speed = now;
+    for (int round = 0; round < most_rounds; ++round) {
+        const Bend bend = bendAt(time_s);
+        const double depth = depth_m + time_s * (now + gravity * time_s / 2) + bend.way_m;
+        speed = now + gravity * time_s + bend.speed_m_s;
+        if (!(speed > 0)) break;
+        const double next_s = std::clamp(time_s - depth / speed, -time_step_s, time_step_s);
+        const bool is_there = std::abs(next_s - time_s) < exact * time_step_s;
+        time_s = next_s;
+        if (is_there) break;
+    }
+    return {-time_s, std::max(speed, 0.0)};
 }
 
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s) {

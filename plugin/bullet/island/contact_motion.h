@@ -20,6 +20,8 @@ struct PointMotion {
     btVector3 velocity = btVector3(0, 0, 0);
     btScalar gravity = 0;
     btScalar fall = 0;  ///< the same while the body falls or flies, 0 while something holds it
+    btVector3 spin = btVector3(0, 0, 0);  ///< of the body, rad/s
+    btVector3 arm = btVector3(0, 0, 0);   ///< from the body's centre of mass to the point, m
 };
 
 /// `state` may be nullptr: then the object moves as it does now.
@@ -35,6 +37,18 @@ double speedOfTouch(double closing_m_s, double gravity_m_s2, double depth_m, dou
 /// How long ago surfaces met that close so fast and overlap by `depth_m`, s: no longer than a step. Below
 /// zero where they are still apart, and 0 where they do not close.
 double timeSinceTouch(double closing_m_s, double depth_m, double time_step_s);
+
+/// When two points met or will, and how fast they close then.
+struct TouchOfPoints {
+    double ago_s = 0;      ///< as `timeSinceTouch` has it
+    double speed_m_s = 0;  ///< as `speedOfTouch` has it; 0 where they pass without a touch
+};
+
+/// The two above for points of bodies that spin: a point goes round on a circle, and comes down to the ground
+/// more slowly than it does a step before, or not at all. `normal`: the direction in which the first is
+/// pushed.
+TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const btVector3& normal,
+                      double depth_m, double time_step_s);
 
 /// Closing speed of two points, m/s, up to which they rest on each other: two steps of free fall of one.
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s);

@@ -35,6 +35,17 @@ double speedOnto(const btCollisionObject& landed, const btVector3& point, const 
     return closing > slowestStrike(self, after, time_step_s) ? closing : std::min(closing, 0.0);
 }
 
+/// What is round touches with one point after the other, all of them around its centre.
+PointMotion centreOfRound(PointMotion surface, const btVector3& to_centre) {
+    surface.arm += to_centre;
+    return surface;
+}
+
+btMatrix3x3 turnBy(const btVector3& angles) {
+    const btScalar angle = angles.length();
+    return angle > 0 ? btMatrix3x3(btQuaternion(angles / angle, angle)) : btMatrix3x3::getIdentity();
+}
+
 /// Sets where the body was struck, and by what.
 void tellWhere(StruckBreakable& struck) {
     const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
@@ -296,23 +307,32 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const PointMotion partner = motionAt(striker, other.party->before, other.point, own.push, time_step_s_);
     const btVector3 meeting = partner.velocity - self.velocity;
     const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
+    const auto own_radius = btScalar(strikingRadius(*own.party->object->getCollisionShape(), own.child));
+    const TouchOfPoints touch =
+        touchOf(centreOfRound(self, own_radius * own.push), centreOfRound(partner, -radius * own.push),
+                own.push, depth_m, time_step_s_);
+    // As the body was turned when it touched the ground.
+    const btMatrix3x3 basis = &striker == ground_
+                                  ? asset_from_world.getBasis() * turnBy(self.spin * btScalar(touch.ago_s))
+                                  : asset_from_world.getBasis();
 
     ContactImpulse contact;
-    contact.normal = fromBullet(asset_from_world.getBasis() * own.push);
-    contact.impulse = fromBullet(asset_from_world.getBasis() * own.impulse);
+    contact.normal = fromBullet(basis * own.push);
+    contact.impulse = fromBullet(basis * own.impulse);
     // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
+    const double slowest = slowestStrike(self, partner, time_step_s_);
+    const bool spins = !self.spin.isZero() || !partner.spin.isZero();
     const bool strikes =
-        closing > slowestStrike(self, partner, time_step_s_) && !rubInEachOther(own, other, closing);
-    contact.approach_m_s = strikes ? speedOfTouch(closing, partner.fall - self.fall, depth_m, time_step_s_)
-                                   : std::min(closing, 0.0);
+        closing > slowest && !(spins && touch.speed_m_s <= slowest) && !rubInEachOther(own, other, closing);
+    contact.approach_m_s = strikes ? touch.speed_m_s : std::min(closing, 0.0);
     if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
-    contact.touched_s = timeSinceTouch(closing, depth_m, time_step_s_);
+    contact.touched_s = touch.ago_s;
     const btVector3 touched = contact.strikes() && radius > 0
                                   ? placeOfTouch(own, other, radius, self.velocity, contact.touched_s)
                                   : own.point;
     contact.point = fromBullet(asset_from_world * touched);
-    contact.slip_m_s = fromBullet(asset_from_world.getBasis() * (meeting - own.push * btScalar(closing)));
+    contact.slip_m_s = fromBullet(basis * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = static_cast<double>(radius);
     if (const Breakable* other_breakable = other.party->breakable) {

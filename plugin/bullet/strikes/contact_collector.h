@@ -60,6 +60,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// The manifold as it is to be fed, if it is not to be as it is: how bodies that are deep in each other
     /// met, one of them breakable.
     std::unique_ptr<btPersistentManifold> corrected(const btPersistentManifold& manifold) const;
+    /// Of the points that are fed from here on the object that has the face on which they are, and which does
+    /// not turn: normals stay as they are while the other one does. nullptr: none has.
+    void setGround(const btCollisionObject* ground) { ground_ = ground; }
     /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
     /// left out.
     void expect(const btPersistentManifold& manifold);
@@ -126,6 +129,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     bool two_friction_directions_;
     PossibleStrikes possible_;
     std::shared_ptr<const Piles> piles_;
+    const btCollisionObject* ground_ = nullptr;
     Party party_a_, party_b_;  // of the last point: those of a manifold follow each other
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only

@@ -121,6 +121,26 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
+/// Whether a direction is the normal of a face of an object's part that is flat, or of ground, which has no
+/// vertices to touch with.
+bool isNormalOfFace(const btVector3& normal, const btCollisionObject& object, int child) {
+    constexpr btScalar along = btScalar(0.9999);
+    if (object.getCollisionShape()->isConcave()) return true;
+    const PlacedShape part = childOf(object, object.getWorldTransform(), child);
+    if (!part.shape || part.shape->getShapeType() != BOX_SHAPE_PROXYTYPE) return false;
+    const btVector3 own = (normal * part.transform.getBasis()).absolute();
+    return own[own.maxAxis()] > along;
+}
+
+/// The object on a face of which the points of a manifold are, if that does not move; nullptr: neither is.
+const btCollisionObject* groundOf(const btPersistentManifold& manifold) {
+    const btManifoldPoint& first = manifold.getContactPoint(0);
+    for (const auto& [object, child] :
+         {std::pair{manifold.getBody0(), first.m_index0}, std::pair{manifold.getBody1(), first.m_index1}})
+        if (object->isStaticObject() && isNormalOfFace(first.m_normalWorldOnB, *object, child)) return object;
+    return nullptr;
+}
+
 /// What lands on flat ground. A body of several parts has a manifold for each of them, all of which it is fed
 /// with at once.
 class Landings {
@@ -260,6 +280,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
         if (!is_known) meetTogether(points, tolerance);
         pressLanding(points, *a, *b, collector);
     }
+    collector.setGround(groundOf(manifold));
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);
