@@ -73,7 +73,7 @@ TEST_P(PiecesOn, LieOnItAtAnyRate) {
             ASSERT_TRUE(
                 fracture
                     .add(bowl.value(), btTransform(btQuaternion(btVector3(0, 1, 0), 2.2f + btScalar(i)),
-                                                   btVector3(0.3f * btScalar(i - 1), 0, 1.2f)))
+                                                   btVector3(0.3f * btScalar(i - 1), 0, 1.25f)))
                     .ok());
         const int steps = static_cast<int>(4 * rate_hz);
         for (int i = 0; i < steps; ++i) {

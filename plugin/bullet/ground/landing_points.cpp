@@ -24,17 +24,34 @@ struct Vertex {
     btScalar height;
 };
 
-/// The deepest ones, each at least so far from the others.
-std::vector<Vertex> spreadOut(const std::vector<Vertex>& deepest_first, btScalar apart) {
-    std::vector<Vertex> kept;
-    for (const Vertex& vertex : deepest_first) {
+using Vertices = std::vector<Vertex>;
+
+/// Adds the first ones of a range, each at least so far from the others; one more than there may be at most.
+void spreadOut(Vertices::const_iterator begin, Vertices::const_iterator end, btScalar apart, Vertices& kept) {
+    for (auto vertex = begin; vertex != end && kept.size() <= most_points; ++vertex) {
         const bool is_near = std::any_of(kept.begin(), kept.end(), [&](const Vertex& other) {
-            return (vertex.place - other.place).length2() < apart * apart;
+            return (vertex->place - other.place).length2() < apart * apart;
         });
-        if (is_near) continue;
-        kept.push_back(vertex);
-        if (kept.size() > most_points) return kept;
+        if (!is_near) kept.push_back(*vertex);
     }
+}
+
+/// Of those that touch together with the deepest some all over, of those that do so later the first ones: the
+/// deeper the step takes the body in, the more of these there are, and they have no part in the blow.
+Vertices mostOf(const Vertices& deepest_first, btScalar together, btScalar apart) {
+    const auto begin = deepest_first.begin(), end = deepest_first.end();
+    if (begin == end) return {};
+    const auto later = std::find_if(begin, end, [&](const Vertex& vertex) {
+        return vertex.height > deepest_first.front().height + together;
+    });
+    Vertices kept;
+    for (btScalar further = apart;; further *= 2) {
+        kept.clear();
+        spreadOut(begin, later, further, kept);
+        if (kept.size() <= most_points) break;
+    }
+    spreadOut(later, end, apart, kept);
+    if (kept.size() > most_points) kept.pop_back();
     return kept;
 }
 
@@ -65,11 +82,8 @@ std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentMani
     }
     std::stable_sort(vertices.begin(), vertices.end(),
                      [](const Vertex& a, const Vertex& b) { return a.height < b.height; });
-    btScalar apart = body.spacing / 2;
-    std::vector<Vertex> kept = spreadOut(vertices, apart);
-    for (; kept.size() > most_points; kept = spreadOut(vertices, apart)) apart *= 2;
     std::vector<btManifoldPoint> points;
-    for (const Vertex& vertex : kept) {
+    for (const Vertex& vertex : mostOf(vertices, std::max(reach, level_m), body.spacing / 2)) {
         const btVector3 below = vertex.place - vertex.height * face->normal;
         btManifoldPoint point = first;
         point.m_normalWorldOnB = body_is_a ? face->normal : -face->normal;

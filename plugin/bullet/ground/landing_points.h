@@ -22,8 +22,9 @@ struct LandingBody {
 /// deepest first: vertices of its surface. The hulls that stand for it in collisions have fewer: on the rim
 /// of a plate they touch with both ends of an edge where the rim itself touches between them. `reach`:
 /// vertices no further out than that, or than that above the deepest, count as well, m; of those closer
-/// together than half a spacing the deepest, and further apart where they are many. Nothing where the ground
-/// is not one plane under all of them. `ground_stood`: where that was when the manifold was made.
+/// together than half a spacing the deepest. Where they are many, some of those that touch together, further
+/// apart, and the deepest of the others. Nothing where the ground is not one plane under all of them.
+/// `ground_stood`: where that was when the manifold was made.
 std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentManifold& manifold,
                                                           const LandingBody& body, bool body_is_a,
                                                           const btTransform& ground_stood, btScalar reach);
