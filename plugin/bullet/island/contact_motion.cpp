@@ -83,7 +83,10 @@ TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const
     const double gravity = other.fall - pushed.fall;
     TouchOfPoints touch{timeSinceTouch(closing, depth_m, time_step_s),
                         speedOfTouch(closing, gravity, depth_m, time_step_s)};
-    if (pushed.spin.isZero() && other.spin.isZero()) return touch;
+    constexpr double hardly = 0.02;  // of the closing speed
+    const double bends_m_s2 =
+        pushed.spin.length2() * pushed.arm.length() + other.spin.length2() * other.arm.length();
+    if (!(bends_m_s2 * time_step_s > hardly * closing)) return touch;
     const double now = closing + gravity * time_step_s / 2;
     const auto bendAt = [&](double time_s) {
         const Bend a = bendOf(pushed, normal, time_s), b = bendOf(other, normal, time_s);
