@@ -41,6 +41,9 @@ Status Budget::validate() const {
         !ok)
         return ok;
     if (Status ok = check(solves_per_step > 0, "solves_per_step", "1 or more"); !ok) return ok;
+    const bool is_known =
+        priority == Priority::hardest || priority == Priority::nearest || priority == Priority::largest;
+    if (Status ok = check(is_known, "priority", "hardest, nearest or largest"); !ok) return ok;
     if (Status ok = check(viewpoint.allFinite(), "viewpoint", "finite, in m"); !ok) return ok;
     if (Status ok = check(prepared_fragments >= 0, "prepared_fragments", "0 (none is prepared) or more"); !ok)
         return ok;

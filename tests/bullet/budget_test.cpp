@@ -597,6 +597,7 @@ TEST(Budget, OddOnesAreRefused) {
     refused([](Budget& b) { b.longest_wait_s = 0.01; }, "longest_wait_s");
     refused([](Budget& b) { b.milliseconds_per_step = -1; }, "milliseconds_per_step");
     refused([](Budget& b) { b.solves_per_step = 0; }, "solves_per_step");
+    refused([](Budget& b) { b.priority = Priority(9); }, "priority");
     refused([](Budget& b) { b.viewpoint.x() = INFINITY; }, "viewpoint");
     refused([](Budget& b) { b.fragments_per_step = 1; }, "fragments_per_step");
     refused([](Budget& b) { b.fragments_alive = 0; }, "fragments_alive");

@@ -186,6 +186,15 @@ TEST(FragmentBirth, AFragmentThatIsBeingBornTakesCallsAsAnyBody) {
     }
 }
 
+TEST(FragmentBirth, NoFragmentIsWithoutAShape) {
+    BreakingPlate test;
+    test.fracture.onFragment([](FragmentBirth& birth) { birth.body.setCollisionShape(nullptr); });
+    const BlowEvent event = stepUntilBreak(test.scene, test.fracture);
+    ASSERT_EQ(event.outcome, Outcome::broke) << event.message;
+    for (const btRigidBody* piece : event.fragments) EXPECT_TRUE(piece->getCollisionShape());
+    test.scene.step(10);
+}
+
 TEST(FragmentBirth, TheExtensionPointerStaysSherds) {
     BreakingPlate test;
     int tag = 0;

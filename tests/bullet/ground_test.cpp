@@ -130,6 +130,25 @@ TEST(GroundCrowd, LosesNoBodyAndNoPieceOfOne) {
     EXPECT_EQ(lost, 0);
 }
 
+// No ray meets a surface that it ends on, nor one that it begins on.
+TEST(Ground, HoldsABodyThatAStepEndsInTheMiddleOf) {
+    TestWorld scene;
+    btTriangleMesh triangles;
+    triangles.addTriangle(btVector3(2, -4, -4), btVector3(2, 4, -4), btVector3(2, 4, 4));
+    triangles.addTriangle(btVector3(2, -4, -4), btVector3(2, 4, 4), btVector3(2, -4, 4));
+    scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles, true), 0, btVector3(0, 0, 0));
+    FractureWorld fracture(scene.world.get());
+    const auto tile = BreakableAsset::fromMesh(
+        shapes::box(Vec3(-0.15, -0.15, -0.003), Vec3(0.15, 0.15, 0.003)), unbreakable(), coarse(0.1));
+    BodyOptions options(btTransform(btQuaternion(btVector3(1, 2, 0.5f).normalized(), 0.8f)));
+    options.start.setOrigin(btVector3(-0.5f, 0, 0));
+    options.velocity = btVector3(30, 0, 0);
+    const btRigidBody* body = fracture.add(tile.value(), options).value();
+    scene.step(60, 1.0 / 240);  // after 20 steps its centre is at x = 2 to the last bit
+    EXPECT_LT(body->getCenterOfMassPosition().x(), 2);
+    fracture.remove(const_cast<btRigidBody*>(body));
+}
+
 class Drops : public testing::TestWithParam<Case> {};
 
 TEST_P(Drops, NoFragmentFallsThroughTheGround) {

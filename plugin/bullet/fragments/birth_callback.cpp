@@ -10,16 +10,18 @@ namespace sherd {
 namespace {
 
 /// The callback, and then the place that the motion state is to start from. The extension pointer, by which
-/// the body is known, stays.
+/// the body is known, stays, and no body is without a shape.
 void callAndPlace(const FragmentCallback& callback, FragmentBirth& birth) {
     const btTransform place = birth.body.getWorldTransform(), drawn = renderedTransform(birth.body);
     void* const token = birth.body.internalGetExtensionPointer();
+    btCollisionShape* const shape = birth.body.getCollisionShape();
     const auto putBack = [&] {
         // Bullet's setMotionState moves a body to where the motion state says.
         birth.body.setWorldTransform(place);
         birth.body.setInterpolationWorldTransform(place);
         birth.body.updateInertiaTensor();
         birth.body.internalSetExtensionPointer(token);
+        if (!birth.body.getCollisionShape()) birth.body.setCollisionShape(shape);
     };
     try {
         callback(birth);

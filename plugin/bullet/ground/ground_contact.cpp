@@ -142,8 +142,9 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
 
 void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment, const MovedSurfaces& moved) {
     const InnerBall& ball = fragment.inner_ball;
+    constexpr btScalar beyond = btScalar(1e-4);  // no ray meets the surface that it ends or begins on
     const btVector3 start = fragment.way.from * ball.centre, to = ballCentre(fragment);
-    const auto crossed = groundCrossed(world, *fragment.body, start, to, moved);
+    const auto crossed = groundCrossed(world, *fragment.body, start, to + beyond * (to - start), moved);
     if (!crossed) return;
     const btTransform went = moveOf(crossed, moved);
     const btVector3 from = went * start;

@@ -1,5 +1,7 @@
 #include <sherd/material.h>
 
+#include <cmath>
+
 namespace sherd {
 
 // Fracture energies are K_c^2 (1 - nu^2) / E of the toughness given. The scatter of a Weibull distribution of
@@ -63,6 +65,7 @@ Material Material::withDensity(double kg_m3) const {
     Material scaled = *this;
     const double factor = kg_m3 / density_kg_m3;
     scaled.density_kg_m3 = kg_m3;
+    if (!(factor > 0 && std::isfinite(factor))) return scaled;  // what `validate` then says is of the density
     for (double Material::*field : {&Material::youngs_modulus_pa, &Material::tensile_strength_pa,
                                     &Material::fracture_energy_j_m2, &Material::compressive_strength_pa})
         scaled.*field *= factor;

@@ -79,7 +79,12 @@ TEST(Material, OfAnotherDensityHasTheSameSpeeds) {
                                     &Material::compressive_strength_pa, &Material::fracture_energy_j_m2})
         EXPECT_DOUBLE_EQ(light.*field / light.density_kg_m3, given.*field / given.density_kg_m3);
     EXPECT_EQ(light.poisson_ratio, given.poisson_ratio);
-    EXPECT_FALSE(given.withDensity(0).validate().ok());
+    for (const double none :
+         {0.0, -1.0, std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
+        const Status status = given.withDensity(none).validate();
+        ASSERT_FALSE(status.ok()) << none;
+        EXPECT_NE(status.error().find("density_kg_m3"), std::string::npos) << status.error();
+    }
 }
 
 TEST(Material, NoNumberAndInfinityAreOutOfRange) {
