@@ -16,7 +16,7 @@ namespace {
 constexpr double spacings_across = 16;          // between points of large triangles, across the box
 constexpr int most_divisions = 16;              // of a triangle's sides
 constexpr std::size_t most_points = 600;        // about; vertices beyond are taken together
-constexpr std::size_t most_even_points = 8000;  // on large triangles; beyond, they are taken together
+constexpr std::size_t most_even_points = 2000;  // on large triangles; beyond, they are taken together
 constexpr int cells_across = 16;                // in which points are taken together, across the box
 constexpr double just_inside = 1e-6;            // of the spacing
 constexpr double facing = 0.99;                 // cosine, from which on a face lies across an axis
