@@ -35,9 +35,11 @@ Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Pus
 
 std::vector<std::pair<btRigidBody*, std::vector<Push>>> FractureWorld::Impl::pushesOnAll(
     const std::function<std::vector<Push>(const Breakable& body)>& pushes_on) {
-    std::optional<AddedTime> whole;
-    if (!insideStep()) whole.emplace(times_.whole);
-    const AddedTime time(times_.steps.contacts);
+    std::optional<AddedTime> whole, contacts;
+    if (!insideStep()) {  // else it is part of what calls the app
+        whole.emplace(times_.whole);
+        contacts.emplace(times_.steps.contacts);
+    }
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     const std::vector<const Breakable*> bodies = bodiesInWorld();
     std::vector<std::vector<Push>> pushes(bodies.size());

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <locale>
 #include <sstream>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/numerics/thread_priority.h"
 #include "fracture/baked_asset.h"
@@ -165,16 +163,13 @@ double BreakableAsset::tensileStrength(const Vec3& x) const {
 }
 bool BreakableAsset::isSameAs(const BreakableAsset& other) const {
     if (solid_ == other.solid_) return true;
-    const auto sentences = [](const std::vector<SurfaceRegion>& regions) {
-        std::vector<std::string> all;
-        for (const SurfaceRegion& region : regions) all.push_back(describe(region));
-        return all;
-    };
-    return surface().vertices == other.surface().vertices &&
-           surface().triangles == other.surface().triangles &&
+    const TriangleMesh &own = surface(), &others = other.surface();
+    return own.vertices == others.vertices && own.triangles == others.triangles &&
+           own.kinds == others.kinds && own.texture_coordinates == others.texture_coordinates &&
+           own.normals == others.normals && own.material == others.material &&
+           own.materials == others.materials && own.colours == others.colours &&
            material().toJson() == other.material().toJson() &&
-           settings().toJson() == other.settings().toJson() &&
-           sentences(supports()) == sentences(other.supports());
+           settings().toJson() == other.settings().toJson() && supports() == other.supports();
 }
 BreakableAsset BreakableAsset::ofBody(std::uint64_t seed) const {
     return BreakableAsset(solid_->ofBody(seed), repairs_, warnings_);

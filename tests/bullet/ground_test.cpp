@@ -131,21 +131,24 @@ TEST(GroundCrowd, LosesNoBodyAndNoPieceOfOne) {
 }
 
 // No ray meets a surface that it ends on, nor one that it begins on.
-TEST(Ground, HoldsABodyThatAStepEndsInTheMiddleOf) {
+class WallAt : public testing::TestWithParam<btScalar> {};
+
+TEST_P(WallAt, HoldsABodyThatAStepEndsInTheMiddleOf) {
     TestWorld scene;
     btTriangleMesh triangles;
-    triangles.addTriangle(btVector3(2, -4, -4), btVector3(2, 4, -4), btVector3(2, 4, 4));
-    triangles.addTriangle(btVector3(2, -4, -4), btVector3(2, 4, 4), btVector3(2, -4, 4));
+    const btScalar x = GetParam();
+    triangles.addTriangle(btVector3(x, -4, -4), btVector3(x, 4, -4), btVector3(x, 4, 4));
+    triangles.addTriangle(btVector3(x, -4, -4), btVector3(x, 4, 4), btVector3(x, -4, 4));
     scene.addBody(std::make_unique<btBvhTriangleMeshShape>(&triangles, true), 0, btVector3(0, 0, 0));
     FractureWorld fracture(scene.world.get());
     const auto tile = BreakableAsset::fromMesh(
         shapes::box(Vec3(-0.15, -0.15, -0.003), Vec3(0.15, 0.15, 0.003)), unbreakable(), coarse(0.1));
     BodyOptions options(btTransform(btQuaternion(btVector3(1, 2, 0.5f).normalized(), 0.8f)));
-    options.start.setOrigin(btVector3(-0.5f, 0, 0));
+    options.start.setOrigin(btVector3(GetParam() - 2.5f, 0, 0));
     options.velocity = btVector3(30, 0, 0);
     const btRigidBody* body = fracture.add(tile.value(), options).value();
-    scene.step(60, 1.0 / 240);  // after 20 steps its centre is at x = 2 to the last bit
-    EXPECT_LT(body->getCenterOfMassPosition().x(), 2);
+    scene.step(60, 1.0 / 240);  // after 20 steps its centre is at x to the last bit
+    EXPECT_LT(body->getCenterOfMassPosition().x(), GetParam());
     fracture.remove(const_cast<btRigidBody*>(body));
 }
 
@@ -262,6 +265,7 @@ TEST_P(Sunk, SoDoesWhatIsBrokenBetweenSteps) {
     for (const btRigidBody* piece : fracture_.bodies())
         EXPECT_GT(piece->getCenterOfMassPosition().z(), -0.002);
 }
+INSTANTIATE_TEST_SUITE_P(NearAndFar, WallAt, testing::Values(btScalar(2), btScalar(402)));
 INSTANTIATE_TEST_SUITE_P(Ground, Sunk,
                          testing::Values(CollisionShape::automatic, CollisionShape::boxes,
                                          CollisionShape::hull, CollisionShape::convex_parts),

@@ -1,5 +1,7 @@
 // Pieces that the solver pushes about where they are.
 
+#include <BulletCollision/CollisionDispatch/btGhostObject.h>
+
 #include <utility>
 
 #include "bullet/support.h"
@@ -140,6 +142,13 @@ TEST_F(SettledPieces, StayAwakeForAWhileWhereTheyAreDeepInTheGround) {
     const double seconds = sleepsAfter(*pieces_[1], btScalar(8e-3));
     EXPECT_GT(seconds, 2);
     EXPECT_LT(seconds, 4) << "what is caught there sleeps in the end";
+    btGhostObject zone;  // which pushes nothing
+    btBoxShape everywhere(btVector3(50, 50, 50));
+    zone.setCollisionShape(&everywhere);
+    zone.setCollisionFlags(btCollisionObject::CF_NO_CONTACT_RESPONSE);
+    scene_.world->addCollisionObject(&zone);
+    EXPECT_LT(sleepsAfter(*pieces_[2], btScalar(1e-3)), 1.5);
+    scene_.world->removeCollisionObject(&zone);
     gDeactivationTime = usual_s;
 }
 

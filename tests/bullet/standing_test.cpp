@@ -152,6 +152,7 @@ TEST(Landing, SpinningIsTheSameAtAllRatesAndPhases) {
                     << rate << " Hz, " << height_m << " m";
                 EXPECT_NEAR(event.largest_stress_pa / reference.largest_stress_pa, 1, 0.1)
                     << rate << " Hz, " << height_m << " m";
+                EXPECT_LT((event.normal - Vec3::UnitZ()).norm(), 1e-3) << "that of the floor";
             }
         }
     }

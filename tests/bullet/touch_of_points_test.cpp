@@ -53,6 +53,23 @@ TEST(TouchOfPoints, IsThatOfTheCircle) {
         }
 }
 
+// As without gravity where the step's own pull is taken off before: Bullet has added it to the speed.
+TEST(TouchOfPoints, GravityPullsOnTheCircleToo) {
+    constexpr double gravity = 9.81, radius = 0.2, spin = 15, falls_m_s = 2;
+    PointMotion point = onAWheel(radius, 0.3, spin, btVector3(0, 0, -falls_m_s));
+    point.fall = btScalar(-gravity);
+    for (const double since_s : {-0.01, 0.008}) {
+        const double before = 0.3 + spin * since_s;           // the angle then
+        const double now = falls_m_s + gravity * step_s / 2;  // at the place where the body is
+        const double depth =
+            since_s * (now - gravity * since_s / 2) + radius * (std::cos(0.3) - std::cos(before));
+        const TouchOfPoints touch = touchOf(point, PointMotion(), up, depth, step_s);
+        EXPECT_NEAR(touch.ago_s, since_s, 1e-5) << since_s;
+        EXPECT_NEAR(touch.speed_m_s, now - gravity * since_s + radius * spin * std::sin(before), 1e-3)
+            << since_s;
+    }
+}
+
 TEST(TouchOfPoints, WithoutSpinIsAsGravityHasIt) {
     PointMotion falls;
     falls.velocity = btVector3(1, 0, -3);

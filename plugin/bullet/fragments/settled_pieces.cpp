@@ -76,12 +76,11 @@ std::vector<const btCollisionObject*> sunkPieces(const btDiscreteDynamicsWorld& 
                                                  const BreakableRegistry& breakables) {
     constexpr btScalar deep_m = btScalar(3e-3);
     std::vector<const btCollisionObject*> sunk;
-    const btDispatcher& dispatcher = *world.getDispatcher();
+    btDispatcher& dispatcher = *const_cast<btDiscreteDynamicsWorld&>(world).getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
-        const btPersistentManifold& manifold =
-            *const_cast<btDispatcher&>(dispatcher).getManifoldByIndexInternal(i);
+        const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-        if (givesWay(*a) == givesWay(*b)) continue;
+        if (givesWay(*a) == givesWay(*b) || !dispatcher.needsResponse(a, b)) continue;
         const btCollisionObject* const piece = givesWay(*a) ? a : b;
         bool is_deep = false;
         for (int p = 0; p < manifold.getNumContacts(); ++p)
@@ -95,7 +94,9 @@ std::vector<const btCollisionObject*> sunkPieces(const btDiscreteDynamicsWorld& 
 /// Bullet takes bodies out of the ground so slowly that they count as at rest: for as long as it takes by its
 /// own time of deactivation, they do not.
 void keepAwake(Breakable& piece, bool is_sunk, double time_step_s) {
-    piece.sunk_s = is_sunk ? piece.sunk_s + time_step_s : 0;
+    constexpr double recovers = 0.25;  // so that what goes in and out of it sleeps in the end, too
+    piece.sunk_s =
+        is_sunk ? piece.sunk_s + time_step_s : std::max(0.0, piece.sunk_s - recovers * time_step_s);
     if (!is_sunk || piece.sunk_s > usual_deactivation_s) return;
     piece.body->setDeactivationTime(0);
     piece.settled.time_s = piece.turning.time_s = 0;
@@ -136,7 +137,8 @@ void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry&
 void forgetSettled(const BreakableRegistry& breakables) {
     for (const auto& breakable : breakables.all())
         if (breakable->in_world && breakable->isFragment() && !breakable->body->isActive())
-            breakable->settled.time_s = breakable->rocking.time_s = breakable->turning.time_s = 0;
+            breakable->settled.time_s = breakable->rocking.time_s = breakable->turning.time_s =
+                breakable->sunk_s = 0;
 }
 
 }  // namespace sherd

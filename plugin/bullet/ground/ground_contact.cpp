@@ -140,11 +140,19 @@ std::unordered_set<const Breakable*> leaveOutWrongContacts(btDiscreteDynamicsWor
     return held;
 }
 
+/// A way along that from one point to another that is seen in single precision: no ray meets the surface that
+/// it ends or begins on.
+btVector3 aLittle(const btVector3& from, const btVector3& to) {
+    const btScalar length = (to - from).length();
+    if (!(length > 0)) return btVector3(0, 0, 0);
+    const btScalar rounding = 16 * SIMD_EPSILON * (to.length() + length);
+    return (to - from) * (std::max(btScalar(1e-4) * length, rounding) / length);
+}
+
 void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment, const MovedSurfaces& moved) {
     const InnerBall& ball = fragment.inner_ball;
-    constexpr btScalar beyond = btScalar(1e-4);  // no ray meets the surface that it ends or begins on
     const btVector3 start = fragment.way.from * ball.centre, to = ballCentre(fragment);
-    const auto crossed = groundCrossed(world, *fragment.body, start, to + beyond * (to - start), moved);
+    const auto crossed = groundCrossed(world, *fragment.body, start, to + aLittle(start, to), moved);
     if (!crossed) return;
     const btTransform went = moveOf(crossed, moved);
     const btVector3 from = went * start;
@@ -164,11 +172,8 @@ void stopAtGround(btDiscreteDynamicsWorld& world, const Breakable& fragment, con
 std::optional<GroundPoint> groundBefore(btDiscreteDynamicsWorld& world, const btRigidBody& body,
                                         const btVector3& right, const btVector3& to) {
     constexpr int most_surfaces = 16;
-    const btScalar length = (to - right).length(), from_origin = to.length() + length;
-    if (!(length > 0)) return std::nullopt;
-    // The next ray must not find the same surface, in single precision.
-    const btScalar rounding = 16 * SIMD_EPSILON * from_origin;
-    const btVector3 clear = (to - right) * (std::max(btScalar(1e-4) * length, rounding) / length);
+    if (!((to - right).length2() > 0)) return std::nullopt;
+    const btVector3 clear = aLittle(right, to);  // the next ray must not find the same surface
     std::optional<GroundPoint> last;
     btVector3 from = right;
     for (int count = 0; count < most_surfaces; ++count) {

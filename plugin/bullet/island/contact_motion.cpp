@@ -81,8 +81,8 @@ TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const
                       double depth_m, double time_step_s) {
     const double closing = (other.velocity - pushed.velocity).dot(normal);
     const double gravity = other.fall - pushed.fall;
-    TouchOfPoints touch{timeSinceTouch(closing, depth_m, time_step_s),
-                        speedOfTouch(closing, gravity, depth_m, time_step_s)};
+    const TouchOfPoints touch{timeSinceTouch(closing, depth_m, time_step_s),
+                              speedOfTouch(closing, gravity, depth_m, time_step_s), false};
     constexpr double hardly = 0.02;  // of the closing speed
     const double bends_m_s2 =
         pushed.spin.length2() * pushed.arm.length() + other.spin.length2() * other.arm.length();
@@ -106,7 +106,7 @@ TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const
         time_s = next_s;
         if (is_there) break;
     }
-    return {-time_s, std::max(speed, 0.0)};
+    return {-time_s, std::max(speed, 0.0), true};
 }
 
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s) {

@@ -42,6 +42,7 @@ double timeSinceTouch(double closing_m_s, double depth_m, double time_step_s);
 struct TouchOfPoints {
     double ago_s = 0;      ///< as `timeSinceTouch` has it
     double speed_m_s = 0;  ///< as `speedOfTouch` has it; 0 where they pass without a touch
+    bool is_bent = false;  ///< the bodies spin enough to matter
 };
 
 /// The two above for points of bodies that spin: a point goes round on a circle, and comes down to the ground

@@ -34,7 +34,8 @@ bool isOnItsWay(const btRigidBody& body, const BodyState& foreseen) {
 /// What a blow takes on cores that are half as fast as the estimate has them, ms.
 double workOf(const ForeseenBlow& blow) {
     constexpr double slower = 2;
-    return slower * estimatedMilliseconds(*blow.blow.solid, blow.blow.blow);
+    const BreakableSolid& solid = *blow.blow.solid;
+    return slower * (estimatedMilliseconds(solid, blow.blow.blow) + setUpMilliseconds(solid));
 }
 
 /// The part of a blow's work that is to be waited for in a step, ms.

@@ -19,6 +19,16 @@ bool isWorkedOn(const WaitingBlow& blow, double time_s) {
     return blow.begun_s <= time_s + ahead_s;
 }
 
+/// About.
+double particlesOf(const BreakableSolid& solid) {
+    const double spacing = solid.spacing();
+    return solid.moments().volume / (spacing * spacing * std::min(spacing, solid.wallThickness()));
+}
+
+double firstMilliseconds(double particles) {
+    return 0.15 * particles * (1 + particles / 400);
+}
+
 }  // namespace
 
 // About as blows take that break their bodies, with all that follows: first ones on fragments of 64 to 400
@@ -32,11 +42,12 @@ double estimatedMilliseconds(const BreakableSolid& solid, const Blow& blow) {
                                         [](const ContactImpulse& contact) { return contact.supports(); });
     const double supports_ms = support_ms * static_cast<double>(supports);
     if (solid.reducedStress()) return prepared_ms + supports_ms;
-    const double spacing = solid.spacing();
-    const double particles =
-        solid.moments().volume / (spacing * spacing * std::min(spacing, solid.wallThickness()));
-    if (!solid.isFragment()) return 10 + 0.04 * particles + supports_ms;
-    return 0.15 * particles * (1 + particles / 400) + supports_ms;
+    const double particles = particlesOf(solid);
+    return (solid.isFragment() ? firstMilliseconds(particles) : 10 + 0.04 * particles) + supports_ms;
+}
+
+double setUpMilliseconds(const BreakableSolid& solid) {
+    return solid.isFragment() || solid.hasSolver() ? 0 : firstMilliseconds(particlesOf(solid));
 }
 
 double millisecondsPerStep(const Budget& budget, double time_step_s) {

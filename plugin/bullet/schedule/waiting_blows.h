@@ -38,6 +38,10 @@ struct WaitingBlow {
 /// alone.
 double estimatedMilliseconds(const BreakableSolid& solid, const Blow& blow);
 
+/// What the first blow on a whole body takes beyond that, since nothing has been made ready for it: 0 where
+/// something has, at any time of a thread's work.
+double setUpMilliseconds(const BreakableSolid& solid);
+
 /// Computing time that a budget has beside a step.
 double millisecondsPerStep(const Budget& budget, double time_step_s);
 

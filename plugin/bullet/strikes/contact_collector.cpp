@@ -35,8 +35,8 @@ double speedOnto(const btCollisionObject& landed, const btVector3& point, const 
     return closing > slowestStrike(self, after, time_step_s) ? closing : std::min(closing, 0.0);
 }
 
-/// What is round touches with one point after the other, all of them around its centre.
-PointMotion centreOfRound(PointMotion surface, const btVector3& to_centre) {
+/// A ball touches with one point after the other, all of them around its centre.
+PointMotion centreOfBall(PointMotion surface, const btVector3& to_centre) {
     surface.arm += to_centre;
     return surface;
 }
@@ -56,7 +56,7 @@ void tellWhere(StruckBreakable& struck) {
             [](const ContactImpulse& a, const ContactImpulse& b) { return a.pushed() < b.pushed(); });
     const btTransform from_asset = struck.breakable->placed(struck.before.transform);
     struck.position = fromBullet(from_asset * toBullet(foremost->point));
-    struck.normal = fromBullet(from_asset.getBasis() * toBullet(foremost->normal));
+    struck.normal = struck.pushes[foremost - contacts.data()];
     struck.striker = struck.partners[foremost->partner];
 }
 
@@ -159,6 +159,7 @@ void ContactCollector::addSide(Side own, Side other, btManifoldPoint point) {
         entry.blow.partners.push_back(mobility);
     }
     entry.blow.contacts.push_back(contact);
+    entry.pushes.push_back(fromBullet(own.push));
 }
 
 /// Whether the contact belongs to the blow that made the piece.
@@ -255,6 +256,14 @@ void ContactCollector::lookForPiles(const std::vector<const btPersistentManifold
     piles_ = std::make_shared<const Piles>(solved, predictive, breakables_, before_, time_s_, time_step_s_);
 }
 
+bool ContactCollector::isOfWhole(const btPersistentManifold& manifold) const {
+    const auto isWhole = [&](const btCollisionObject& object) {
+        const Breakable* breakable = breakables_.of(object);
+        return breakable && !breakable->isFragment();
+    };
+    return isWhole(*manifold.getBody0()) || isWhole(*manifold.getBody1());
+}
+
 bool ContactCollector::listensTo(const btPersistentManifold& manifold) const {
     for (const btCollisionObject* object : {manifold.getBody0(), manifold.getBody1()}) {
         const Breakable* breakable = breakables_.of(*object);
@@ -307,23 +316,24 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const PointMotion partner = motionAt(striker, other.party->before, other.point, own.push, time_step_s_);
     const btVector3 meeting = partner.velocity - self.velocity;
     const double closing = meeting.dot(own.push), depth_m = -point.getDistance();
-    const auto own_radius = btScalar(strikingRadius(*own.party->object->getCollisionShape(), own.child));
+    const auto own_ball = btScalar(ballRadius(*own.party->object->getCollisionShape(), own.child)),
+               ball = btScalar(ballRadius(*striker.getCollisionShape(), other.child));
     const TouchOfPoints touch =
-        touchOf(centreOfRound(self, own_radius * own.push), centreOfRound(partner, -radius * own.push),
-                own.push, depth_m, time_step_s_);
-    // As the body was turned when it touched the ground.
-    const btMatrix3x3 basis = &striker == ground_
+        touchOf(centreOfBall(self, own_ball * own.push), centreOfBall(partner, -ball * own.push), own.push,
+                depth_m, time_step_s_);
+    // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
+    const double slowest = slowestStrike(self, partner, time_step_s_);
+    const bool strikes = closing > slowest && !(touch.is_bent && touch.speed_m_s <= slowest) &&
+                         !rubInEachOther(own, other, closing);
+    // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
+    const bool is_turned = strikes && &striker == ground_ && !(own_ball > 0);
+    const btMatrix3x3 basis = is_turned
                                   ? asset_from_world.getBasis() * turnBy(self.spin * btScalar(touch.ago_s))
                                   : asset_from_world.getBasis();
 
     ContactImpulse contact;
     contact.normal = fromBullet(basis * own.push);
     contact.impulse = fromBullet(basis * own.impulse);
-    // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
-    const double slowest = slowestStrike(self, partner, time_step_s_);
-    const bool spins = !self.spin.isZero() || !partner.spin.isZero();
-    const bool strikes =
-        closing > slowest && !(spins && touch.speed_m_s <= slowest) && !rubInEachOther(own, other, closing);
     contact.approach_m_s = strikes ? touch.speed_m_s : std::min(closing, 0.0);
     if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);

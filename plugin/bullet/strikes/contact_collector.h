@@ -29,6 +29,7 @@ struct StruckBreakable {
     std::vector<const btCollisionObject*> partners;  ///< what touches it, by the numbers in the blow
     Vec3 position = Vec3::Zero();  ///< of the leading strike, else of the hardest contact, world frame, m
     Vec3 normal = Vec3::Zero();    ///< direction in which the body was pushed there, world frame
+    std::vector<Vec3> pushes;      ///< of each contact, the direction in which it pushes, world frame
     const btCollisionObject* striker = nullptr;  ///< what pushed it there; nullptr: the app itself
     bool is_of_explosion = false;
     std::vector<Push> for_pieces;  ///< of a held body: what its loose pieces are still to be given
@@ -69,6 +70,8 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// Looks for bodies that a strike on another one squeezes; these are not left out either.
     void lookForPiles(const std::vector<const btPersistentManifold*>& solved,
                       const std::vector<const btPersistentManifold*>& predictive);
+    /// Whether a whole breakable body is one of the manifold's.
+    bool isOfWhole(const btPersistentManifold& manifold) const;
     /// Whether a body of the manifold is not left out.
     bool listensTo(const btPersistentManifold& manifold) const;
 

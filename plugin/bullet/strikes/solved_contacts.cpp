@@ -6,10 +6,12 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <algorithm>
+#include <array>
 #include <memory>
 #include <utility>
 #include <vector>
 
+#include "bullet/ground/ground_surface.h"
 #include "bullet/ground/landing_points.h"
 #include "bullet/island/contact_motion.h"
 #include "bullet/shapes/box_faces.h"
@@ -121,23 +123,36 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
-/// Whether a direction is the normal of a face of an object's part that is flat, or of ground, which has no
-/// vertices to touch with.
-bool isNormalOfFace(const btVector3& normal, const btCollisionObject& object, int child) {
+/// Whether a direction is the normal of a face of an object's part at a place: of a plane, a box, or a
+/// triangle.
+bool isNormalOfFace(const btVector3& normal, const btVector3& place, const btCollisionObject& object,
+                    int child) {
     constexpr btScalar along = btScalar(0.9999);
-    if (object.getCollisionShape()->isConcave()) return true;
     const PlacedShape part = childOf(object, object.getWorldTransform(), child);
-    if (!part.shape || part.shape->getShapeType() != BOX_SHAPE_PROXYTYPE) return false;
-    const btVector3 own = (normal * part.transform.getBasis()).absolute();
-    return own[own.maxAxis()] > along;
+    if (!part.shape) return false;
+    const int type = part.shape->getShapeType();
+    if (type == STATIC_PLANE_PROXYTYPE) return true;
+    if (type == BOX_SHAPE_PROXYTYPE) {
+        const btVector3 own = (normal * part.transform.getBasis()).absolute();
+        return own[own.maxAxis()] > along;
+    }
+    if (!part.shape->isConcave()) return false;
+    const btVector3 near(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
+    bool is_face = false;
+    forEachTriangle(object, place - near, place + near, [&](const std::array<btVector3, 3>& corners) {
+        const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        is_face = is_face || btFabs(area.dot(normal)) > along * area.length();
+    });
+    return is_face;
 }
 
 /// The object on a face of which the points of a manifold are, if that does not move; nullptr: neither is.
 const btCollisionObject* groundOf(const btPersistentManifold& manifold) {
     const btManifoldPoint& first = manifold.getContactPoint(0);
-    for (const auto& [object, child] :
-         {std::pair{manifold.getBody0(), first.m_index0}, std::pair{manifold.getBody1(), first.m_index1}})
-        if (object->isStaticObject() && isNormalOfFace(first.m_normalWorldOnB, *object, child)) return object;
+    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
+    const btVector3& normal = first.m_normalWorldOnB;
+    if (a->isStaticObject() && isNormalOfFace(normal, first.m_positionWorldOnA, *a, first.m_index0)) return a;
+    if (b->isStaticObject() && isNormalOfFace(normal, first.m_positionWorldOnB, *b, first.m_index1)) return b;
     return nullptr;
 }
 
@@ -280,7 +295,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
         if (!is_known) meetTogether(points, tolerance);
         pressLanding(points, *a, *b, collector);
     }
-    collector.setGround(groundOf(manifold));
+    collector.setGround(!rests && collector.isOfWhole(manifold) ? groundOf(manifold) : nullptr);
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);

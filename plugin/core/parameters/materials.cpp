@@ -65,7 +65,7 @@ Material Material::withDensity(double kg_m3) const {
     Material scaled = *this;
     const double factor = kg_m3 / density_kg_m3;
     scaled.density_kg_m3 = kg_m3;
-    if (!(factor > 0 && std::isfinite(factor))) return scaled;  // what `validate` then says is of the density
+    if (!(kg_m3 > 0 && std::isfinite(kg_m3))) return scaled;  // what `validate` then says is of the density
     for (double Material::*field : {&Material::youngs_modulus_pa, &Material::tensile_strength_pa,
                                     &Material::fracture_energy_j_m2, &Material::compressive_strength_pa})
         scaled.*field *= factor;
