@@ -16,7 +16,8 @@ namespace {
 constexpr double spacings_across = 16;          // between points of large triangles, across the box
 constexpr int most_divisions = 16;              // of a triangle's sides
 constexpr std::size_t most_points = 600;        // about; vertices beyond are taken together
-constexpr std::size_t most_even_points = 2000;  // on large triangles; beyond, they are taken together
+constexpr std::size_t most_even_points = 8000;  // on large triangles; beyond, they are taken together
+constexpr std::size_t most_on_slivers = 3000;   // the same of those on long and narrow ones
 constexpr int cells_across = 16;                // in which points are taken together, across the box
 constexpr double just_inside = 1e-6;            // of the spacing
 constexpr double facing = 0.99;                 // cosine, from which on a face lies across an axis
@@ -100,6 +101,10 @@ class Steps {
 /// The square of a triangle's longest side, m^2.
 double longestSquare(const Vec3& side, const Vec3& other) {
     return std::max({side.squaredNorm(), other.squaredNorm(), (other - side).squaredNorm()});
+}
+
+double shortestSquare(const Vec3& side, const Vec3& other) {
+    return std::min({side.squaredNorm(), other.squaredNorm(), (other - side).squaredNorm()});
 }
 
 /// Of a triangle's sides, so that points on it are no further apart than `spacing`.
@@ -249,15 +254,18 @@ SurfaceCloud cloudOf(const TriangleMesh& surface) {
     const Eigen::AlignedBox3d box = boundingBox(surface.vertices);
     cloud.spacing = box.diagonal().norm() / spacings_across;
     std::vector<int> divisions_of;
-    std::size_t even_points = 0;
+    std::size_t even_points = 0, on_slivers = 0;
     for (const auto& [a, b, c] : surface.triangles) {
-        const Vec3& corner = surface.vertices[a];
-        divisions_of.push_back(divisionsOf(
-            longestSquare(surface.vertices[b] - corner, surface.vertices[c] - corner), cloud.spacing));
-        if (divisions_of.back() > 1) even_points += evenCount(divisions_of.back());
+        const Vec3 side = surface.vertices[b] - surface.vertices[a],
+                   other = surface.vertices[c] - surface.vertices[a];
+        const int divisions = divisionsOf(longestSquare(side, other), cloud.spacing);
+        divisions_of.push_back(divisions);
+        if (divisions == 1) continue;
+        even_points += evenCount(divisions);
+        if (shortestSquare(side, other) < cloud.spacing * cloud.spacing) on_slivers += evenCount(divisions);
     }
     std::optional<TakenTogether> together;
-    if (even_points > most_even_points) together.emplace(box);
+    if (even_points > most_even_points || on_slivers > most_on_slivers) together.emplace(box);
     Representatives points(surface, box, cloud);
     Steps steps(box);
     for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
