@@ -45,8 +45,8 @@ class BreakableAsset {
     static Result<BreakableAsset> load(const std::string& path);
 
     /// Whether another asset has the same surface, material, settings and supports: whether what `load` gave
-    /// is what the program would bake now. Repairs, and a strength that a function of the app's gives, are not
-    /// compared.
+    /// is what the program would bake now. Repairs are not compared, nor is a strength that a function of
+    /// the app's gives.
     bool isSameAs(const BreakableAsset& other) const;
 
     /// Writes the asset for `load`: surface with all attributes, material, settings, supports, repairs and

@@ -37,8 +37,8 @@ struct BlowFigures {
     /// Sum of the normal impulses of all contacts; of the pulse below where there are none, since something
     /// else stopped the striker in the step.
     double impulse_n_s = 0;
-    /// Of the contact, as a pulse of half a sine, whose impulse is 2 / pi times the two. The contact is elastic
-    /// here and bounces: that is up to twice what moves the body. Good for loudness, not for momentum.
+    /// Of the contact, as a pulse of half a sine with an impulse of 2 / pi times the two. The contact is
+    /// elastic here, so that this is up to twice what moves the body: for loudness, not for momentum.
     double peak_force_n = 0;
     double contact_time_s = 0;  ///< duration of that pulse
     /// Largest principal stress at any particle or surface point of the body as if it held: where it breaks
