@@ -29,7 +29,7 @@ Status FractureWorld::Impl::enqueueBlow(btRigidBody* body, const std::vector<Pus
             "break"};
     if (const Status valid = checkPlaces(*breakable, pushes); !valid) return valid;
     if (const Status valid = checkSpeeds(*breakable, pushes); !valid) return valid;
-    requests_.add(AppRequests::Blow{breakable->serial, body, pushes, explosion});
+    requests_.add(AppRequests::Blow{breakable->serial, pushes, explosion});
     return success();
 }
 

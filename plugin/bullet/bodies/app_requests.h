@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <deque>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "bullet/bodies/body_token.h"
@@ -22,8 +23,7 @@ class AppRequests {
         BodyToken token = no_token;
     };
     struct Blow {
-        std::uint64_t serial = 0;           ///< of the body
-        const btRigidBody* body = nullptr;  ///< may be dead: compared only
+        std::uint64_t serial = 0;  ///< of the body
         std::vector<Push> pushes;
         int explosion = 0;  ///< its number; 0: the blow stands by itself
     };

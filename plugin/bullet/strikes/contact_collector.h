@@ -112,6 +112,9 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
         btVector3 impulse;  // on this side
         int child;
     };
+    /// Below it, what Bullet gives is taken.
+    static constexpr btScalar slowest_landing_m_s = btScalar(0.1);
+
     void lookUp(const btCollisionObject& object, Party& party) const;
     StruckBreakable& entryOf(Breakable& breakable, const btTransform& asset_from_world);
     void correctTouch(Side& own, Side& other, btManifoldPoint& point) const;
