@@ -158,6 +158,17 @@ TEST(Landing, SpinningIsTheSameAtAllRatesAndPhases) {
     }
 }
 
+// A step takes it up to 5 cm in, with hundreds of its vertices.
+TEST(Landing, DeepIsAsShallowWhereManyVerticesAreBelow) {
+    const auto asset = BreakableAsset::fromMesh(shapes::cup(0.036, 0.2, 0.004, 128, 40), Material::glass());
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    for (const double height_m : {0.25, 0.262, 0.281, 0.295}) {
+        const BlowEvent reference = spinningLanding(asset.value(), btVector3(0, 0, 0), height_m, 1920),
+                        deep = spinningLanding(asset.value(), btVector3(0, 0, 0), height_m, 60);
+        EXPECT_NEAR(deep.peak_force_n / reference.peak_force_n, 1, 0.02) << height_m;
+    }
+}
+
 /// The first solved blow of a ball of 5 kg that touches a plate at 8 m/s with a force behind it; outcome
 /// `held` and no stress if none was solved.
 BlowEvent blowOfPushedBall(double force_n, double rate) {
