@@ -282,6 +282,20 @@ TEST(AppliedBlow, OfABodyThatIsRemovedInTheSameStepNothingHappens) {
     EXPECT_TRUE(fracture.takeEvents().empty());
 }
 
+/// The normal part of the push on a square plate at the distance d, I / (4 pi) times the integral of
+/// cos^2 / r^2, on a grid.
+double pushOnPlate(double impulse_n_s, double d) {
+    constexpr int n = 400;
+    constexpr double half_width = 0.3, cell = 2 * half_width / n;
+    double sum = 0;
+    for (int i = 0; i < n; ++i)
+        for (int j = 0; j < n; ++j) {
+            const double x = -half_width + (i + 0.5) * cell, y = -half_width + (j + 0.5) * cell;
+            sum += d * d / std::pow(x * x + y * y + d * d, 2) * cell * cell;
+        }
+    return impulse_n_s / (4 * 3.14159265358979) * sum;
+}
+
 TEST(Explosion, PushesByTheSolidAngleOfWhatFacesIt) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
@@ -291,24 +305,27 @@ TEST(Explosion, PushesByTheSolidAngleOfWhatFacesIt) {
     const Result<int> struck = explode(fracture, {btVector3(0, 0, 0), 100, 1.5});
     ASSERT_TRUE(struck.ok()) << struck.error();
     EXPECT_EQ(struck.value(), 2);
-    // The normal part of the push on a square of half width a at the distance d, I / (4 pi) times the
-    // integral of cos^2 / r^2, on a grid.
-    const auto expected = [](double d) {
-        constexpr int n = 400;
-        constexpr double a = 0.3, cell = 2 * a / n;
-        double sum = 0;
-        for (int i = 0; i < n; ++i)
-            for (int j = 0; j < n; ++j) {
-                const double x = -a + (i + 0.5) * cell, y = -a + (j + 0.5) * cell;
-                sum += d * d / std::pow(x * x + y * y + d * d, 2) * cell * cell;
-            }
-        return 100 / (4 * 3.14159265358979) * sum;
-    };
-    EXPECT_NEAR(momentumOf({near}).linear.z(), expected(0.5), 0.02 * expected(0.5));
-    EXPECT_NEAR(momentumOf({far}).linear.z(), -expected(1), 0.02 * expected(1));
+    const double near_n_s = pushOnPlate(100, 0.5), far_n_s = pushOnPlate(100, 1);
+    EXPECT_NEAR(momentumOf({near}).linear.z(), near_n_s, 0.02 * near_n_s);
+    EXPECT_NEAR(momentumOf({far}).linear.z(), -far_n_s, 0.02 * far_n_s);
     EXPECT_NEAR(near->getLinearVelocity().x(), 0, 1e-3);
     EXPECT_LT(near->getAngularVelocity().length(), 1e-2);
     EXPECT_EQ(out_of_reach->getLinearVelocity().length(), 0);
+}
+
+// Far away a triangle counts as a point that all of the blast comes to alike.
+TEST(Explosion, FarAwayIsAsStrongAsItsSolidAngle) {
+    for (const double distance_m : {2.0, 4.0, 8.0, 16.0, 32.0}) {
+        TestWorld scene;
+        FractureWorld fracture(scene.world.get());
+        btRigidBody* body =
+            fracture.add(plate(unbreakable()), at(0, 0, btScalar(-0.03 - distance_m))).value();
+        const double impulse_n_s = 100 * distance_m * distance_m;
+        ASSERT_TRUE(explode(fracture, {btVector3(0, 0, 0), impulse_n_s, 50}).ok());
+        const double expected = pushOnPlate(impulse_n_s, distance_m);
+        EXPECT_NEAR(momentumOf({body}).linear.z(), -expected, 0.005 * expected) << distance_m;
+        EXPECT_LT(body->getAngularVelocity().length(), 1e-3) << distance_m;
+    }
 }
 
 TEST(Explosion, OnALargeTrianglePushesAlongItsNormalAndWithAQuarterOfItAll) {

@@ -110,10 +110,14 @@ TEST(Landing, FlatOrAlmostFlatIsTheSameAtAllRatesAndPhases) {
     }
 }
 
-/// The blow of a body that flies towards a floor at 3 m/s and spins.
-BlowEvent spinningLanding(const BreakableAsset& asset, const btVector3& spin, double height_m, double rate) {
+/// The blow of a body that flies towards a floor at 3 m/s and spins. The floor is a box, unless it is given.
+BlowEvent spinningLanding(const BreakableAsset& asset, const btVector3& spin, double height_m, double rate,
+                          std::unique_ptr<btCollisionShape> floor = nullptr) {
     TestWorld scene;
-    scene.addFloor();
+    if (floor)
+        scene.addBody(std::move(floor), 0, btVector3(0, 0, 0));
+    else
+        scene.addFloor();
     FractureWorld fracture(scene.world.get());
     BodyOptions options;
     options.start = at(0, 0, btScalar(height_m));
@@ -154,6 +158,31 @@ TEST(Landing, SpinningIsTheSameAtAllRatesAndPhases) {
                     << rate << " Hz, " << height_m << " m";
                 EXPECT_LT((event.normal - Vec3::UnitZ()).norm(), 1e-3) << "that of the floor";
             }
+        }
+    }
+}
+
+TEST(Landing, SpinningOnAPlaneOrAMeshIsAsOnABox) {
+    const auto asset =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.15, -0.15, -0.004), Vec3(0.15, 0.15, 0.004), 10, 10, 1),
+                                 Material::ceramic(), Settings::forQuality(Quality::preview));
+    ASSERT_TRUE(asset.ok()) << asset.error();
+    btTriangleMesh triangles;
+    const btVector3 corners[] = {{-5, -5, 0}, {5, -5, 0}, {5, 5, 0}, {-5, 5, 0}};
+    triangles.addTriangle(corners[0], corners[1], corners[2]);
+    triangles.addTriangle(corners[0], corners[2], corners[3]);
+    const btVector3 spin(10, 0, 0);
+    for (const double height_m : {0.25, 0.262, 0.281}) {
+        const BlowEvent reference = spinningLanding(asset.value(), spin, height_m, 1920);
+        for (const bool is_mesh : {false, true}) {
+            std::unique_ptr<btCollisionShape> floor;
+            if (is_mesh)
+                floor = std::make_unique<btBvhTriangleMeshShape>(&triangles, true);
+            else
+                floor = std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0));
+            const BlowEvent event = spinningLanding(asset.value(), spin, height_m, 60, std::move(floor));
+            EXPECT_NEAR(event.peak_force_n / reference.peak_force_n, 1, 0.04) << is_mesh << ' ' << height_m;
+            EXPECT_LT((event.normal - Vec3::UnitZ()).norm(), 1e-3) << is_mesh << ' ' << height_m;
         }
     }
 }

@@ -150,22 +150,23 @@ bool Piles::isStoppedBefore(const btCollisionObject& striker, const btVector3& p
     const auto stops = stops_.find(&striker);
     if (stops == stops_.end()) return false;
     const Mobility mobility = mobilityOf(striker, btTransform::getIdentity(), place);
-    std::vector<Wrench> wrenches;
-    std::vector<double> speeds;
+    struct Row {
+        Wrench wrench, response;
+        double speed_m_s, impulse;
+    };
+    std::vector<Row> rows;
     for (const Stop& stop : stops->second) {
         if (!((stop.touched_s - touched_s) * closing_m_s > largestRestingGap())) continue;
-        wrenches.push_back(mobility.wrench(fromBullet(stop.place), fromBullet(stop.push)));
-        speeds.push_back(stop.speed_m_s);
+        const Wrench wrench = mobility.wrench(fromBullet(stop.place), fromBullet(stop.push));
+        rows.push_back({wrench, mobility.response(wrench), stop.speed_m_s, 0});
     }
     // All of them stop it together, and none pulls (projected Gauss-Seidel).
     Wrench motion = Wrench::Zero();
-    std::vector<double> impulses(wrenches.size());
     for (int round = 0; round < rounds; ++round)
-        for (std::size_t i = 0; i < wrenches.size(); ++i) {
-            const Wrench response = mobility.response(wrenches[i]);
-            const double more = (speeds[i] - wrenches[i].dot(motion)) / wrenches[i].dot(response);
-            const double before = std::exchange(impulses[i], std::max(0.0, impulses[i] + more));
-            motion += (impulses[i] - before) * response;
+        for (Row& row : rows) {
+            const double more = (row.speed_m_s - row.wrench.dot(motion)) / row.wrench.dot(row.response);
+            const double before = std::exchange(row.impulse, std::max(0.0, row.impulse + more));
+            motion += (row.impulse - before) * row.response;
         }
     const Wrench here = mobility.wrench(fromBullet(place), fromBullet(push));
     return here.dot(motion) >= whole_part * closing_m_s;
