@@ -77,7 +77,10 @@ void FractureWorld::Impl::finish(btScalar time_step_s) {
     if (!hasWork()) return;
     const InsideStep guard(world_);
     timed(times_.steps.sync, [&] { removeRequested(); });
-    if (time_step_s > 0) answerWaiting(time_step_s);
+    if (time_step_s > 0) {
+        answerWaiting(time_step_s);
+        timed(times_.steps.sync, [&] { removeRequested(); });  // by callbacks: the event still lists it
+    }
     for (auto blows = requests_.takeBlows(); !blows.empty(); blows = requests_.takeBlows()) {
         carryOut(blows, time_step_s);
         timed(times_.steps.sync, [&] { removeRequested(); });

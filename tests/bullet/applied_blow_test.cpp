@@ -569,6 +569,38 @@ TEST(Explosion, BreaksACrowdInTurnTheNearestFirst) {
     EXPECT_EQ(Plates(3, budget).in_call, 3u) << "as many as a step may solve";
 }
 
+// Blows that waited are answered at the end of a step, after what the app asked for inside it was carried
+// out.
+TEST(Explosion, EventsOfBlowsThatWaitedLeaveOutWhatACallbackRemoved) {
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, 0));
+    FractureWorld fracture(scene.world.get());
+    Budget budget;
+    budget.milliseconds_per_step = 0.5;
+    ASSERT_TRUE(fracture.setBudget(budget).ok());
+    int removed = 0;
+    fracture.onFragment([&](FragmentBirth& birth) {
+        if (birth.asset.mass() > 2) return;
+        fracture.remove(&birth.body);
+        ++removed;
+    });
+    const auto asset = plate(crumbly(), 0.1);
+    for (int i = 0; i < 5; ++i) ASSERT_TRUE(fracture.add(asset, at(0.8f * btScalar(i - 2), 0, 0)).ok());
+    ASSERT_EQ(explode(fracture, {btVector3(0, 0, 0.6f), 5000, 3}).value(), 5);
+    int waited = 0;
+    for (int step = 0; step < 130; ++step) {
+        const int before = removed;
+        scene.step();
+        const auto bodies = fracture.bodies();
+        for (const BlowEvent& event : fracture.takeEvents()) {
+            if (event.waited_s > 0 && removed > before) ++waited;
+            for (const btRigidBody* fragment : event.fragments)
+                EXPECT_NE(std::find(bodies.begin(), bodies.end(), fragment), bodies.end()) << step;
+        }
+    }
+    EXPECT_GT(waited, 1) << "of these, some fragments were removed";
+}
+
 // They could not all be done in time as the budget has it, and are all done nevertheless.
 TEST(Explosion, DropsNoWholeBodyForWantOfTime) {
     constexpr int count = 6;
