@@ -504,9 +504,9 @@ TEST(Budget, OfACrowdThatIsRunIntoAsManyBreakAtOnceAsAStepHasSolves) {
     }
 }
 
-/// Six plates and a kinematic platform that moves towards them, or they towards it: how long each waited
-/// until it broke, s.
-std::vector<double> waitsOverAPlatform(bool moves) {
+/// Six plates of 21 kg and a platform, a kinematic one unless it has a mass, that moves towards them, or they
+/// towards it: how long each waited until it broke, s.
+std::vector<double> waitsOverAPlatform(bool moves, btScalar platform_kg = 0) {
     TestWorld scene;
     FractureWorld fracture(scene.world.get());
     Budget budget;
@@ -523,8 +523,11 @@ std::vector<double> waitsOverAPlatform(bool moves) {
         EXPECT_TRUE(fracture.add(asset.value(), options).ok());
     }
     btBoxShape box(btVector3(4, 1, 0.1f));
-    btRigidBody platform(btRigidBody::btRigidBodyConstructionInfo(0, nullptr, &box));
-    platform.setCollisionFlags(platform.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
+    btVector3 inertia(0, 0, 0);
+    if (platform_kg > 0) box.calculateLocalInertia(platform_kg, inertia);
+    btRigidBody platform(btRigidBody::btRigidBodyConstructionInfo(platform_kg, nullptr, &box, inertia));
+    if (platform_kg == 0)
+        platform.setCollisionFlags(platform.getCollisionFlags() | btCollisionObject::CF_KINEMATIC_OBJECT);
     platform.setActivationState(DISABLE_DEACTIVATION);
     platform.setWorldTransform(at(2.5f, 0, 0.5f));
     scene.world->addRigidBody(&platform);
@@ -544,6 +547,15 @@ TEST(Budget, AKinematicBodyRunsIntoACrowd) {
     const std::vector<double> run_into = waitsOverAPlatform(true), fallen = waitsOverAPlatform(false);
     EXPECT_EQ(std::count(run_into.begin(), run_into.end(), 0.0), 2);
     EXPECT_EQ(std::count(fallen.begin(), fallen.end(), 0.0), 0) << "as on the ground";
+}
+
+TEST(Budget, ACrowdFallsOnAFreeBodyWithoutAStall) {
+    for (const btScalar heavier_kg : {100, 1000}) {
+        const std::vector<double> waited_s = waitsOverAPlatform(false, heavier_kg);
+        EXPECT_EQ(std::count(waited_s.begin(), waited_s.end(), 0.0), 0) << heavier_kg << " kg";
+    }
+    const std::vector<double> on_light = waitsOverAPlatform(false, 15);
+    EXPECT_GT(std::count(on_light.begin(), on_light.end(), 0.0), 2) << "whole they would take it along";
 }
 
 TEST(Budget, FunctionsOfTheAppAreCalledOnTheSteppingThread) {

@@ -66,19 +66,35 @@ bool Patience::lastsWhileItWaits(const StruckBreakable& struck, btScalar times_a
     return true;
 }
 
-/// Whether a body that cannot break runs into it, which is free and would not stop that: each that strikes it
-/// is many times as heavy, as kinematic ones are. A lift at rest runs into nothing.
-bool Patience::isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const {
+/// Whether something that cannot break moves towards the body where it strikes it. A shelf or a lift at rest
+/// does not: the body falls on it.
+bool Patience::isMovedAgainst(const StruckBreakable& struck) const {
     constexpr double of_approach = 0.25;
-    if (!struck.breakable->isDynamic() || !lastsWhileItWaits(struck, times_as_heavy)) return false;
-    const std::vector<ContactImpulse>& contacts = struck.blow.contacts;
-    return std::any_of(contacts.begin(), contacts.end(), [&](const ContactImpulse& contact) {
+    const btTransform from_asset = struck.breakable->placed(struck.before.transform);
+    for (std::size_t i = 0; i < struck.blow.contacts.size(); ++i) {
+        const ContactImpulse& contact = struck.blow.contacts[i];
         const btCollisionObject* striker = strikerAt(contact, struck);
-        const btRigidBody* partner = striker ? btRigidBody::upcast(striker) : nullptr;
-        if (!partner || breakables_.of(*partner)) return false;
-        const btVector3 from_centre = toBullet(struck.position) - partner->getCenterOfMassPosition();
-        return partner->getVelocityInLocalPoint(from_centre).length() > of_approach * contact.approach_m_s;
-    });
+        if (!striker || !btRigidBody::upcast(striker) || breakables_.of(*striker)) continue;
+        const btVector3 own = struck.before.velocityAt(from_asset * toBullet(contact.point));
+        const double brought = -own.dot(toBullet(struck.pushes[i]));
+        if (contact.approach_m_s - brought > of_approach * contact.approach_m_s) return true;
+    }
+    return false;
+}
+
+/// Whether such a body runs into it, which is free and would not stop that: each that strikes it is many
+/// times as heavy, as kinematic ones are.
+bool Patience::isRunInto(const StruckBreakable& struck) const {
+    constexpr btScalar times_as_heavy = 10;
+    return struck.breakable->isDynamic() && lastsWhileItWaits(struck, times_as_heavy) &&
+           isMovedAgainst(struck);
+}
+
+/// Whether it falls on what hardly gives way, and nothing flies through it.
+bool Patience::fallsOnHeavy(const StruckBreakable& struck) const {
+    constexpr btScalar times_as_heavy = 2;
+    return struck.breakable->isDynamic() && lastsWhileItWaits(struck, times_as_heavy) &&
+           !isMovedAgainst(struck);
 }
 
 /// Whether something that the body rests against pushes back at what runs into it: whole it would stop that.
@@ -119,8 +135,6 @@ bool Patience::isStruckByLightFragments(const StruckBreakable& struck) const {
 void Patience::thinOut(const std::vector<StruckBreakable>& struck, double time_step_s, const StepSpent& spent,
                        GatedBlows& gated) const {
     if (budget_.shortest_wait_s == 0) return;
-    // Free bodies of a crowd take their parts of a striker's speed all the same, whole or broken.
-    constexpr btScalar than_each_of_a_crowd = 10;
     const auto begin = gated.now.begin(), end = gated.now.end();
     const auto lasts = [&](std::size_t i) { return lastsWhileItWaits(struck[i], much_heavier); };
     const auto is_solved = [&](std::size_t i) { return gated.ahead[i].has_value(); };
@@ -131,11 +145,12 @@ void Patience::thinOut(const std::vector<StruckBreakable>& struck, double time_s
     const bool are_many = spent.decided + to_solve > budget_.solves_per_step ||
                           (solved > 0 && spent.new_fragments + pieces > budget_.fragments_per_step);
     const bool is_crowd = are_many || spent.decided > 0 || !std::all_of(begin, end, lasts);
+    // Free bodies of a crowd take their parts of a striker's speed all the same, whole or broken.
     const auto is_run_into = [&](std::size_t i) {
-        return are_many && isRunInto(struck[i], than_each_of_a_crowd) && !isBacked(struck[i]);
+        return are_many && isRunInto(struck[i]) && !isBacked(struck[i]);
     };
     const auto must_not_wait = [&](std::size_t i) {
-        if (is_run_into(i)) return false;
+        if (is_run_into(i) || (are_many && fallsOnHeavy(struck[i]))) return false;
         if (!lasts(i)) return true;
         if (isStruckByFragmentsAlone(struck[i])) return false;
         // What stands under or behind the body that is struck breaks with it.

@@ -79,7 +79,9 @@ class Patience {
     };
 
     double urgency(const StruckBreakable& struck) const;
-    bool isRunInto(const StruckBreakable& struck, btScalar times_as_heavy) const;
+    bool isMovedAgainst(const StruckBreakable& struck) const;
+    bool isRunInto(const StruckBreakable& struck) const;
+    bool fallsOnHeavy(const StruckBreakable& struck) const;
     bool isBacked(const StruckBreakable& struck) const;
     bool isStruckByFragmentsAlone(const StruckBreakable& struck) const;
     bool isStruckByLightFragments(const StruckBreakable& struck) const;
