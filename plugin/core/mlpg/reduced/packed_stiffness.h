@@ -24,6 +24,13 @@ struct PackedStiffness {
 
     /// The lower triangle of the rows and columns of `blocks` (ascending), 3 #blocks squared.
     Eigen::MatrixXf lowerPart(const std::vector<int>& blocks) const;
+    /// K u, #unknowns.
+    Eigen::VectorXf times(const Eigen::VectorXf& unknowns) const;
+    /// About K^-1 f: so many rounds of conjugate gradients from zero, preconditioned by symmetric successive
+    /// overrelaxation with a factor of 1, as in S. Eisenstat, Efficient implementation of a class of
+    /// preconditioned conjugate gradient methods (1981). They find what changes from function to function
+    /// first.
+    Eigen::VectorXf solveRoughly(const Eigen::VectorXf& forces, int rounds) const;
     /// Those of `blocks` (ascending) that entries join, directly or by others of them: lists, each ascending,
     /// the one with the smallest number first.
     std::vector<std::vector<int>> joined(const std::vector<int>& blocks) const;

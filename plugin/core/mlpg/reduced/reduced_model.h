@@ -31,7 +31,9 @@ struct ReducedModelLimits {
 ///     [ E^T K V   E^T K E ] [d] = [E^T f],      u = V c + E d,
 /// E being the unit vectors of the functions about the loads: some hundreds of unknowns, solved first.
 /// Compare Barbic, Zhao, Subspace self-collision culling (2010), and the static correction of component mode
-/// synthesis (Craig, Bampton 1968). A small solid needs no modes: its whole compliance matrix is kept.
+/// synthesis (Craig, Bampton 1968). A small solid needs no modes: its whole compliance matrix is kept. A
+/// contact squeezes a compact solid, such as a ball: its tension is some percent of the pressure, and so is
+/// what modes lack there, which some rounds on the whole matrix find then.
 class ReducedModel {
   public:
     /// `stiffness` is that of the problem; `unit` is what loads on `limits.patches` patches do.
@@ -123,6 +125,8 @@ class ReducedModel {
                             const LocalSystem& system) const;
     Result<Solution> solve(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     Result<Solution> solve(const Eigen::VectorXd& forces, const LocalSystem& system) const;
+    Result<ReducedResponse> respondInModes(const Eigen::VectorXd& forces, const LocalSystem& system) const;
+    void refine(const Eigen::VectorXd& forces, ReducedResponse& response) const;
     ReducedResponse responseOf(const Solution& solution, const LocalSystem& system) const;
 
     std::shared_ptr<const SplineProblem> problem_;
@@ -134,6 +138,7 @@ class ReducedModel {
     ReducedModelLimits limits_;
     std::vector<int> functions_of_component_;
     int most_local_ = 0;
+    int refinements_ = 0;  // rounds
 };
 
 }  // namespace sherd
