@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "core/numerics/union_find.h"
+#include "core/numerics/wide_vectors.h"
 
 namespace sherd {
 
@@ -23,87 +25,127 @@ void forEachAmong(const std::vector<int>& blocks, const PackedStiffness& stiffne
             if (const int row = place_of[stiffness.rows[b]]; row >= 0) visit(row, column, b);
 }
 
-/// The symmetric matrix of the entries, L + D + L^T: all of D is `largest_entry`.
-class Entries {
-  public:
-    explicit Entries(const PackedStiffness& stiffness) : stiffness_(stiffness) {}
+// Vectors have four numbers for each three unknowns, the last of which is zero.
+Eigen::VectorXf inFours(const Eigen::VectorXf& threes) {
+    Eigen::Matrix4Xf fours = Eigen::Matrix4Xf::Zero(4, threes.size() / 3);
+    fours.topRows<3>() = threes.reshaped(3, fours.cols());
+    return fours.reshaped();
+}
 
-    Eigen::VectorXf times(const Eigen::VectorXf& x) const {
-        Eigen::VectorXf product = largest_entry * x;
-        for (int column = 0; column < stiffness_.blockCount(); ++column) {
-            const Below below = belowDiagonal(column);
-            const float* of_column = &x[3L * column];
-            float* own = &product[3L * column];
-            own[0] += below.e10 * of_column[1] + below.e20 * of_column[2];
-            own[1] += below.e10 * of_column[0] + below.e21 * of_column[2];
-            own[2] += below.e20 * of_column[0] + below.e21 * of_column[1];
-            addBlocks(column, of_column, product);
-            addTransposedBlocks(column, x, own);
-        }
-        return product;
-    }
+Eigen::VectorXf inThrees(const Eigen::VectorXf& fours) {
+    return fours.reshaped(4, fours.size() / 4).topRows<3>().reshaped();
+}
 
-    /// (D + L)^-1 f.
-    Eigen::VectorXf solveLower(Eigen::VectorXf f) const {
-        for (int column = 0; column < stiffness_.blockCount(); ++column) {
-            const Below below = belowDiagonal(column);
-            float* own = &f[3L * column];
-            own[0] *= inverse;
-            own[1] = inverse * (own[1] - below.e10 * own[0]);
-            own[2] = inverse * (own[2] - below.e20 * own[0] - below.e21 * own[1]);
-            const float taken[] = {-own[0], -own[1], -own[2]};
-            addBlocks(column, taken, f);
-        }
-        return f;
-    }
+using Four = float __attribute__((vector_size(16)));
+using FourInts = std::int32_t __attribute__((vector_size(16)));
+using FourShorts = std::int16_t __attribute__((vector_size(8)));
 
-    /// (D + L)^-T f.
-    Eigen::VectorXf solveUpper(Eigen::VectorXf f) const {
-        for (int column = stiffness_.blockCount() - 1; column >= 0; --column) {
-            const Below below = belowDiagonal(column);
-            float* own = &f[3L * column];
-            float sum[] = {0, 0, 0};
-            addTransposedBlocks(column, f, sum);
-            own[2] = inverse * (own[2] - sum[2]);
-            own[1] = inverse * (own[1] - sum[1] - below.e21 * own[2]);
-            own[0] = inverse * (own[0] - sum[0] - below.e10 * own[1] - below.e20 * own[2]);
-        }
-        return f;
-    }
+SHERD_INLINED Four load(const float* x) {
+    Four four;
+    std::memcpy(&four, x, sizeof four);
+    return four;
+}
 
-  private:
-    static constexpr float inverse = 1 / largest_entry;
+SHERD_INLINED Four widened(const std::int16_t* entry) {
+    FourShorts four;
+    std::memcpy(&four, entry, sizeof four);
+    return __builtin_convertvector(__builtin_convertvector(four, FourInts), Four);
+}
 
-    /// In the diagonal block.
-    struct Below {
-        float e10, e20, e21;
-    };
-    Below belowDiagonal(int column) const {
-        const std::int16_t* entry = stiffness_.entries.data() + 9L * stiffness_.starts[column];
-        return {float(entry[1]), float(entry[2]), float(entry[5])};
-    }
-    /// sum += B x of the blocks below the diagonal one of a column, x being its three numbers.
-    void addBlocks(int column, const float* x, Eigen::VectorXf& sum) const {
-        for (int b = stiffness_.starts[column] + 1; b < stiffness_.starts[column + 1]; ++b) {
-            const std::int16_t* entry = stiffness_.entries.data() + 9L * b;
-            float* row = &sum[3L * stiffness_.rows[b]];
-            for (int i = 0; i < 3; ++i)
-                row[i] += float(entry[i]) * x[0] + float(entry[3 + i]) * x[1] + float(entry[6 + i]) * x[2];
-        }
-    }
-    /// sum += B^T x of these, for the three numbers of the column.
-    void addTransposedBlocks(int column, const Eigen::VectorXf& x, float* sum) const {
-        for (int b = stiffness_.starts[column] + 1; b < stiffness_.starts[column + 1]; ++b) {
-            const std::int16_t* entry = stiffness_.entries.data() + 9L * b;
-            const float* row = &x[3L * stiffness_.rows[b]];
-            for (int j = 0; j < 3; ++j)
-                sum[j] += float(entry[3 * j]) * row[0] + float(entry[3 * j + 1]) * row[1] +
-                          float(entry[3 * j + 2]) * row[2];
-        }
-    }
-
-    const PackedStiffness& stiffness_;
+/// The columns of a block.
+struct BlockColumns {
+    Four first, second, third;
 };
+SHERD_INLINED BlockColumns columnsOf(const std::int16_t* entry) {
+    const Four last = widened(entry + 5);  // none is read beyond the block
+    return {widened(entry), widened(entry + 3), __builtin_shufflevector(last, last, 1, 2, 3, 0)};
+}
+
+/// sum += B x of the blocks from `b` to `end`, x being the three numbers of their column.
+SHERD_INLINED void addBlocks(const PackedStiffness& stiffness, int b, int end, const float* x, float* sum) {
+    const Four x0 = {x[0], x[0], x[0], 0}, x1 = {x[1], x[1], x[1], 0}, x2 = {x[2], x[2], x[2], 0};
+    for (; b < end; ++b) {
+        const BlockColumns block = columnsOf(stiffness.entries.data() + 9L * b);
+        float* row = sum + 4L * stiffness.rows[b];
+        const Four more = load(row) + (block.first * x0 + block.second * x1 + block.third * x2);
+        std::memcpy(row, &more, sizeof more);
+    }
+}
+
+/// sum += B^T x of these, for the three numbers of their column.
+SHERD_INLINED void addTransposedBlocks(const PackedStiffness& stiffness, int b, int end, const float* x,
+                                       float* sum) {
+    Four of_first = {}, of_second = {}, of_third = {};
+    for (; b < end; ++b) {
+        const BlockColumns block = columnsOf(stiffness.entries.data() + 9L * b);
+        const Four row = load(x + 4L * stiffness.rows[b]);
+        of_first += block.first * row;
+        of_second += block.second * row;
+        of_third += block.third * row;
+    }
+    sum[0] += of_first[0] + of_first[1] + of_first[2];
+    sum[1] += of_second[0] + of_second[1] + of_second[2];
+    sum[2] += of_third[0] + of_third[1] + of_third[2];
+}
+
+/// What a diagonal block has below its diagonal.
+struct BelowDiagonal {
+    float e10, e20, e21;
+};
+SHERD_INLINED BelowDiagonal belowDiagonal(const PackedStiffness& stiffness, int column) {
+    const std::int16_t* entry = stiffness.entries.data() + 9L * stiffness.starts[column];
+    return {float(entry[1]), float(entry[2]), float(entry[5])};
+}
+
+// Of the symmetric matrix of the entries, L + D + L^T: all of D is `largest_entry`. Vectors have a number
+// more than the matrix has rows.
+
+SHERD_WIDE_VECTORS
+void setToProduct(const PackedStiffness& stiffness, const float* x, float* product) {
+    const int count = stiffness.blockCount();
+    for (long i = 0; i < 4L * count; ++i) product[i] = largest_entry * x[i];
+    for (int column = 0; column < count; ++column) {
+        const BelowDiagonal below = belowDiagonal(stiffness, column);
+        const float* of_column = x + 4L * column;
+        float* own = product + 4L * column;
+        own[0] += below.e10 * of_column[1] + below.e20 * of_column[2];
+        own[1] += below.e10 * of_column[0] + below.e21 * of_column[2];
+        own[2] += below.e20 * of_column[0] + below.e21 * of_column[1];
+        const int first = stiffness.starts[column] + 1, end = stiffness.starts[column + 1];
+        addBlocks(stiffness, first, end, of_column, product);
+        addTransposedBlocks(stiffness, first, end, x, own);
+    }
+}
+
+/// f = (D + L)^-1 f.
+SHERD_WIDE_VECTORS
+void solveLower(const PackedStiffness& stiffness, float* f) {
+    constexpr float inverse = 1 / largest_entry;
+    for (int column = 0; column < stiffness.blockCount(); ++column) {
+        const BelowDiagonal below = belowDiagonal(stiffness, column);
+        float* own = f + 4L * column;
+        own[0] *= inverse;
+        own[1] = inverse * (own[1] - below.e10 * own[0]);
+        own[2] = inverse * (own[2] - below.e20 * own[0] - below.e21 * own[1]);
+        const float taken[] = {-own[0], -own[1], -own[2]};
+        addBlocks(stiffness, stiffness.starts[column] + 1, stiffness.starts[column + 1], taken, f);
+    }
+}
+
+/// f = (D + L)^-T f.
+SHERD_WIDE_VECTORS
+void solveUpper(const PackedStiffness& stiffness, float* f) {
+    constexpr float inverse = 1 / largest_entry;
+    for (int column = stiffness.blockCount() - 1; column >= 0; --column) {
+        const BelowDiagonal below = belowDiagonal(stiffness, column);
+        float* own = f + 4L * column;
+        float sum[] = {0, 0, 0};
+        addTransposedBlocks(stiffness, stiffness.starts[column] + 1, stiffness.starts[column + 1], f, sum);
+        own[2] = inverse * (own[2] - sum[2]);
+        own[1] = inverse * (own[1] - sum[1] - below.e21 * own[2]);
+        own[0] = inverse * (own[0] - sum[0] - below.e10 * own[1] - below.e20 * own[2]);
+    }
+}
 
 }  // namespace
 
@@ -140,20 +182,26 @@ Eigen::MatrixXf PackedStiffness::lowerPart(const std::vector<int>& blocks) const
 }
 
 Eigen::VectorXf PackedStiffness::times(const Eigen::VectorXf& unknowns) const {
-    const Eigen::Map<const Eigen::ArrayXf> scale(roots.data(), static_cast<Eigen::Index>(roots.size()));
-    return scale * Entries(*this).times(scale * unknowns.array()).array();
+    const Eigen::Map<const Eigen::ArrayXf> scale(roots.data(), unknowns.size());
+    const Eigen::VectorXf x = inFours(scale * unknowns.array());
+    Eigen::VectorXf product(x.size());
+    setToProduct(*this, x.data(), product.data());
+    return scale * inThrees(product).array();
 }
 
 Eigen::VectorXf PackedStiffness::solveRoughly(const Eigen::VectorXf& forces, int rounds) const {
-    const Eigen::Map<const Eigen::ArrayXf> scale(roots.data(), static_cast<Eigen::Index>(roots.size()));
-    const Entries entries(*this);
+    const Eigen::Map<const Eigen::ArrayXf> scale(roots.data(), forces.size());
     // Of A y = (D + L)^-1 f with A = (D + L)^-1 K (D + L)^-T, a product with which is two triangular solves.
-    Eigen::VectorXf found = Eigen::VectorXf::Zero(forces.size());
-    Eigen::VectorXf rest = entries.solveLower(forces.array() / scale), direction = rest;
+    Eigen::VectorXf rest = inFours(forces.array() / scale);
+    solveLower(*this, rest.data());
+    Eigen::VectorXf found = Eigen::VectorXf::Zero(rest.size()), direction = rest, step, change;
     double squared = double(rest.squaredNorm());
     for (int round = 0; round < rounds && squared > 0; ++round) {
-        const Eigen::VectorXf step = entries.solveUpper(direction);
-        const Eigen::VectorXf change = step + entries.solveLower(direction - largest_entry * step);
+        step = direction;
+        solveUpper(*this, step.data());
+        change = direction - largest_entry * step;
+        solveLower(*this, change.data());
+        change += step;
         const auto length = float(squared / double(direction.dot(change)));
         found += length * step;
         rest -= length * change;
@@ -161,7 +209,7 @@ Eigen::VectorXf PackedStiffness::solveRoughly(const Eigen::VectorXf& forces, int
         direction = rest + float(left / squared) * direction;
         squared = left;
     }
-    return found.array() / scale;
+    return inThrees(found).array() / scale;
 }
 
 std::vector<std::vector<int>> PackedStiffness::joined(const std::vector<int>& blocks) const {
