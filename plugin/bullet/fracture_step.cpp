@@ -129,9 +129,9 @@ void FractureWorld::Impl::prepareSolve() {
     timed(ms.overlaps, [&] {
         if (std::exchange(any_just_added_, false)) allowOverlapsOfAdded();
         birth_overlaps_.applyAllowances(world_);
+        if (breakables_.anyFragmentInWorld())  // while contacts are as deep as they are
+            settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
         steadyContacts(world_, steadiedBodies(), [](const btCollisionObject&) { return true; });
-        if (!breakables_.anyFragmentInWorld()) return;
-        settlePieces(world_, breakables_, world_.getSolverInfo().m_timeStep);
     });
     timed(ms.ground, [&] {
         if (hasGroundSurface(world_)) addGroundContacts(world_, bodiesInWorld(), moved_ground_.surfaces());

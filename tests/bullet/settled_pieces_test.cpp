@@ -2,9 +2,12 @@
 
 #include <BulletCollision/CollisionDispatch/btGhostObject.h>
 
+#include <algorithm>
+#include <random>
 #include <utility>
 
 #include "bullet/support.h"
+#include "bullet/world/conversions.h"
 
 extern btScalar gDeactivationTime;  // s; Bullet's
 
@@ -150,6 +153,38 @@ TEST_F(SettledPieces, StayAwakeForAWhileWhereTheyAreDeepInTheGround) {
     EXPECT_LT(sleepsAfter(*pieces_[2], btScalar(1e-3)), 1.5);
     scene_.world->removeCollisionObject(&zone);
     gDeactivationTime = usual_s;
+}
+
+// The solver does not hold up what is heavier than the piece that it lies on.
+TEST(PiecesOfBricks, AreNotPressedIntoTheFloorByThoseThatLieOnThem) {
+    const auto brick = BreakableAsset::fromMesh(
+        shapes::box(Vec3(-0.125, -0.06, -0.03), Vec3(0.125, 0.06, 0.03)), Material::plaster());
+    ASSERT_TRUE(brick.ok()) << brick.error();
+    int pieces = 0;
+    for (int seed = 8; seed < 14; ++seed) {
+        TestWorld scene;
+        scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+        scene.addBox(0, btVector3(50, 50, 1), btVector3(0, 0, -1));
+        FractureWorld fracture(scene.world.get());
+        std::mt19937 random(static_cast<unsigned>(seed));
+        const auto number = [&] { return btScalar(random() % 2000) * btScalar(1e-3) - 1; };
+        BodyOptions options;
+        options.seed = static_cast<std::uint64_t>(seed);
+        const btScalar x = number(), y = number(), z = number(), w = number();
+        options.start = btTransform(btQuaternion(x, y, z, w).normalized(), btVector3(0, 0, btScalar(0.2)));
+        options.velocity = btVector3(0, 0, btScalar(-6.4));
+        ASSERT_TRUE(fracture.add(brick.value(), options).ok());
+        scene.step(3 * 240);
+        for (const btRigidBody* body : fracture.bodies()) {
+            const btTransform place = fracture.assetTransform(body);
+            btScalar lowest = 0;
+            for (const Vec3& vertex : fracture.asset(body)->surface().vertices)
+                lowest = std::min(lowest, (place * toBullet(vertex)).z());
+            EXPECT_GT(lowest, btScalar(-0.004)) << "seed " << seed;
+            ++pieces;
+        }
+    }
+    EXPECT_GT(pieces, 30);
 }
 
 }  // namespace

@@ -5,8 +5,10 @@
 #include <BulletDynamics/Featherstone/btMultiBodyDynamicsWorld.h>
 
 #include <algorithm>
+#include <functional>
 #include <vector>
 
+#include "bullet/ground/ground_surface.h"
 #include "bullet/island/contact_motion.h"
 #include "bullet/island/other_joints.h"
 #include "bullet/world/body_travel.h"
@@ -26,6 +28,7 @@ constexpr btScalar rocking = 10;
 constexpr double patience = 2;              // with one that turns on and on: times Bullet's
 constexpr btScalar calming = 2;             // of the angle that it can fall over by in a step
 constexpr double usual_deactivation_s = 2;  // gDeactivationTime, as Bullet has it
+constexpr btScalar shallow_m = btScalar(1e-3), deep_m = btScalar(3e-3);  // in the ground
 
 /// Adds a step to how long a piece has been where it is, and returns that, s. `way`: how far it has come from
 /// there, m.
@@ -71,24 +74,50 @@ void settle(Breakable& piece, bool is_on_joint, double time_step_s) {
         body.setActivationState(WANTS_DEACTIVATION);
 }
 
-/// Fragments with a contact deep in what does not give way; sorted.
-std::vector<const btCollisionObject*> sunkPieces(const btDiscreteDynamicsWorld& world,
-                                                 const BreakableRegistry& breakables) {
-    constexpr btScalar deep_m = btScalar(3e-3);
-    std::vector<const btCollisionObject*> sunk;
+/// A fragment in what does not give way.
+struct SunkPiece {
+    const btCollisionObject* piece = nullptr;
+    btScalar depth = 0;  // of its deepest contact, m
+    btVector3 out;       // unit
+    bool is_still_solid = false;
+};
+
+/// One for each, sorted by their addresses.
+std::vector<SunkPiece> sunkPieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry& breakables) {
+    std::vector<SunkPiece> sunk;
     btDispatcher& dispatcher = *const_cast<btDiscreteDynamicsWorld&>(world).getDispatcher();
     for (int i = 0; i < dispatcher.getNumManifolds(); ++i) {
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(i);
         const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
         if (givesWay(*a) == givesWay(*b) || !dispatcher.needsResponse(a, b)) continue;
-        const btCollisionObject* const piece = givesWay(*a) ? a : b;
-        bool is_deep = false;
-        for (int p = 0; p < manifold.getNumContacts(); ++p)
-            is_deep = is_deep || manifold.getContactPoint(p).getDistance() < -deep_m;
-        if (is_deep && breakables.isFragment(*piece)) sunk.push_back(piece);
+        const btCollisionObject& ground = givesWay(*a) ? *b : *a;
+        SunkPiece found{
+            givesWay(*a) ? a : b, shallow_m, {}, ground.isStaticObject() && !isGroundSurface(ground)};
+        for (int p = 0; p < manifold.getNumContacts(); ++p) {
+            const btManifoldPoint& point = manifold.getContactPoint(p);
+            if (!(-point.getDistance() > found.depth)) continue;
+            found.depth = -point.getDistance();
+            found.out = found.piece == a ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
+        }
+        if (found.depth > shallow_m && breakables.isFragment(*found.piece)) sunk.push_back(found);
     }
-    std::sort(sunk.begin(), sunk.end());
+    std::stable_sort(sunk.begin(), sunk.end(), [](const SunkPiece& a, const SunkPiece& b) {
+        return a.piece != b.piece ? std::less<>()(a.piece, b.piece) : a.depth > b.depth;
+    });
+    const auto same = [](const SunkPiece& a, const SunkPiece& b) { return a.piece == b.piece; };
+    sunk.erase(std::unique(sunk.begin(), sunk.end(), same), sunk.end());
     return sunk;
+}
+
+/// Moves it out of the ground as fast as its contacts are let push it (steadyContacts), without a speed: what
+/// lies on it and is heavier may push it in faster, since the solver does not converge there.
+void lift(btRigidBody& body, const SunkPiece& sunk, double time_step_s) {
+    constexpr btScalar speed_m_s = btScalar(0.05), steepest = btScalar(0.5);  // cosine
+    const btScalar gravity = body.getGravity().length();
+    if (!sunk.is_still_solid || !(gravity > 0) || sunk.out.dot(body.getGravity()) > -steepest * gravity)
+        return;
+    const btScalar way = std::min(sunk.depth - shallow_m, speed_m_s * btScalar(time_step_s));
+    body.translate(way * sunk.out);
 }
 
 /// Bullet takes bodies out of the ground so slowly that they count as at rest: for as long as it takes by its
@@ -124,13 +153,18 @@ void settlePieces(const btDiscreteDynamicsWorld& world, const BreakableRegistry&
                   double time_step_s) {
     const std::vector<const btRigidBody*> on_joints = bodiesOnJoints(world);
     const bool sleep_early = gDeactivationTime < usual_deactivation_s;
-    const auto sunk = sleep_early ? sunkPieces(world, breakables) : std::vector<const btCollisionObject*>();
+    const std::vector<SunkPiece> all_sunk = sunkPieces(world, breakables);
     for (const auto& breakable : breakables.all()) {
         if (!breakable->in_world || !breakable->isFragment() || !breakable->isDynamic()) continue;
-        const btRigidBody* const body = breakable->body;
-        if (sleep_early)
-            keepAwake(*breakable, std::binary_search(sunk.begin(), sunk.end(), body), time_step_s);
-        settle(*breakable, std::binary_search(on_joints.begin(), on_joints.end(), body), time_step_s);
+        btRigidBody* const body = breakable->body;
+        const bool is_on_joint = std::binary_search(on_joints.begin(), on_joints.end(), body);
+        const auto sunk = std::lower_bound(
+            all_sunk.begin(), all_sunk.end(), body,
+            [](const SunkPiece& a, const btCollisionObject* b) { return std::less<>()(a.piece, b); });
+        const bool is_sunk = sunk != all_sunk.end() && sunk->piece == body;
+        if (sleep_early) keepAwake(*breakable, is_sunk && sunk->depth > deep_m, time_step_s);
+        if (is_sunk && !is_on_joint && body->isActive()) lift(*body, *sunk, time_step_s);
+        settle(*breakable, is_on_joint, time_step_s);
     }
 }
 

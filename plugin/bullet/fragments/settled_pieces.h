@@ -15,6 +15,7 @@ namespace sherd {
 /// So does one that turns on a spot for as long as it takes Bullet to let bodies sleep, and after twice that
 /// time it counts as one at rest: on rough ground a shard may turn for good, and keeps its heap awake.
 /// Pieces on joints and without gravity are left alone but for the first.
+/// Pieces in the ground are moved out of it, little by little.
 /// Where the app lets bodies sleep earlier than Bullet's 2 s, pieces deep in the ground stay awake for that
 /// long: Bullet lifts them out of it more slowly than what counts as rest. For before a solve, of bodies that
 /// are in the world.
