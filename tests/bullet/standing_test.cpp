@@ -198,6 +198,36 @@ TEST(Landing, DeepIsAsShallowWhereManyVerticesAreBelow) {
     }
 }
 
+// In a step of 1/60 s gravity gives a body 0.16 m/s, and what rests may come back with twice that.
+TEST(Standing, WhatIsHeavyAndSetDownSlowlyStrikesAtAllRates) {
+    const auto pane =
+        BreakableAsset::fromMesh(shapes::box(Vec3(-0.5, -0.4, -0.003), Vec3(0.5, 0.4, 0.003), 10, 8, 1),
+                                 Material::glass(), Settings::forQuality(Quality::preview));
+    ASSERT_TRUE(pane.ok()) << pane.error();
+    std::vector<double> stress_pa;
+    for (const double& rate : rates) {
+        TestWorld scene;
+        for (const btScalar side : {-1.0f, 1.0f})
+            scene.addBox(0, btVector3(0.01f, 0.5f, 0.05f), btVector3(0.48f * side, 0, -0.053f));
+        FractureWorld fracture(scene.world.get());
+        ASSERT_TRUE(fracture.add(pane.value(), at(0, 0, 0)).ok());
+        for (btRigidBody* body : fracture.bodies()) body->setGravity(btVector3(0, 0, btScalar(-9.81)));
+        scene.step(static_cast<int>(rate / 4), 1 / rate);
+        EXPECT_TRUE(fracture.takeEvents().empty()) << "at rest";
+        scene.addBall(500, 0.1, btVector3(0, 0, 0.104f), btVector3(0, 0, -0.3f));
+        for (int i = 0; i < rate / 4 && stress_pa.size() == std::size_t(&rate - rates); ++i) {
+            scene.step(1, 1 / rate);
+            for (const BlowEvent& event : fracture.takeEvents()) {
+                EXPECT_EQ(event.outcome, Outcome::broke) << rate;
+                stress_pa.push_back(event.largest_stress_pa);
+                break;
+            }
+        }
+        ASSERT_EQ(stress_pa.size(), std::size_t(&rate - rates) + 1) << rate;
+    }
+    for (const double stress : stress_pa) EXPECT_NEAR(stress / stress_pa.back(), 1, 0.05);
+}
+
 /// The first solved blow of a ball of 5 kg that touches a plate at 8 m/s with a force behind it; outcome
 /// `held` and no stress if none was solved.
 BlowEvent blowOfPushedBall(double force_n, double rate) {

@@ -114,6 +114,16 @@ double slowestStrike(const PointMotion& a, const PointMotion& b, double time_ste
     return resting_steps * time_step_s * std::max(std::abs(a.gravity), std::abs(b.gravity));
 }
 
+bool isSetDown(const btCollisionObject& heavy, const btCollisionObject& body, double closing_m_s,
+               double depth_m, double time_step_s) {
+    constexpr btScalar times_as_heavy = 3;
+    constexpr double slowest_m_s = 0.02, apart_m = 3e-4;  // what rests rubs and trembles by less
+    if (!(closing_m_s > slowest_m_s) || !(closing_m_s * time_step_s - depth_m > apart_m)) return false;
+    if (!givesWay(heavy) || !givesWay(body)) return false;
+    return times_as_heavy * btRigidBody::upcast(&heavy)->getInvMass() <=
+           btRigidBody::upcast(&body)->getInvMass();
+}
+
 double largestRestingGap() {
     return 1e-3;
 }
