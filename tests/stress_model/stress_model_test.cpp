@@ -95,4 +95,21 @@ TEST(StressModel, TheOtherFaceOfAThinRingIsFree) {
     EXPECT_NEAR(acrossFacet(0.1005, 0.1, 96, 0.1005), 0, 1);
 }
 
+// Points that stand for a pressure lie closer than the grid can tell, however large the surface is.
+TEST(StressModel, PressureAllAroundIsTheSameEverywhere) {
+    for (const Quality quality : {Quality::game, Quality::film}) {
+        const auto cup = StressModel::make(shapes::cup(0.036, 0.1, 0.004, 40, 16), Material::ceramic(),
+                                           Settings::forQuality(quality));
+        ASSERT_TRUE(cup.ok()) << cup.error();
+        const auto solved = cup.value().solve({pressureOn(SphereRegion{Vec3(0, 0, 0), 10}, 1e6)});
+        ASSERT_TRUE(solved.ok()) << solved.error();
+        SymmetricTensor exact = SymmetricTensor::Zero();
+        exact.head<3>().setConstant(-1e6);
+        for (const SymmetricTensor& stress : solved.value().particles)
+            EXPECT_LT((stress - exact).cwiseAbs().maxCoeff(), 0.02e6);
+        for (const SymmetricTensor& stress : solved.value().surface)
+            EXPECT_LT((stress - exact).cwiseAbs().maxCoeff(), 0.05e6);
+    }
+}
+
 }  // namespace

@@ -14,8 +14,8 @@ namespace sherd {
 
 namespace {
 
-constexpr double points_across = 8;   // at least, over the root of a region's area
-constexpr double most_points = 4000;  // about, of a flat region
+constexpr double points_across = 8;  // at least, over the root of a region's area
+constexpr double most_points = 1e6;  // about, of a flat region
 
 /// Merges the quadrature points that lie in the same cube of a grid and face alike into one.
 class MergingGrid {
