@@ -456,4 +456,30 @@ TEST(CollisionShapes, TheHullsOfAGlassHaveMarginsAlike) {
         EXPECT_LT(parts.getChildShape(i)->getMargin(), 5e-4) << i;
 }
 
+// Ten thousand times as long as it is thick.
+TEST(CollisionShapes, NeedlesAndFoilsHaveThemAll) {
+    const Vec3 needle(1e-4, 1e-4, 1), foil(1, 0.6, 1e-4);
+    const Mat3 turn = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+    for (const Vec3& size : {needle, foil})
+        for (const Mat3& turned : {Mat3(Mat3::Identity()), turn}) {
+            const auto asset = BreakableAsset::fromMesh(
+                shapes::moved(shapes::box(-size / 2, size / 2), turned), Material::ceramic());
+            ASSERT_TRUE(asset.ok()) << asset.error();
+            TestWorld scene;
+            FractureWorld fracture(scene.world.get());
+            btRigidBody* body = fracture.add(asset.value(), at(0, 0, 2)).value();
+            scene.world->setGravity(btVector3(0, 0, -10));
+            body->setGravity(btVector3(0, 0, -10));
+            scene.step();
+            EXPECT_LT(body->getLinearVelocity().z(), -0.01) << "it falls";
+            btVector3 low, high;  // about its principal axes
+            body->getCollisionShape()->getAabb(btTransform::getIdentity(), low, high);
+            btVector3 extent = high - low;
+            std::sort(&extent[0], &extent[0] + 3);
+            Vec3 exact = size;
+            std::sort(exact.data(), exact.data() + 3);
+            for (int axis = 0; axis < 3; ++axis) EXPECT_NEAR(extent[axis], exact[axis], 1e-3);
+        }
+}
+
 }  // namespace

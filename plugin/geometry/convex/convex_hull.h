@@ -11,7 +11,7 @@ namespace sherd {
 /// A convex polyhedron.
 struct ConvexHull {
     std::vector<Vec3> vertices;  ///< m
-    double volume = 0;           ///< m^3; 0 for points in a plane
+    double volume = 0;           ///< m^3; 0 for points in a plane, or nearly so
     double outside = 0;  ///< how far some of the points that it is the hull of may lie outside it, about, m
 };
 

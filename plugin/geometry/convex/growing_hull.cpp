@@ -13,6 +13,9 @@ namespace sherd {
 namespace {
 
 constexpr double relative_rounding = 1e-6;  // of the diagonal of the box
+// Of a face, in what is rounded: the normal of a lower one is off by as much as rounding is of its height.
+constexpr float least_height = 100;
+constexpr float least_thickness = 2 * least_height;  // of the points: with less, sides are such faces
 constexpr std::size_t usual_faces = 128;
 constexpr float one_plane = 1e-4f;  // angle between faces that lie in one plane, but for rounding
 
@@ -69,7 +72,7 @@ std::vector<int> GrowingHull::outermostIn(const Vec3& box_sizes) const {
     return found;
 }
 
-/// Of a large tetrahedron; none of points in a plane.
+/// Of a large tetrahedron; none of points in a plane, or nearly so.
 std::vector<int> GrowingHull::firstCorners(const std::vector<int>& points) const {
     const Vec3 any = at(points.front());
     const int first = furthestOf(points, [&](int p) { return (at(p) - any).squaredNorm(); });
@@ -78,11 +81,11 @@ std::vector<int> GrowingHull::firstCorners(const std::vector<int>& points) const
     const Vec3 way = (at(b) - a).normalized();
     const auto fromLine = [&](int p) { return way.cross(at(p) - a).norm(); };
     const int c = furthestOf(points, fromLine);
-    if (!(fromLine(c) > rounding_)) return {};
+    if (!(fromLine(c) > least_thickness * rounding_)) return {};
     const Vec3 normal = (at(b) - a).cross(at(c) - a).normalized();
     const auto above = [&](int p) { return normal.dot(at(p) - a); };
     const int d = furthestOf(points, [&](int p) { return std::abs(above(p)); });
-    if (!(std::abs(above(d)) > rounding_)) return {};
+    if (!(std::abs(above(d)) > least_thickness * rounding_)) return {};
     if (above(d) > 0) return {first, c, b, d};
     return {first, b, c, d};
 }
@@ -115,8 +118,6 @@ int GrowingHull::makeFace(int a, int b, int c) {
     const double length = area.norm();
     Face face;
     face.corners = {a, b, c};
-    // The normal of a sliver is off by as much as rounding is of its height: far away it says nothing.
-    constexpr double least_height = 100;  // in what is rounded
     const double least = least_height * rounding_;
     if (length * length > least * least * std::max(side.squaredNorm(), other.squaredNorm())) {
         const Vec3 normal = area / length;

@@ -15,7 +15,7 @@ class GrowingHull {
     /// The hull of the points that are outermost in 26 directions.
     explicit GrowingHull(const std::vector<Vec3>& points);
 
-    /// Whether the points lie in a plane or on a line, but for rounding: then there is no hull.
+    /// Whether the points lie in a plane or on a line, or nearly so (to 2e-4 of their extent): no hull then.
     bool isFlat() const { return faces_.empty(); }
     /// Adds points until there are `most_vertices` or none lies further outside than `tolerance_m`.
     void growTo(int most_vertices, double tolerance_m);
