@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "bullet/fracture_world_impl.h"
@@ -30,6 +31,16 @@ void setUp(OwnedBody& owned, const btTransform& body_from_asset, const BodyOptio
     body.setCenterOfMassTransform(place);  // of which setMotionState may have made another
     body.setUserPointer(options.user_pointer);
     body.setUserIndex(options.user_index);
+}
+
+/// Bullet squares masses, in single precision.
+Status checkMass(double kilograms) {
+    constexpr double least_kg = 1e-12, most_kg = 1e12;
+    if (kilograms >= least_kg && kilograms <= most_kg) return success();
+    std::ostringstream sentence;
+    sentence << "the body would weigh " << kilograms << " kg, and Bullet can move bodies from " << least_kg
+             << " to " << most_kg << " kg; check the material's density_kg_m3 and the unit of the mesh";
+    return Error{sentence.str()};
 }
 
 }  // namespace
@@ -116,6 +127,7 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const bool is_static = asset.solid()->isAnchored();
     if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
         return Error{"a body with supports is static, so its velocities must be 0"};
+    if (const Status usable = checkMass(asset.mass()); !usable) return Error{usable.error()};
     const ThreadsAsAllowed threads(*this);
     const auto sampling = asset.solid()->discretisation();
     if (!sampling) return Error{sampling.error()};

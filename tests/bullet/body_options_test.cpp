@@ -213,4 +213,17 @@ TEST(Rendering, FragmentsAreDrawnWhereTheWholeWasFromTheirFirstFrameOn) {
     }
 }
 
+TEST(BodyOptions, MassesBeyondSinglePrecisionAreRefused) {
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    for (const double density : {1e-40, 1e30}) {
+        Material material = Material::plaster();
+        material.density_kg_m3 = density;
+        const auto body = fracture.add(plate(material), at(0, 0, 0));
+        ASSERT_FALSE(body.ok()) << density;
+        EXPECT_NE(body.error().find("density_kg_m3"), std::string::npos) << body.error();
+    }
+    EXPECT_EQ(scene.world->getNumCollisionObjects(), 0);
+}
+
 }  // namespace
