@@ -27,9 +27,11 @@ enum class Priority {
 ///   breaks another one in the step; then as far as `milliseconds_per_step` and `solves_per_step` go;
 /// - blows on a whole body by fragments alone: as far as these go, and one at least where there is no such
 ///   crowd and a fragment of more than half of the body's mass is among them;
-/// - blows on a crowd of free whole bodies, more than `solves_per_step`, by what is 10 times as heavy as each
-///   of them, kinematic bodies among that: so many, the most urgent, unless something behind a body would
-///   stop what strikes it;
+/// - blows on a crowd of free whole bodies, more than `solves_per_step`, by what moves against them and is 10
+///   times as heavy as each, kinematic bodies among that: so many, the most urgent, unless something behind a
+///   body would stop what strikes it;
+/// - blows on such a crowd by what does not move against them and is twice as heavy as each, such as a shelf
+///   on which they are set down: as those by the ground;
 /// - what an explosion does to whole and held bodies: all of it if these are no more than `solves_per_step`,
 ///   else one at least.
 ///

@@ -214,7 +214,8 @@ struct FractureSettings {
     /// planned. Cracks that come out larger are cut as long as they cost no more than four times that, or all
     /// of the energy (CrackPattern::stress).
     double energy_into_cracks = 0.05;
-    /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it.
+    /// Pieces of one break at most, the undamaged ones included; `fragment_count` is not above it. A body of
+    /// several solids breaks into these at least.
     int largest_fragment_count = 20;
     /// Of what is damaged fewer pieces are made where they would be smaller than this on average, and a body
     /// below it never breaks. Pieces that come out smaller all the same are debris. At 0 it is 1/200 of the
