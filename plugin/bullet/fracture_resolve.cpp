@@ -157,6 +157,7 @@ std::vector<std::unique_ptr<Breakable>> FractureWorld::Impl::makePieces(const Br
         event.outcome = Outcome::failed;
         event.message = std::string("the fragments' bodies could not be made (") + trouble.what() +
                         "); the body stays whole";
+        if (parent.isFragment()) turnAboutOneAxis(*parent.body);
         return {};
     }
 }
@@ -179,6 +180,7 @@ std::vector<btCollisionObject*> FractureWorld::Impl::exchange(Break& broken, Bre
     for (Breakable* fragment : born) {
         const auto callback = on_fragment_;  // which may set another one
         if (*callback && !released_) announceBirth(world_, *callback, parent, *fragment, event);
+        turnAboutOneAxis(*fragment->body);
         event.fragments.push_back(fragment->body);
     }
     RemovedJoints joints = removeFromWorld(world_, parent);

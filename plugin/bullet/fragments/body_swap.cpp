@@ -5,6 +5,7 @@
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
 
 #include <algorithm>
+#include <optional>
 #include <unordered_set>
 
 #include "bullet/fragments/fragment_motion.h"
@@ -90,7 +91,34 @@ bool isHeld(const std::unique_ptr<Breakable>& piece) {
     return piece->body->isStaticObject();
 }
 
+/// The one axis about which factors let a body turn; none if it turns about more or none.
+std::optional<btVector3> freeAxis(const btRigidBody& body) {
+    const btVector3& factor = body.getAngularFactor();
+    const btVector3 axis(factor.x() != 0, factor.y() != 0, factor.z() != 0);
+    return axis.length2() == 1 ? std::optional<btVector3>(axis) : std::nullopt;
+}
+
+/// What `turnAboutOneAxis` took from a fragment, whose momentum its pieces are to have.
+void restoreInertia(const Breakable& fragment, double mass_scale) {
+    const BreakableSolid& solid = *fragment.asset.solid();
+    const Vec3 inertia =
+        mass_scale * solid.material().density_kg_m3 * principalFrame(solid.moments()).inertia;
+    const Vec3 inverse = inertia.cwiseInverse();
+    fragment.body->setInvInertiaDiagLocal(
+        btVector3(btScalar(inverse.x()), btScalar(inverse.y()), btScalar(inverse.z())));
+    fragment.body->updateInertiaTensor();
+}
+
 }  // namespace
+
+void turnAboutOneAxis(btRigidBody& body) {
+    const std::optional<btVector3> axis = freeAxis(body);
+    if (!axis || !(body.getInvMass() > 0)) return;
+    const btVector3 own = *axis * body.getWorldTransform().getBasis();
+    const btScalar inverse = 1 / (own * own).dot(body.getLocalInertia());
+    body.setInvInertiaDiagLocal(btVector3(inverse, inverse, inverse));
+    body.updateInertiaTensor();
+}
 
 std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& parent,
                                                            const DecidedBlow& decided,
@@ -98,6 +126,7 @@ std::vector<std::unique_ptr<Breakable>> makeFragmentBodies(const Breakable& pare
     btRigidBody& whole = *parent.body;
     const bool was_static = whole.getInvMass() == 0;
     const double mass_scale = was_static ? 1 : 1 / (whole.getInvMass() * parent.asset.mass());
+    if (parent.isFragment() && !was_static && freeAxis(whole)) restoreInertia(parent, mass_scale);
     const btTransform world_from_asset = parent.placed(whole.getWorldTransform());
     const btTransform drawn_from_asset = parent.placed(renderedTransform(whole));
     std::vector<std::unique_ptr<Breakable>> pieces;

@@ -14,6 +14,11 @@ class btDiscreteDynamicsWorld;
 
 namespace sherd {
 
+/// A body that factors let turn about one axis alone gets its moment of inertia about that for all axes.
+/// Bullet's solver would take a turn about the others, which it then leaves out, to turn it about this one,
+/// too, and it would gain energy without end.
+void turnAboutOneAxis(btRigidBody& body);
+
 /// The fragments that `parent` broke into as rigid bodies, not in a world yet. They are placed where the
 /// parent's material is, move with the rigid motion that has the parent's linear and angular momentum, and
 /// inherit everything that an app may have set on the parent: friction, restitution, damping, factors, flags,
