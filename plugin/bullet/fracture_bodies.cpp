@@ -127,7 +127,8 @@ Result<btRigidBody*> FractureWorld::Impl::add(const BreakableAsset& free_asset, 
     const bool is_static = asset.solid()->isAnchored();
     if (is_static && !(options.velocity.isZero() && options.angular_velocity.isZero()))
         return Error{"a body with supports is static, so its velocities must be 0"};
-    if (const Status usable = checkMass(asset.mass()); !usable) return Error{usable.error()};
+    if (!is_static)
+        if (const Status usable = checkMass(asset.mass()); !usable) return Error{usable.error()};
     const ThreadsAsAllowed threads(*this);
     const auto sampling = asset.solid()->discretisation();
     if (!sampling) return Error{sampling.error()};

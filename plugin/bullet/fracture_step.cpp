@@ -17,10 +17,10 @@
 #include <utility>
 
 #include "bullet/fracture_world_impl.h"
-#include "bullet/fragments/settled_pieces.h"
 #include "bullet/ground/ground_contact.h"
 #include "bullet/ground/ground_surface.h"
 #include "bullet/ground/quiet_step.h"
+#include "bullet/ground/settled_pieces.h"
 #include "bullet/ground/steady_contacts.h"
 #include "bullet/world/extra_contacts.h"
 

@@ -115,10 +115,12 @@ double slowestStrike(const PointMotion& a, const PointMotion& b, double time_ste
 }
 
 bool isSetDown(const btCollisionObject& heavy, const btCollisionObject& body, double closing_m_s,
-               double depth_m, double time_step_s) {
+               double depth_m, double slowest_m_s, double time_step_s) {
     constexpr btScalar times_as_heavy = 3;
-    constexpr double slowest_m_s = 0.02, apart_m = 3e-4;  // what rests rubs and trembles by less
-    if (!(closing_m_s > slowest_m_s) || !(closing_m_s * time_step_s - depth_m > apart_m)) return false;
+    constexpr double of_slowest = 0.6;  // two steps of fall: what was put down with a gap falls for one
+    constexpr double apart_m = 3e-4;    // what rests rubs by less
+    if (!(closing_m_s > of_slowest * slowest_m_s)) return false;
+    if (!(closing_m_s * time_step_s - depth_m > apart_m)) return false;
     if (!givesWay(heavy) || !givesWay(body)) return false;
     return times_as_heavy * btRigidBody::upcast(&heavy)->getInvMass() <=
            btRigidBody::upcast(&body)->getInvMass();

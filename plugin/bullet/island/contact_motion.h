@@ -54,10 +54,11 @@ TouchOfPoints touchOf(const PointMotion& pushed, const PointMotion& other, const
 /// Closing speed of two points, m/s, up to which they rest on each other: two steps of free fall of one.
 double slowestStrike(const PointMotion& a, const PointMotion& b, double time_step_s);
 
-/// Whether a point of a body meets one of another that is several times as heavy, and was apart from it a
-/// step before: such a one strikes, however slowly it is set down. `closing_m_s` and `depth_m` as above.
+/// Whether a point of a body meets one of another that is several times as heavy, was apart from it a step
+/// before, and is faster than a step of free fall would make it: such a one strikes, if it is slower than
+/// `slowest_m_s` (slowestStrike), too. `closing_m_s` and `depth_m` as above.
 bool isSetDown(const btCollisionObject& heavy, const btCollisionObject& body, double closing_m_s,
-               double depth_m, double time_step_s);
+               double depth_m, double slowest_m_s, double time_step_s);
 
 /// Between bodies that rest on each other, at most, m.
 double largestRestingGap();

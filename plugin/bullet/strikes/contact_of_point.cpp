@@ -126,9 +126,9 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     // What the app pushes strikes as what flies freely does: only gravity makes bodies at rest seem to close.
     const double slowest = slowestStrike(self, partner, time_step_s_);
     const bool is_quick = closing > slowest && !(touch.is_bent && touch.speed_m_s <= slowest);
-    const bool strikes =
-        (is_quick || isSetDown(striker, *own.party->object, closing, depth_m, time_step_s_)) &&
-        !rubInEachOther(own, other, closing);
+    const bool is_set_down = !own.party->breakable->isFragment() &&
+                             isSetDown(striker, *own.party->object, closing, depth_m, slowest, time_step_s_);
+    const bool strikes = (is_quick || is_set_down) && !rubInEachOther(own, other, closing);
     // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
     const bool is_turned = strikes && &striker == ground_ && !(own_ball > 0);
     const btMatrix3x3 basis = is_turned

@@ -67,9 +67,10 @@ void Piles::look(const btPersistentManifold& manifold, bool is_predictive, std::
         const PointMotion of_a = motionAt(*a, before_a, place, push, time_step_s_),
                           of_b = motionAt(*b, before_b, place, push, time_step_s_);
         const double closing = (of_b.velocity - of_a.velocity).dot(push);
-        const bool is_set_down = isSetDown(*a, *b, closing, -point.getDistance(), time_step_s_) ||
-                                 isSetDown(*b, *a, closing, -point.getDistance(), time_step_s_);
-        if (!is_set_down && !(closing > slowestStrike(of_a, of_b, time_step_s_))) continue;
+        const double slowest = slowestStrike(of_a, of_b, time_step_s_), depth = -point.getDistance();
+        const bool is_set_down = isSetDown(*a, *b, closing, depth, slowest, time_step_s_) ||
+                                 isSetDown(*b, *a, closing, depth, slowest, time_step_s_);
+        if (!is_set_down && !(closing > slowest)) continue;
         const double speed = speedOfTouch(closing, of_b.fall - of_a.fall, -point.getDistance(), time_step_s_);
         const double touched_s = timeSinceTouch(closing, -point.getDistance(), time_step_s_);
         noteStop(*a, *b, {place, push, speed, touched_s});

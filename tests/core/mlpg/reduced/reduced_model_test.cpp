@@ -119,6 +119,21 @@ TEST(CompactSolid, HasTheStressOfTheFullSolve) {
     }
 }
 
+// It sways on its support: modes know how much, and the stiffness in 16 bits does not.
+TEST(CompactSolid, OnASmallSupportStoresNoMoreThanTheFullSolve) {
+    std::vector<SupportPoint> foot;
+    for (const double x : {-0.01, 0.0, 0.01})
+        for (const double y : {-0.01, 0.0, 0.01}) foot.push_back({Vec3(x, y, -0.1), 1e-4});
+    const BothSolutions both =
+        bothSolutions(shapes::box(Vec3(-0.1, -0.1, -0.1), Vec3(0.1, 0.1, 0.1), 6, 6, 6), 0.02, foot);
+    std::mt19937 random(7);
+    for (int i = 0; i < 12; ++i) {
+        const auto loads = randomPush(*both.solid, 0.03, random);
+        const double energy = fullSolution(both, loads).second;
+        EXPECT_LT(valueOf(both.reduced.model.respond(loads)).strain_energy_j, 1.001 * energy);
+    }
+}
+
 TEST_F(ReducedModelTest, PackedStiffnessIsThatOfTheProblem) {
     const PackedStiffness& packed = wall().reduced.model.stiffness();
     const Eigen::VectorXd u = Eigen::VectorXd::LinSpaced(wall().stiffness.size(), -1, 1).array().sin();

@@ -1,4 +1,4 @@
-#include "bullet/fragments/settled_pieces.h"
+#include "bullet/ground/settled_pieces.h"
 
 #include <BulletDynamics/ConstraintSolver/btTypedConstraint.h>
 #include <BulletDynamics/Dynamics/btDiscreteDynamicsWorld.h>
@@ -91,8 +91,10 @@ std::vector<SunkPiece> sunkPieces(const btDiscreteDynamicsWorld& world, const Br
         const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
         if (givesWay(*a) == givesWay(*b) || !dispatcher.needsResponse(a, b)) continue;
         const btCollisionObject& ground = givesWay(*a) ? *b : *a;
-        SunkPiece found{
-            givesWay(*a) ? a : b, shallow_m, {}, ground.isStaticObject() && !isGroundSurface(ground)};
+        SunkPiece found{givesWay(*a) ? a : b,
+                        shallow_m,
+                        {},
+                        ground.isStaticObject() && !ground.isKinematicObject() && !isGroundSurface(ground)};
         for (int p = 0; p < manifold.getNumContacts(); ++p) {
             const btManifoldPoint& point = manifold.getContactPoint(p);
             if (!(-point.getDistance() > found.depth)) continue;
@@ -117,7 +119,7 @@ void lift(btRigidBody& body, const SunkPiece& sunk, double time_step_s) {
     if (!sunk.is_still_solid || !(gravity > 0) || sunk.out.dot(body.getGravity()) > -steepest * gravity)
         return;
     const btScalar way = std::min(sunk.depth - shallow_m, speed_m_s * btScalar(time_step_s));
-    body.translate(way * sunk.out);
+    body.translate(way * sunk.out * body.getLinearFactor());
 }
 
 /// Bullet takes bodies out of the ground so slowly that they count as at rest: for as long as it takes by its
