@@ -230,6 +230,12 @@ class ObjParser {
 }  // namespace
 
 Result<TriangleMesh> parseObj(std::string_view text, const std::string& name) {
+    constexpr std::size_t head = 1000;  // bytes
+    if (text.substr(0, head).find('\0') != std::string_view::npos)
+        return Error{
+            name +
+            ": this is no plain text, as an OBJ file is: it is binary, or UTF-16; export it as an OBJ "
+            "file, or save it as UTF-8."};
     return ObjParser(name).parse(text);
 }
 

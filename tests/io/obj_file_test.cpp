@@ -150,6 +150,12 @@ TEST(ObjFile, IsScaledAndTurnedUpright) {
     EXPECT_EQ(mesh.value().file_faces, (std::vector<int>{1, 2, 3, 4}));
 }
 
+TEST(ObjFile, WhatIsNoPlainTextIsNamed) {
+    const auto read = parseObj(std::string_view("v\0 \0", 4), "wide.obj");  // UTF-16
+    ASSERT_FALSE(read.ok());
+    EXPECT_NE(read.error().find("wide.obj: this is no plain text"), std::string::npos) << read.error();
+}
+
 TEST(ObjFile, FilesThatCannotBeReadSaySo) {
     EXPECT_EQ(readObj(dataFile("not_there.obj")).error(),
               dataFile("not_there.obj") + " cannot be opened; check that the file is there and may be read.");
