@@ -123,7 +123,7 @@ class ReducedModel {
     Eigen::VectorXf workOnVibrations(const Eigen::VectorXd& forces) const;
     BeyondModes beyondModes(const Eigen::VectorXd& forces, const StruckModes& struck,
                             const LocalSystem& system) const;
-    Result<Solution> solve(const std::vector<PointForce>& loads, LocalSystem& kept) const;
+    Result<Eigen::VectorXd> forcesOf(const std::vector<PointForce>& loads, LocalSystem& kept) const;
     Result<Solution> solve(const Eigen::VectorXd& forces, const LocalSystem& system) const;
     Result<ReducedResponse> respondInModes(const Eigen::VectorXd& forces, const LocalSystem& system) const;
     void refine(const Eigen::VectorXd& forces, ReducedResponse& response) const;
