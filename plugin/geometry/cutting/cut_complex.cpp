@@ -16,6 +16,7 @@ std::uint64_t edgeKey(int a, int b) {
 CutComplex::CutComplex(const TriangleMesh& body)
     : points_(body.vertices),
       body_point_count_(static_cast<int>(body.vertices.size())),
+      body_face_count_(static_cast<int>(body.triangles.size())),
       has_split_edge_(points_.size(), 0) {
     faces_.reserve(2 * body.triangles.size());
     for (const Triangle& corners : body.triangles) {
@@ -70,7 +71,7 @@ void CutComplex::refine(int face) {
 }
 
 void CutComplex::appendWhole(const FaceSide& at, std::vector<FaceSide>& whole) {
-    refine(at.face);
+    if (at.face >= body_face_count_) refine(at.face);  // no edge of the body is shared by several parts
     if (faces_[at.face].first_child < 0) return whole.push_back(at);
     front_.assign(1, at.face);
     while (!front_.empty()) {
@@ -83,7 +84,8 @@ void CutComplex::appendWhole(const FaceSide& at, std::vector<FaceSide>& whole) {
 }
 
 void CutComplex::refineAll() {
-    for (std::size_t f = 0; f < faces_.size(); ++f) refine(static_cast<int>(f));
+    for (auto f = static_cast<std::size_t>(body_face_count_); f < faces_.size(); ++f)
+        refine(static_cast<int>(f));
 }
 
 }  // namespace sherd

@@ -56,7 +56,7 @@ class CutComplex {
 
   private:
     std::vector<Vec3> points_;
-    int body_point_count_;
+    int body_point_count_, body_face_count_;
     std::vector<char> has_split_edge_;  // #points, whether one ends there that is in `on_edges_`
     std::vector<Face> faces_;
     std::unordered_map<std::uint64_t, int> on_edges_;  // of cracks, which faces of several parts share

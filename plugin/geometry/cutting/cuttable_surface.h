@@ -20,17 +20,22 @@ class CuttableSurface {
     /// Whether each edge has two triangles, which run along it in opposite directions.
     bool isClosed() const { return is_closed_; }
 
-    /// Triangles that follow each other in the mesh are mostly near each other: a block of them is looked at
-    /// once.
+    /// Triangles that are near each other: a block of them is looked at once.
     int blockCount() const { return static_cast<int>(block_boxes_.size()); }
-    /// The first triangle of a block; for `blockCount()` the number of triangles.
-    int blockBegin(int block) const;
     const std::vector<Eigen::AlignedBox3d>& blockBoxes() const { return block_boxes_; }
+    /// Calls visit(triangle) for those of a block.
+    template <class Visit>
+    void forEachIn(int block, const Visit& visit) const {
+        for (int i = blockBegin(block); i < blockBegin(block + 1); ++i) visit(order_[i]);
+    }
 
   private:
+    int blockBegin(int block) const;
+
     const TriangleMesh& mesh_;
     EdgeTable edges_;
     bool is_closed_;
+    std::vector<int> order_;  // #triangles, block after block
     std::vector<Eigen::AlignedBox3d> block_boxes_;
 };
 

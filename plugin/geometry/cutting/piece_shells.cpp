@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/numerics/parallel_chunks.h"
 #include "core/numerics/union_find.h"
 #include "geometry/cutting/point_location.h"
 
@@ -152,7 +153,8 @@ std::vector<PieceShell> collectShells(const LabelBoundary& boundary, const std::
     }
     for (std::size_t s = 0; s < shells.size(); ++s) shells[s].triangles.reserve(sizes[s]);
     for (int t = 0; t < count; ++t) shells[shell_of[t]].triangles.push_back(t);
-    for (PieceShell& shell : shells) shell.volume = signedVolumeOf(shell, boundary, points, origin);
+    forEachChunk(static_cast<int>(shells.size()),
+                 [&](int s) { shells[s].volume = signedVolumeOf(shells[s], boundary, points, origin); });
     return shells;
 }
 

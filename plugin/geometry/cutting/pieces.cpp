@@ -1,5 +1,7 @@
 #include "geometry/cutting/pieces.h"
 
+#include <numeric>
+
 #include "core/numerics/mesh_measures.h"
 #include "core/numerics/parallel_chunks.h"
 #include "geometry/cutting/hooked_pieces.h"
@@ -72,10 +74,12 @@ Result<std::vector<FragmentSurface>> assemblePieces(const TriangleMesh& body, co
 
 double volumeRatio(const TriangleMesh& body, const std::vector<FragmentSurface>& pieces) {
     const Vec3& origin = body.vertices.front();
-    double sum = 0;
-    for (const FragmentSurface& piece : pieces)
-        sum += enclosedVolume(piece.mesh.vertices, piece.mesh.triangles, origin);
-    return sum / enclosedVolume(body.vertices, body.triangles, origin);
+    std::vector<double> volumes(pieces.size() + 1);
+    forEachChunk(static_cast<int>(volumes.size()), [&](int i) {
+        const TriangleMesh& mesh = i == 0 ? body : pieces[i - 1].mesh;
+        volumes[i] = enclosedVolume(mesh.vertices, mesh.triangles, origin);
+    });
+    return std::accumulate(volumes.begin() + 1, volumes.end(), 0.0) / volumes[0];
 }
 
 }  // namespace sherd

@@ -44,8 +44,7 @@ void PlaneCutter::takeBlocks(const std::vector<int>& blocks, const CrackPlane& p
             cut.sides[middle > 0].blocks.push_back(block);
             continue;
         }
-        for (int t = surface_.blockBegin(block); t < surface_.blockBegin(block + 1); ++t)
-            whole_.push_back({t, 0});
+        surface_.forEachIn(block, [&](int triangle) { whole_.push_back({triangle, 0}); });
     }
 }
 

@@ -64,8 +64,7 @@ class TreeCutting {
     std::vector<FaceSide> facesOf(const PartBoundary& boundary) {
         std::vector<FaceSide> faces;
         for (const int block : boundary.blocks)
-            for (int t = surface_.blockBegin(block); t < surface_.blockBegin(block + 1); ++t)
-                faces.push_back({t, 0});
+            surface_.forEachIn(block, [&](int triangle) { faces.push_back({triangle, 0}); });
         for (const FaceSide& at : boundary.faces) complex_.appendWhole(at, faces);
         return faces;
     }

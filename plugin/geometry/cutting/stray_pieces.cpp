@@ -102,8 +102,11 @@ void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundar
         if (target_of[s] == static_cast<int>(s)) continue;
         has_grown[target_of[s]] = true;
         PieceShell& target = shells[target_of[s]];
+        const auto own_count = static_cast<std::ptrdiff_t>(target.triangles.size());
         target.triangles.insert(target.triangles.end(), shells[s].triangles.begin(),
                                 shells[s].triangles.end());
+        std::inplace_merge(target.triangles.begin(), target.triangles.begin() + own_count,
+                           target.triangles.end());
         target.volume += shells[s].volume;
         target.merged_labels.push_back(shells[s].label);
         shells[s].triangles.clear();
@@ -116,7 +119,6 @@ void mergeShells(const std::vector<int>& target_of, const LabelBoundary& boundar
         };
         shell.triangles.erase(std::remove_if(shell.triangles.begin(), shell.triangles.end(), vanished),
                               shell.triangles.end());
-        std::sort(shell.triangles.begin(), shell.triangles.end());
     }
     removeEmptyShells(shells);
 }
