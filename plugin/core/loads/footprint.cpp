@@ -45,23 +45,38 @@ void collectParts(const TriangleCorners& t, const Footprint& footprint, const Le
     collectParts({half, b, c}, footprint, longest_of, parts);
 }
 
-/// A triangle that faces a push, and where it lies along it.
+/// What faces a push, and where it lies along it.
+template <class Part>
 struct Facing {
-    int triangle;
+    Part part;
     double lowest;
 };
 
-/// The triangles over a footprint that face its push, ascending, but those that lie deeper than `depth`
-/// inside of another one that is all over it: none of their parts is wanted.
-std::vector<int> outerTriangles(const SurfaceTree& tree, const Footprint& footprint, double depth) {
+template <class Part>
+std::vector<Part> thoseAbove(double lowest, const std::vector<Facing<Part>>& facing) {
+    std::vector<Part> found;
+    for (const Facing<Part>& one : facing)
+        if (!(one.lowest > lowest)) found.push_back(one.part);
+    return found;
+}
+
+/// The surface over a footprint that faces its push, but what lies deeper than `depth` inside of a triangle
+/// that is all over it: none of its parts is wanted. What is no longer than `longest` is taken together.
+SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, const LengthOfParts& longest,
+                        double depth) {
     constexpr double grazing = 0.1;  // cosine
     const Vec3& push = footprint.push();
-    const auto reaches = [&](const Eigen::AlignedBox3d& box) {
-        return footprint.isNear(box.center(), box.diagonal().norm() / 2);
-    };
+    const SurfaceParts over = tree.partsWhere(
+        [&](const Eigen::AlignedBox3d& box) {
+            return footprint.isNear(box.center(), box.diagonal().norm() / 2);
+        },
+        [&](const Eigen::AlignedBox3d& box) {
+            const double length = box.diagonal().norm();
+            return length <= longest(footprint.project(box.center()), length);
+        });
     double outermost = std::numeric_limits<double>::infinity();  // at most
-    std::vector<Facing> facing;
-    for (const int i : tree.unsortedWhere(reaches)) {
+    std::vector<Facing<int>> facing;
+    for (const int i : over.triangles) {
         const TriangleCorners t = cornersOf(tree.surface(), i);
         const Vec3 area = areaVector(t);
         if (!(area.dot(push) < 0)) continue;
@@ -74,11 +89,11 @@ std::vector<int> outerTriangles(const SurfaceTree& tree, const Footprint& footpr
             std::all_of(t.begin(), t.end(), isOver))
             outermost = highest;
     }
-    std::vector<int> outer;
-    for (const Facing& one : facing)
-        if (!(one.lowest > outermost + depth)) outer.push_back(one.triangle);
-    std::sort(outer.begin(), outer.end());
-    return outer;
+    std::vector<Facing<FlatPart>> flat;
+    for (const FlatPart& part : over.flat)
+        if (part.area.dot(push) < 0 && footprint.outside(part.centre) == 0)
+            flat.push_back({part, part.centre.dot(push)});
+    return {thoseAbove(outermost + depth, facing), thoseAbove(outermost + depth, flat)};
 }
 
 }  // namespace
@@ -107,8 +122,9 @@ double Footprint::area() const {
 std::vector<FootprintPart> partsOver(const SurfaceTree& tree, const Footprint& footprint,
                                      const LengthOfParts& longest, double depth) {
     std::vector<FootprintPart> parts;
-    for (const int i : outerTriangles(tree, footprint, depth))
-        collectParts(cornersOf(tree.surface(), i), footprint, longest, parts);
+    const SurfaceParts outer = outerParts(tree, footprint, longest, depth);
+    for (const int i : outer.triangles) collectParts(cornersOf(tree.surface(), i), footprint, longest, parts);
+    for (const FlatPart& part : outer.flat) parts.push_back({part.centre, -part.area.dot(footprint.push())});
     double outermost = std::numeric_limits<double>::infinity();
     for (const FootprintPart& part : parts)
         outermost = std::min(outermost, part.centre.dot(footprint.push()));

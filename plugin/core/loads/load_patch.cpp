@@ -57,6 +57,16 @@ void subdivideNear(const TriangleCorners& t, const Vec3& point, double radius, c
     subdivideNear(TriangleCorners{half, b, c}, point, radius, longest, depth - 1, visit);
 }
 
+/// What may be within `radius` of a point, no longer than longest(distance) where it is taken together.
+template <class Longest>
+SurfaceParts partsNear(const SurfaceTree& tree, const Vec3& point, double radius, const Longest& longest) {
+    return tree.partsWhere(
+        [&](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(point) <= radius * radius; },
+        [&](const Eigen::AlignedBox3d& box) {
+            return box.diagonal().norm() <= longest(box.exteriorDistance(point));
+        });
+}
+
 /// Whether a ray meets a box.
 bool meets(const Eigen::AlignedBox3d& box, const Vec3& from, const Vec3& direction) {
     double first = 0, last = std::numeric_limits<double>::infinity();
@@ -78,18 +88,23 @@ struct Facing {
     double cosine;
 };
 
-/// Of those of `triangles` within `radius` of a point that face the push, directions rounded, each once: so
-/// that the order of triangles does not matter. What faces the push most comes first.
-std::vector<Facing> facingNormals(const TriangleMesh& surface, const std::vector<int>& triangles,
-                                  const Vec3& point, const Vec3& push, double radius) {
+/// Of those parts within `radius` of a point that face the push, directions rounded, each once: so that the
+/// order of triangles does not matter. What faces the push most comes first.
+std::vector<Facing> facingNormals(const TriangleMesh& surface, const SurfaceParts& parts, const Vec3& point,
+                                  const Vec3& push, double radius) {
     std::map<RoundedNormal, double> found;
-    for (const int t : triangles) {
-        const TriangleCorners triangle = cornersOf(surface, t);
-        if (!facesPush(triangle, push) || (nearestPoint(triangle, point) - point).norm() > radius) continue;
-        const Vec3 normal = areaVector(triangle).normalized();
+    const auto add = [&](const Vec3& area) {
+        const Vec3 normal = area.normalized();
         double& cosine = found[rounded(normal)];
         cosine = std::max(cosine, -normal.dot(push));
+    };
+    for (const int t : parts.triangles) {
+        const TriangleCorners triangle = cornersOf(surface, t);
+        if (!facesPush(triangle, push) || (nearestPoint(triangle, point) - point).norm() > radius) continue;
+        add(areaVector(triangle));
     }
+    for (const FlatPart& part : parts.flat)
+        if (part.area.dot(push) < 0 && (part.centre - point).norm() <= radius) add(part.area);
     std::vector<Facing> normals;
     for (const auto& [direction, cosine] : found) {
         const auto& [x, y, z] = direction;
@@ -186,20 +201,29 @@ double contactRadius(const SurfaceTree& tree, const Vec3& spot, const Vec3& push
 
 std::vector<PatchPart> partsOfPatch(const SurfaceTree& tree, const SurfaceSpot& spot, const Vec3& push,
                                     double radius, double length) {
-    const std::vector<int> near = tree.trianglesNear(spot.point, radius);
+    const auto longest = [&](double) { return length * radius; };
+    const SurfaceParts near = partsNear(tree, spot.point, radius, longest);
     const std::vector<Facing> facing = facingNormals(tree.surface(), near, spot.point, push, radius);
     if (facing.empty()) return {};
     std::vector<PatchPart> parts;
-    for (const int t : near) {
+    const auto pressedOn = [&](const Vec3& normal) {
+        return pressedShare(smoothlyFacing(normal, push, facing), facing.front().cosine);
+    };
+    const auto add = [&](const Vec3& x, const Vec3& normal, double pressed, const Vec3& area) {
+        const double share = pressed * contactProfile((x - spot.point).squaredNorm() / (radius * radius));
+        if (share > 0) parts.push_back({x, normal, share * area.norm(), pressed});
+    };
+    for (const int t : near.triangles) {
         const TriangleCorners triangle = cornersOf(tree.surface(), t);
         const Vec3 normal = areaVector(triangle).normalized();
-        const double pressed = pressedShare(smoothlyFacing(normal, push, facing), facing.front().cosine);
+        const double pressed = pressedOn(normal);
         if (!(pressed > 0)) continue;
-        const auto longest = [&](double) { return length * radius; };
-        subdivideNear(triangle, spot.point, radius, longest, deepest, [&](const Vec3& x, const Vec3& area) {
-            const double share = pressed * contactProfile((x - spot.point).squaredNorm() / (radius * radius));
-            if (share > 0) parts.push_back({x, normal, share * area.norm(), pressed});
-        });
+        subdivideNear(triangle, spot.point, radius, longest, deepest,
+                      [&](const Vec3& x, const Vec3& area) { add(x, normal, pressed, area); });
+    }
+    for (const FlatPart& part : near.flat) {
+        const Vec3 normal = part.area.normalized();
+        add(part.centre, normal, pressedOn(normal), part.area);
     }
     return parts;
 }
@@ -208,11 +232,13 @@ std::vector<PieceNearby> surfaceAround(const SurfaceTree& tree, const Vec3& poin
                                        double size) {
     const auto longest = [&](double distance) { return size * std::max(1.0, distance / close); };
     std::vector<PieceNearby> pieces;
-    for (const int t : tree.trianglesNear(point, reach))
+    const SurfaceParts near = partsNear(tree, point, reach, longest);
+    for (const int t : near.triangles)
         subdivideNear(cornersOf(tree.surface(), t), point, reach, longest, deepest,
                       [&](const Vec3& x, const Vec3& area) {
                           pieces.push_back({x, area});
                       });
+    for (const FlatPart& part : near.flat) pieces.push_back({part.centre, part.area});
     return pieces;
 }
 

@@ -8,6 +8,19 @@
 
 namespace sherd {
 
+/// Triangles side by side that lie nearly in one plane, as one.
+struct FlatPart {
+    Vec3 centre = Vec3::Zero();  ///< m
+    Vec3 area = Vec3::Zero();    ///< m^2, outward
+    Eigen::AlignedBox3d box;
+};
+
+/// A part of a surface: single triangles, and those that are taken together.
+struct SurfaceParts {
+    std::vector<int> triangles;  ///< ascending
+    std::vector<FlatPart> flat;
+};
+
 /// A tree of boxes over a surface's triangles, so that what is near a contact is found without looking at all
 /// of them. Finds what a look at all triangles in their order would find, in that order.
 class SurfaceTree {
@@ -35,6 +48,16 @@ class SurfaceTree {
         return found;
     }
 
+    /// The same, but flat parts whose box `isSmall` counts as one: where a mesh is finer than is needed, its
+    /// triangles cost nothing.
+    template <class Reaches, class IsSmall>
+    SurfaceParts partsWhere(const Reaches& reaches, const IsSmall& isSmall) const {
+        SurfaceParts found;
+        if (!nodes_.empty()) collectParts(0, reaches, isSmall, found);
+        std::sort(found.triangles.begin(), found.triangles.end());
+        return found;
+    }
+
     /// Those with a box within `radius` of a point, ascending.
     std::vector<int> trianglesNear(const Vec3& point, double radius) const;
 
@@ -51,7 +74,9 @@ class SurfaceTree {
     struct Node {
         Eigen::AlignedBox3d box;
         int begin, end;  ///< in `triangles_`
-        int right;       ///< the node of the second half; that of the first one comes next; 0: a leaf
+        int right = 0;   ///< the node of the second half; that of the first one comes next; 0: a leaf
+        bool is_flat = false;
+        Eigen::Vector3f centre = Eigen::Vector3f::Zero(), area = centre;  ///< as in FlatPart
     };
     struct Nearest {
         double squared = std::numeric_limits<double>::infinity();
@@ -59,8 +84,9 @@ class SurfaceTree {
     };
 
     struct Item;
+    struct Sums;
 
-    int build(int begin, int end, std::vector<Item>& items);
+    int build(int begin, int end, std::vector<Item>& items, Sums& sums);
     static int split(int begin, int end, int axis, double middle, std::vector<Item>& items);
 
     template <class Reaches>
@@ -73,6 +99,21 @@ class SurfaceTree {
         }
         collect(index + 1, reaches, found);
         collect(node.right, reaches, found);
+    }
+
+    template <class Reaches, class IsSmall>
+    void collectParts(int index, const Reaches& reaches, const IsSmall& isSmall, SurfaceParts& found) const {
+        const Node& node = nodes_[index];
+        if (!reaches(node.box)) return;
+        if (node.is_flat && isSmall(node.box)) {
+            found.flat.push_back({node.centre.cast<double>(), node.area.cast<double>(), node.box});
+        } else if (node.right == 0) {
+            found.triangles.insert(found.triangles.end(), triangles_.begin() + node.begin,
+                                   triangles_.begin() + node.end);
+        } else {
+            collectParts(index + 1, reaches, isSmall, found);
+            collectParts(node.right, reaches, isSmall, found);
+        }
     }
 
     template <class SquaredDistance>

@@ -9,6 +9,7 @@
 #include "core/loads/footprint.h"
 #include "core/loads/load_patch.h"
 #include "core/numerics/mesh_measures.h"
+#include "core/numerics/pi.h"
 #include "support/shapes.h"
 
 namespace {
@@ -92,6 +93,81 @@ TEST(SurfaceTree, HasAllPartsOverAFootprint) {
     const double legs = 0.7, margin = 0.05, pi = std::acos(-1.0);
     const double wanted = legs * legs / 2 + (2 + std::sqrt(2.0)) * legs * margin + pi * margin * margin;
     EXPECT_NEAR(area, wanted, 0.02 * wanted);
+}
+
+/// A solid cylinder that stands on z = 0, in triangles of about 1 / `fine` of its radius.
+TriangleMesh cylinder(int fine) {
+    std::vector<std::pair<double, double>> profile;
+    for (int i = 0; i <= fine; ++i) profile.emplace_back(0.05 * i / fine, 0);
+    for (int i = 1; i <= 2 * fine; ++i) profile.emplace_back(0.05, 0.05 * i / fine);
+    for (int i = fine - 1; i >= 0; --i) profile.emplace_back(0.05 * i / fine, 0.1);
+    return shapes::revolvedSolid(profile, 6 * fine);
+}
+
+/// What contacts see of a surface: about a point on its side, pressed there, and standing on its foot.
+struct Seen {
+    double around_m2 = 0, pressed_m2 = 0, foot_m2 = 0;
+    Vec3 around_centre = Vec3::Zero(), pressed_centre = Vec3::Zero();
+    std::size_t parts = 0;
+};
+
+Seen seenOf(const TriangleMesh& mesh) {
+    const SurfaceTree tree(mesh);
+    Seen seen;
+    const Vec3 push(-0.6, -0.8, 0), spot = Vec3(0.03, 0.04, 0.031);
+    for (const PieceNearby& piece : surfaceAround(tree, spot, 0.02, 0.005, 0.002)) {
+        seen.around_m2 += piece.area.norm();
+        seen.around_centre += piece.area.norm() * piece.centre;
+        ++seen.parts;
+    }
+    for (const PatchPart& part : partsOfPatch(tree, nearestSurfacePoint(tree, spot, push), push, 0.01, 0.2)) {
+        seen.pressed_m2 += part.weight_m2;
+        seen.pressed_centre += part.weight_m2 * part.centre;
+        ++seen.parts;
+    }
+    const Footprint foot({{0.03, 0, 0}, {-0.03, 0, 0}, {0, 0.03, 0}, {0, -0.03, 0}}, Vec3::UnitZ(), 0.002);
+    for (const FootprintPart& part : partsOver(
+             tree, foot, [](const Vec2&, double) { return 0.004; }, 0.001)) {
+        seen.foot_m2 += part.area_m2;
+        ++seen.parts;
+    }
+    seen.around_centre /= seen.around_m2;
+    seen.pressed_centre /= seen.pressed_m2;
+    return seen;
+}
+
+TEST(SurfaceTree, AFinerMeshIsTheSameSurfaceInAsManyParts) {
+    const Seen coarse = seenOf(cylinder(24)), fine = seenOf(cylinder(200));
+    EXPECT_LT(fine.parts, 3 * coarse.parts) << "of 70 times the triangles";
+    EXPECT_NEAR(fine.around_m2, coarse.around_m2, 0.03 * coarse.around_m2);
+    EXPECT_NEAR(fine.pressed_m2, coarse.pressed_m2, 0.02 * coarse.pressed_m2);
+    EXPECT_NEAR(fine.foot_m2, coarse.foot_m2, 0.03 * coarse.foot_m2);
+    EXPECT_LT((fine.around_centre - coarse.around_centre).norm(), 6e-4) << "of 0.02";
+    EXPECT_LT((fine.pressed_centre - coarse.pressed_centre).norm(), 1e-4);
+}
+
+TEST(SurfaceTree, PartsThatAreTakenTogetherAreAllOfTheSurface) {
+    const TriangleMesh mesh = cylinder(60);
+    const SurfaceParts parts = SurfaceTree(mesh).partsWhere(
+        [](const Eigen::AlignedBox3d&) { return true; },
+        [](const Eigen::AlignedBox3d& box) { return box.diagonal().norm() < 0.01; });
+    Vec3 sum = Vec3::Zero();
+    double volumes = 0, size = 0;  // volumes: three times the body's
+    const auto add = [&](const Vec3& centre, const Vec3& area) {
+        sum += area;
+        volumes += centre.dot(area);
+        size += area.norm();
+    };
+    for (const int t : parts.triangles) {
+        const TriangleCorners corners = cornersOf(mesh, t);
+        add((corners[0] + corners[1] + corners[2]) / 3, areaVector(corners));
+    }
+    for (const FlatPart& part : parts.flat) add(part.centre, part.area);
+    EXPECT_GT(parts.flat.size(), 100u);
+    EXPECT_LT(20 * (parts.flat.size() + parts.triangles.size()), mesh.triangles.size());
+    EXPECT_LT(sum.norm(), 1e-6 * size) << "the surface is closed";
+    EXPECT_NEAR(volumes / 3, pi * 0.05 * 0.05 * 0.1, 2e-3 * pi * 0.05 * 0.05 * 0.1);
+    EXPECT_NEAR(size, surfaceArea(mesh), 2e-3 * surfaceArea(mesh));
 }
 
 }  // namespace
