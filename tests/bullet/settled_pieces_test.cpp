@@ -155,6 +155,33 @@ TEST_F(SettledPieces, StayAwakeForAWhileWhereTheyAreDeepInTheGround) {
     gDeactivationTime = usual_s;
 }
 
+TEST_F(SettledPieces, AreMovedOutOfStillGroundAlongAxesThatAreFree) {
+    // How far a step of 1/240 s takes a piece up that is 6 mm deep in a box, m.
+    const auto rise = [&](btRigidBody& piece, int flags, const btVector3& linear_factor) {
+        piece.setGravity(btVector3(0, 0, -10));
+        piece.setLinearFactor(linear_factor);
+        piece.setLinearVelocity(btVector3(0, 0, 0));
+        piece.setAngularVelocity(btVector3(0, 0, 0));
+        piece.activate(true);
+        btVector3 low, high;
+        piece.getAabb(low, high);
+        const btVector3 half(btScalar(0.4), btScalar(0.4), 1), middle = (low + high) / 2;
+        btRigidBody* ground =
+            scene_.addBox(0, half, btVector3(middle.x(), middle.y(), low.z() + btScalar(6e-3) - half.z()));
+        ground->setCollisionFlags(ground->getCollisionFlags() | flags);
+        scene_.step(1, 1.0 / 240);
+        const btScalar before = piece.getCenterOfMassPosition().z();
+        scene_.step(1, 1.0 / 240);
+        return piece.getCenterOfMassPosition().z() - before;
+    };
+    const btVector3 free(1, 1, 1), held(1, 1, 0);
+    const double by_bullet =
+        rise(*pieces_[0], btCollisionObject::CF_KINEMATIC_OBJECT, free);  // the ground may move itself
+    const double moved = rise(*pieces_[1], 0, free);
+    EXPECT_NEAR(moved - by_bullet, 0.05 / 240, 0.01 / 240);
+    EXPECT_EQ(rise(*pieces_[2], 0, held), 0);
+}
+
 // The solver does not hold up what is heavier than the piece that it lies on.
 TEST(PiecesOfBricks, AreNotPressedIntoTheFloorByThoseThatLieOnThem) {
     const auto brick = BreakableAsset::fromMesh(
