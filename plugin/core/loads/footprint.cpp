@@ -61,7 +61,8 @@ std::vector<Part> thoseAbove(double lowest, const std::vector<Facing<Part>>& fac
 }
 
 /// The surface over a footprint that faces its push, but what lies deeper than `depth` inside of a triangle
-/// that is all over it: none of its parts is wanted. What is no longer than `longest` is taken together.
+/// that is all over it: none of its parts is wanted. What is a quarter as long as `longest`
+/// is taken together: it counts by where its middle is.
 SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, const LengthOfParts& longest,
                         double depth) {
     constexpr double grazing = 0.1;  // cosine
@@ -72,7 +73,7 @@ SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, con
         },
         [&](const Eigen::AlignedBox3d& box) {
             const double length = box.diagonal().norm();
-            return length <= longest(footprint.project(box.center()), length);
+            return 4 * length <= longest(footprint.project(box.center()), length);
         });
     double outermost = std::numeric_limits<double>::infinity();  // at most
     std::vector<Facing<int>> facing;

@@ -57,13 +57,14 @@ void subdivideNear(const TriangleCorners& t, const Vec3& point, double radius, c
     subdivideNear(TriangleCorners{half, b, c}, point, radius, longest, depth - 1, visit);
 }
 
-/// What may be within `radius` of a point, no longer than longest(distance) where it is taken together.
+/// What may be within `radius` of a point. What is taken together is as large as triangles are that are
+/// halved until none of their edges is longer than longest(distance).
 template <class Longest>
 SurfaceParts partsNear(const SurfaceTree& tree, const Vec3& point, double radius, const Longest& longest) {
     return tree.partsWhere(
         [&](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(point) <= radius * radius; },
         [&](const Eigen::AlignedBox3d& box) {
-            return box.diagonal().norm() <= longest(box.exteriorDistance(point));
+            return 2 * box.diagonal().norm() <= longest(box.exteriorDistance(point));
         });
 }
 

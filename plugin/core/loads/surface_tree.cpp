@@ -12,8 +12,8 @@ constexpr int largest_leaf = 8;  // triangles
 constexpr double slack = 1e-12;  // of the surface's size
 
 // Of the area that parts of one plane may lose against the sum of their triangles', which face a little
-// otherwise: two that meet under 16 degrees, or a surface that is rough by 8.
-constexpr double lost_if_flat = 0.01;
+// otherwise: two that meet under 7 degrees, or a surface that is rough by 4.
+constexpr double lost_if_flat = 2e-3;
 
 }  // namespace
 

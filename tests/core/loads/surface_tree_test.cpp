@@ -115,9 +115,13 @@ Seen seenOf(const TriangleMesh& mesh) {
     const SurfaceTree tree(mesh);
     Seen seen;
     const Vec3 push(-0.6, -0.8, 0), spot = Vec3(0.03, 0.04, 0.031);
-    for (const PieceNearby& piece : surfaceAround(tree, spot, 0.02, 0.005, 0.002)) {
-        seen.around_m2 += piece.area.norm();
-        seen.around_centre += piece.area.norm() * piece.centre;
+    constexpr double reach = 0.02;
+    for (const PieceNearby& piece : surfaceAround(tree, spot, reach, 0.005, 0.002)) {
+        // Pieces that reach out of it are there, or are not.
+        const double inside = std::max(0.0, 1 - (piece.centre - spot).squaredNorm() / (reach * reach));
+        const double weight = inside * inside * piece.area.norm();
+        seen.around_m2 += weight;
+        seen.around_centre += weight * piece.centre;
         ++seen.parts;
     }
     for (const PatchPart& part : partsOfPatch(tree, nearestSurfacePoint(tree, spot, push), push, 0.01, 0.2)) {
@@ -138,11 +142,11 @@ Seen seenOf(const TriangleMesh& mesh) {
 
 TEST(SurfaceTree, AFinerMeshIsTheSameSurfaceInAsManyParts) {
     const Seen coarse = seenOf(cylinder(24)), fine = seenOf(cylinder(200));
-    EXPECT_LT(fine.parts, 3 * coarse.parts) << "of 70 times the triangles";
-    EXPECT_NEAR(fine.around_m2, coarse.around_m2, 0.03 * coarse.around_m2);
+    EXPECT_LT(fine.parts, 5 * coarse.parts) << "of 70 times the triangles";
+    EXPECT_NEAR(fine.around_m2, coarse.around_m2, 0.01 * coarse.around_m2);
     EXPECT_NEAR(fine.pressed_m2, coarse.pressed_m2, 0.02 * coarse.pressed_m2);
     EXPECT_NEAR(fine.foot_m2, coarse.foot_m2, 0.03 * coarse.foot_m2);
-    EXPECT_LT((fine.around_centre - coarse.around_centre).norm(), 6e-4) << "of 0.02";
+    EXPECT_LT((fine.around_centre - coarse.around_centre).norm(), 1e-4);
     EXPECT_LT((fine.pressed_centre - coarse.pressed_centre).norm(), 1e-4);
 }
 
