@@ -55,7 +55,11 @@ in_turn() { flock "$build" "$@"; }
 
 # configure [CMAKE ARGUMENT ...]: only if that was not done yet with the same arguments; ninja notices all other changes.
 configure() {
-  local stamp=$build/configured_with
+  local stamp=$build/configured_with home
+  home=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt" 2>/dev/null) || true
+  if [ "$home" ] && [ ! "$home" -ef "$root" ]; then
+    die "$build was configured for $home: this tree was moved or copied. Remove $build and start again."
+  fi
   if [ -f "$build/build.ninja" ] && [ -f "$stamp" ] && [ "$(cat "$stamp")" = "$*" ]; then return; fi
   mkdir -p "$build"
   in_turn cmake -S "$root" -B "$build" -G Ninja -DCMAKE_BUILD_TYPE=Release "$@" >"$build/configure.log" 2>&1 ||
