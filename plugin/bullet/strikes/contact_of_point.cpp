@@ -149,6 +149,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.slip_m_s = fromBullet(basis * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = static_cast<double>(radius);
+    contact.partner_is_flat = &striker == ground_;
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;

@@ -1,9 +1,14 @@
 #include "core/loads/contact_loads.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
 
 #include "core/numerics/pi.h"
+#include "core/numerics/union_find.h"
 
 namespace sherd {
 
@@ -57,7 +62,13 @@ StrikePoint strikePoint(const ContactBody& body, const ContactImpulse& contact,
     hertz.radius_m = std::clamp(curvature > 0 ? 1 / curvature : body.radius_m, settings.smallest_patch * wall,
                                 std::max(body.radius_m, settings.smallest_patch * wall));
     hertz.contact_modulus_pa = contactModulus(body, contact, settings);
-    return {&contact, spot, hertz, 1, contact.normal};
+    StrikePoint found;
+    found.contact = &contact;
+    found.spot = spot;
+    found.hertz = hertz;
+    found.share = 1;
+    found.push = contact.normal;
+    return found;
 }
 
 /// The striking contacts, those that were met at about the same time as the leading one first, without those
@@ -88,6 +99,57 @@ double givenRadius(const ContactBody& body, const ContactImpulse& contact, const
     const double smallest = settings.smallest_patch * body.wall_thickness_m;
     const double given = contact.patch_radius_m;
     return given > 0 ? std::clamp(given, smallest, std::max(smallest, body.radius_m)) : 0;
+}
+
+/// Whether the surface between two points of a strike is a face that lies on the same flat partner.
+bool areOnOneFace(const ContactBody& body, const StrikePoint& a, const StrikePoint& b) {
+    constexpr double bent = 0.02;  // of the way between them
+    if (a.contact->partner != b.contact->partner || a.contact->normal.dot(b.contact->normal) < alike)
+        return false;
+    const Vec3 middle = (a.spot.point + b.spot.point) / 2;
+    const SurfaceSpot between = nearestSurfacePoint(body.surface, middle, a.contact->normal);
+    return (between.point - middle).norm() < bent * (a.spot.point - b.spot.point).norm();
+}
+
+/// Whether points are not on a line, or nearly so.
+bool spanAnArea(const std::vector<Vec3>& points) {
+    constexpr double narrow = 0.01;  // square of the narrow side over that of the long one
+    Vec3 middle = Vec3::Zero();
+    for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+    Mat3 spread = Mat3::Zero();
+    for (const Vec3& point : points) spread += (point - middle) * (point - middle).transpose();
+    const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
+    return squares[1] > narrow * squares[2];
+}
+
+/// Corners of a face that lands flat stand for all of it: each presses on the part that is nearer to it than
+/// to the next ones.
+void spreadOverFaces(const ContactBody& body, Strike& strike) {
+    constexpr std::size_t next = 2;  // on either side of a corner
+    std::vector<StrikePoint*> flat;
+    for (StrikePoint& point : strike.points)
+        if (point.contact->partner_is_flat && point.share > 0) flat.push_back(&point);
+    UnionFind faces(flat.size());
+    std::vector<double> ways(flat.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t i = 0; i < flat.size(); ++i) {
+        std::vector<std::pair<double, std::size_t>> others;
+        for (std::size_t j = 0; j < flat.size(); ++j)
+            if (j != i) others.emplace_back((flat[i]->spot.point - flat[j]->spot.point).norm(), j);
+        const std::size_t asked = std::min(next, others.size());
+        std::partial_sort(others.begin(), others.begin() + static_cast<long>(asked), others.end());
+        for (std::size_t k = 0; k < asked; ++k) {
+            const auto& [way, j] = others[k];
+            if (!areOnOneFace(body, *flat[i], *flat[j])) continue;
+            faces.unite(static_cast<int>(i), static_cast<int>(j));
+            ways[i] = std::min(ways[i], way);
+        }
+    }
+    std::map<int, std::vector<Vec3>> corners;
+    for (std::size_t i = 0; i < flat.size(); ++i)
+        corners[faces.root(static_cast<int>(i))].push_back(flat[i]->spot.point);
+    for (std::size_t i = 0; i < flat.size(); ++i)
+        if (std::isfinite(ways[i]) && spanAnArea(corners[faces.root(static_cast<int>(i))]))
+            flat[i]->on_face_m = ways[i] / 2;
 }
 
 /// A patch that the app gives is that of a contact of its size: it takes up as much of the energy.
@@ -128,6 +190,7 @@ Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings
     }
     shareOut(body.mobility, blow, strike);
     giveCurvature(body, settings, strike);
+    spreadOverFaces(body, strike);
     return strike;
 }
 
@@ -142,7 +205,7 @@ double patchRadius(const ContactBody& body, const Strike& strike, const StrikePo
     const double largest = std::max(smallest, settings.largest_patch * body.radius_m);
     if (const double given = givenRadius(body, *point.contact, settings); given > 0) return given;
     const double peak = hertzPeakForce(point.hertz, point.share * strike.mass(0), strike.speed_m_s);
-    return std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest);
+    return std::max(std::clamp(hertzPatchRadius(point.hertz, peak), smallest, largest), point.on_face_m);
 }
 
 double patchEnergy(const ContactBody& body, const Strike& strike, const ContactSettings& settings,

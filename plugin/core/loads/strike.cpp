@@ -188,7 +188,10 @@ Strike strikeOn(const Stack& stack) {
     Strike strike;
     const StackBody* struck = stack.body(distant.number);
     if (!struck) return strike;
-    strike.points.push_back({nullptr, {}, distant.hertz, 1, distant.push});
+    StrikePoint& point = strike.points.emplace_back();
+    point.hertz = distant.hertz;
+    point.share = 1;
+    point.push = distant.push;
     strike.body_mobility = distant.push.dot(struck->mobility.at(distant.point) * distant.push);
     strike.partner_mobility = distant.striker_mobility;
     if (!(distant.striker_mobility > 0)) strike.lasting_mobility = strike.body_mobility;

@@ -16,6 +16,7 @@ struct StrikePoint {
     HertzContact hertz;
     double share = 0;          ///< of the strike's normal force; all points of a strike have 1
     Vec3 push = Vec3::Zero();  ///< direction of the force, with a normal part of 1
+    double on_face_m = 0;      ///< radius of the part of a face that it has, see spreadOverFaces; or 0
 };
 
 /// All that strikes a body at one time. Without points, nothing does.

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "core/numerics/pi.h"
 #include "support/shapes.h"
 
 namespace {
@@ -30,7 +35,7 @@ struct FallingBrick {
         Moments moments;
         moments.volume = 8 * half.prod();
         for (int k = 0; k < 3; ++k) moments.second(k, k) = moments.volume * half[k] * half[k] / 3;
-        return {tree, material, Mobility::of(moments, material.density_kg_m3), 0.1, half.norm()};
+        return {*tree, material, Mobility::of(moments, material.density_kg_m3), 0.1, half.norm()};
     }
 
     Strike strike() const {
@@ -40,7 +45,7 @@ struct FallingBrick {
     }
 
     TriangleMesh mesh = shapes::slab(Vec3(0.2, 0.1, 0.1), 4, 2, 2);
-    SurfaceTree tree{mesh};
+    std::optional<SurfaceTree> tree{mesh};
     Material material = Material::brick();
     Blow blow;
 };
@@ -63,6 +68,53 @@ TEST(ContactLoads, WhatIsMetAfterThePeakDoesNotCount) {
     const Strike strike = brick.strike();
     ASSERT_EQ(strike.points.size(), 1u);
     EXPECT_EQ(strike.points[0].contact, &brick.blow.contacts.back());
+}
+
+/// Of each point of a strike, in millimetres, rounded.
+std::vector<int> partsOfFaces(const Strike& strike) {
+    std::vector<int> found;
+    for (const StrikePoint& point : strike.points)
+        found.push_back(static_cast<int>(std::lround(1e3 * point.on_face_m)));
+    return found;
+}
+
+TEST(ContactLoads, CornersOfAFaceThatLandsOnAFlatOneStandForAllOfIt) {
+    FallingBrick brick;
+    const ContactSettings settings;
+    EXPECT_EQ(partsOfFaces(brick.strike()), (std::vector<int>{0, 0, 0, 0})) << "the floor may be rough";
+    for (ContactImpulse& contact : brick.blow.contacts) contact.partner_is_flat = true;
+    const Strike strike = brick.strike();
+    EXPECT_EQ(partsOfFaces(strike), (std::vector<int>{50, 50, 50, 50})) << "half of the short side";
+    double pressed_m2 = 0;
+    for (const ContactPatch& patch : contactPatches(brick.body(), strike, settings)) {
+        EXPECT_NEAR(patch.radius_m, 0.05, 1e-9);
+        for (const PatchPart& part : patch.parts) {
+            EXPECT_NEAR(part.centre.z(), -0.05, 1e-9) << "none of the sides";
+            pressed_m2 += part.weight_m2;
+        }
+    }
+    EXPECT_NEAR(pressed_m2, 0.4 * pi * 0.05 * 0.05, 0.05 * 0.4 * pi * 0.05 * 0.05) << "a quarter of each";
+}
+
+TEST(ContactLoads, AnEdgeThatLandsIsNoFace) {
+    FallingBrick brick;
+    brick.blow.contacts.resize(2);
+    for (ContactImpulse& contact : brick.blow.contacts) contact.partner_is_flat = true;
+    EXPECT_EQ(partsOfFaces(brick.strike()), (std::vector<int>{0, 0}));
+}
+
+TEST(ContactLoads, FeetStandForNothingBetweenThem) {
+    FallingBrick brick;
+    const auto foot = [](double x) {
+        return shapes::box(Vec3(x - 0.02, -0.05, -0.05), Vec3(x + 0.02, 0.05, 0.05));
+    };
+    brick.mesh = shapes::joined(foot(-0.08), foot(0.08));
+    brick.tree.emplace(brick.mesh);
+    brick.blow.contacts.clear();
+    for (const double x : {-0.1, -0.06, 0.06, 0.1})
+        for (const double y : {-0.05, 0.05}) brick.touch(Vec3(x, y, -0.05), 0);
+    for (ContactImpulse& contact : brick.blow.contacts) contact.partner_is_flat = true;
+    for (const int part : partsOfFaces(brick.strike())) EXPECT_EQ(part, 20) << "half of a foot";
 }
 
 }  // namespace
