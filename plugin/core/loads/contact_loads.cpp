@@ -101,29 +101,40 @@ double givenRadius(const ContactBody& body, const ContactImpulse& contact, const
     return given > 0 ? std::clamp(given, smallest, std::max(smallest, body.radius_m)) : 0;
 }
 
+constexpr double level = 1e-3;  // of the way between two corners: how deep a face may lie that touches
+
 /// Whether the surface between two points of a strike is a face that lies on the same flat partner.
 bool areOnOneFace(const ContactBody& body, const StrikePoint& a, const StrikePoint& b) {
-    constexpr double bent = 0.02;  // of the way between them
-    if (a.contact->partner != b.contact->partner || a.contact->normal.dot(b.contact->normal) < alike)
-        return false;
+    constexpr double beside = 0.02;  // of the way between them
+    const Vec3& push = a.contact->normal;
+    if (a.contact->partner != b.contact->partner || push.dot(b.contact->normal) < alike) return false;
     const Vec3 middle = (a.spot.point + b.spot.point) / 2;
-    const SurfaceSpot between = nearestSurfacePoint(body.surface, middle, a.contact->normal);
-    return (between.point - middle).norm() < bent * (a.spot.point - b.spot.point).norm();
+    const Vec3 off = nearestSurfacePoint(body.surface, middle, push).point - middle;
+    const double way = (a.spot.point - b.spot.point).norm();
+    return off.norm() < beside * way && std::abs(off.dot(push)) < level * way;
 }
 
-/// Whether points are not on a line, or nearly so.
-bool spanAnArea(const std::vector<Vec3>& points) {
-    constexpr double narrow = 0.01;  // square of the narrow side over that of the long one
+/// How wide the contact of a face is across its narrow side, m: half of a rectangle's width if its corners
+/// press alike, and nothing if those on one edge do alone.
+double narrowSide(const std::vector<const StrikePoint*>& corners) {
     Vec3 middle = Vec3::Zero();
-    for (const Vec3& point : points) middle += point / static_cast<double>(points.size());
+    double all = 0;
+    for (const StrikePoint* corner : corners) {
+        middle += corner->share * corner->spot.point;
+        all += corner->share;
+    }
+    middle /= all;
     Mat3 spread = Mat3::Zero();
-    for (const Vec3& point : points) spread += (point - middle) * (point - middle).transpose();
+    for (const StrikePoint* corner : corners) {
+        const Vec3 off = corner->spot.point - middle;
+        spread += corner->share / all * off * off.transpose();
+    }
     const Vec3 squares = Eigen::SelfAdjointEigenSolver<Mat3>(spread, Eigen::EigenvaluesOnly).eigenvalues();
-    return squares[1] > narrow * squares[2];
+    return std::sqrt(std::max(0.0, squares[1]));
 }
 
 /// Corners of a face that lands flat stand for all of it: each presses on the part that is nearer to it than
-/// to the next ones.
+/// to the next ones, as far as the face touches.
 void spreadOverFaces(const ContactBody& body, Strike& strike) {
     constexpr std::size_t next = 2;  // on either side of a corner
     std::vector<StrikePoint*> flat;
@@ -144,12 +155,36 @@ void spreadOverFaces(const ContactBody& body, Strike& strike) {
             ways[i] = std::min(ways[i], way);
         }
     }
-    std::map<int, std::vector<Vec3>> corners;
-    for (std::size_t i = 0; i < flat.size(); ++i)
-        corners[faces.root(static_cast<int>(i))].push_back(flat[i]->spot.point);
-    for (std::size_t i = 0; i < flat.size(); ++i)
-        if (std::isfinite(ways[i]) && spanAnArea(corners[faces.root(static_cast<int>(i))]))
-            flat[i]->on_face_m = ways[i] / 2;
+    std::map<int, std::vector<std::size_t>> of_face;
+    for (std::size_t i = 0; i < flat.size(); ++i) of_face[faces.root(static_cast<int>(i))].push_back(i);
+    for (const auto& [root, own] : of_face) {
+        std::vector<const StrikePoint*> corners;
+        std::vector<Vec3> places;
+        for (const std::size_t i : own) {
+            corners.push_back(flat[i]);
+            places.push_back(flat[i]->spot.point);
+        }
+        const double narrow = narrowSide(corners);
+        const auto face = std::make_shared<const Footprint>(places, corners.front()->contact->normal,
+                                                            level * body.radius_m);
+        for (const std::size_t i : own) {
+            if (!std::isfinite(ways[i])) continue;
+            const double own_part = ways[i] / 2, touches = std::min(1.0, narrow / own_part);
+            flat[i]->on_face_m = touches * touches * own_part;
+            flat[i]->face = face;
+        }
+    }
+}
+
+/// Of the surface about a corner of a face, without what lies in a hollow of it, or beside what it stands on.
+void keepWhatTouches(const StrikePoint& corner, std::vector<PatchPart>& parts) {
+    const Vec3& push = corner.contact->normal;
+    std::vector<PatchPart> touching_parts;
+    for (const PatchPart& part : parts)
+        if (corner.face->outside(part.centre) == 0 &&
+            std::abs((part.centre - corner.spot.point).dot(push)) < 2 * level * corner.on_face_m)
+            touching_parts.push_back(part);
+    if (!touching_parts.empty()) parts = std::move(touching_parts);
 }
 
 /// A patch that the app gives is that of a contact of its size: it takes up as much of the energy.
@@ -235,6 +270,7 @@ std::vector<ContactPatch> contactPatches(const ContactBody& body, const Strike& 
                            patchRadius(body, strike, point, settings),
                            {}};
         patch.parts = partsOfPatch(body.surface, patch.spot, patch.push, patch.radius_m, length);
+        if (point.face && patch.radius_m <= point.on_face_m) keepWhatTouches(point, patch.parts);
         patches.push_back(std::move(patch));
     }
     return patches;

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/loads/blow.h"
 #include "core/loads/contact_pulse.h"
+#include "core/loads/footprint.h"
 #include "core/loads/load_patch.h"
 #include "core/loads/mobility.h"
 
@@ -16,7 +18,8 @@ struct StrikePoint {
     HertzContact hertz;
     double share = 0;          ///< of the strike's normal force; all points of a strike have 1
     Vec3 push = Vec3::Zero();  ///< direction of the force, with a normal part of 1
-    double on_face_m = 0;      ///< radius of the part of a face that it has, see spreadOverFaces; or 0
+    double on_face_m = 0;      ///< radius of the part of a face that it stands for, m; or 0
+    std::shared_ptr<const Footprint> face = nullptr;  ///< what that face touches
 };
 
 /// All that strikes a body at one time. Without points, nothing does.

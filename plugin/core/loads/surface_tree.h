@@ -12,7 +12,6 @@ namespace sherd {
 struct FlatPart {
     Vec3 centre = Vec3::Zero();  ///< m
     Vec3 area = Vec3::Zero();    ///< m^2, outward
-    Eigen::AlignedBox3d box;
 };
 
 /// A part of a surface: single triangles, and those that are taken together.
@@ -106,7 +105,7 @@ class SurfaceTree {
         const Node& node = nodes_[index];
         if (!reaches(node.box)) return;
         if (node.is_flat && isSmall(node.box)) {
-            found.flat.push_back({node.centre.cast<double>(), node.area.cast<double>(), node.box});
+            found.flat.push_back({node.centre.cast<double>(), node.area.cast<double>()});
         } else if (node.right == 0) {
             found.triangles.insert(found.triangles.end(), triangles_.begin() + node.begin,
                                    triangles_.begin() + node.end);
