@@ -45,24 +45,15 @@ void collectParts(const TriangleCorners& t, const Footprint& footprint, const Le
     collectParts({half, b, c}, footprint, longest_of, parts);
 }
 
-/// What faces a push, and where it lies along it.
-template <class Part>
+/// A triangle that faces a push, and where it lies along it.
 struct Facing {
-    Part part;
+    int triangle;
     double lowest;
 };
 
-template <class Part>
-std::vector<Part> thoseAbove(double lowest, const std::vector<Facing<Part>>& facing) {
-    std::vector<Part> found;
-    for (const Facing<Part>& one : facing)
-        if (!(one.lowest > lowest)) found.push_back(one.part);
-    return found;
-}
-
 /// The surface over a footprint that faces its push, but what lies deeper than `depth` inside of a triangle
-/// that is all over it: none of its parts is wanted. What is a quarter as long as `longest`
-/// is taken together: it counts by where its middle is.
+/// that is all over it: none of its parts is wanted. What is a quarter as long as
+/// `longest` is taken together: it counts by where its middle is.
 SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, const LengthOfParts& longest,
                         double depth) {
     constexpr double grazing = 0.1;  // cosine
@@ -76,7 +67,7 @@ SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, con
             return 4 * length <= longest(footprint.project(box.center()), length);
         });
     double outermost = std::numeric_limits<double>::infinity();  // at most
-    std::vector<Facing<int>> facing;
+    std::vector<Facing> facing;
     for (const int i : over.triangles) {
         const TriangleCorners t = cornersOf(tree.surface(), i);
         const Vec3 area = areaVector(t);
@@ -90,11 +81,14 @@ SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, con
             std::all_of(t.begin(), t.end(), isOver))
             outermost = highest;
     }
-    std::vector<Facing<FlatPart>> flat;
+    SurfaceParts outer;
+    for (const Facing& one : facing)
+        if (!(one.lowest > outermost + depth)) outer.triangles.push_back(one.triangle);
     for (const FlatPart& part : over.flat)
-        if (part.area.dot(push) < 0 && footprint.outside(part.centre) == 0)
-            flat.push_back({part, part.centre.dot(push)});
-    return {thoseAbove(outermost + depth, facing), thoseAbove(outermost + depth, flat)};
+        if (part.area.dot(push) < 0 && footprint.outside(part.centre) == 0 &&
+            !(part.centre.dot(push) > outermost + depth))
+            outer.flat.push_back(part);
+    return outer;
 }
 
 }  // namespace
