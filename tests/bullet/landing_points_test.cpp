@@ -135,4 +135,74 @@ TEST(LandingPoints, ABoxThatGivesWayIsStruckWhereItWas) {
     EXPECT_NEAR(stresses[1], stresses[0], 0.02 * stresses[0]);
 }
 
+/// Something that a body is put down on, whose upper face is z = 0.
+enum class Table { box, hull, round, moved, heavy, heavy_hull, heavy_breakable };
+
+btRigidBody* addTable(TestWorld& scene, Table table) {
+    constexpr btScalar half = btScalar(0.4), half_height = btScalar(0.2), margin = btScalar(0.04);
+    constexpr double heavy_kg = 2000;
+    const btVector3 middle(0, 0, -half_height), halves(half, half, half_height);
+    const auto hull = [&] {
+        auto shape = std::make_unique<btConvexHullShape>();
+        for (int i = 0; i < 8; ++i)
+            shape->addPoint({(i & 1) ? half : -half, (i & 2) ? half : -half,
+                             ((i & 4) ? 1 : -1) * (half_height - margin)});
+        shape->setMargin(margin);
+        return shape;
+    };
+    switch (table) {
+        case Table::box:
+            return scene.addBox(0, halves, middle);
+        case Table::hull:
+            return scene.addBody(hull(), 0, middle);
+        case Table::round:
+            return scene.addBody(std::make_unique<btCylinderShapeZ>(halves), 0, middle);
+        case Table::moved: {
+            btRigidBody* body = scene.addBox(0, halves, middle);
+            body->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
+            return body;
+        }
+        case Table::heavy:
+        case Table::heavy_breakable:
+            return scene.addBox(heavy_kg, halves, middle);
+        case Table::heavy_hull:
+            return scene.addBody(hull(), heavy_kg, middle);
+    }
+    return nullptr;
+}
+
+/// A glass with a foot that is a ring, and a brick, whose shape is a box. On a hull and on what moves they
+/// touched in one to four points, with up to a hundred times the stress.
+TEST(LandingPoints, AFootIsPressedAlikeOnAllTables) {
+    const auto glass = BreakableAsset::fromMesh(
+        shapes::revolvedSolid({{0.04, 0}, {0.04, 0.1}, {0.036, 0.1}, {0.036, 0.01}}, 32), Material::glass());
+    const auto brick = BreakableAsset::fromMesh(shapes::slab(Vec3(0.2, 0.1, 0.06)), Material::plaster());
+    for (const auto& asset : {glass, brick}) {
+        ASSERT_TRUE(asset.ok()) << asset.error();
+        std::vector<double> stresses;
+        for (const Table table : {Table::box, Table::hull, Table::round, Table::moved, Table::heavy,
+                                  Table::heavy_hull, Table::heavy_breakable}) {
+            TestWorld scene;
+            btRigidBody* below = addTable(scene, table);
+            FractureWorld fracture(scene.world.get());
+            EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+            if (table == Table::heavy_breakable) {
+                EXPECT_TRUE(fracture.makeBreakable(below, Material::concrete()).ok());
+            }
+            const double half_height = asset.value().surface().vertices.front().z() < 0 ? 0.03 : 0;
+            btRigidBody* body =
+                fracture.add(asset.value(), at(0.05f, 0.03f, float(half_height + 0.01))).value();
+            body->setLinearVelocity(btVector3(0, 0, btScalar(-1)));
+            scene.step(10);
+            double stress = 0;
+            for (const BlowEvent& event : fracture.takeEvents())
+                if (event.asset.mass() == asset.value().mass())
+                    stress = std::max(stress, event.largest_stress_pa);
+            EXPECT_GT(stress, 0) << static_cast<int>(table);
+            stresses.push_back(stress);
+            EXPECT_NEAR(stress, stresses.front(), 0.1 * stresses.front()) << static_cast<int>(table);
+        }
+    }
+}
+
 }  // namespace

@@ -24,7 +24,7 @@ std::vector<btVector3> lowestPoints(const TestWorld& scene, const btRigidBody* b
         for (int k = 0; k < manifold.getNumContacts(); ++k) add(manifold.getContactPoint(k), is_a);
         if (!with_missed) continue;
         for (const btManifoldPoint& point : missedVertices(manifold, manifold.getBody0()->getWorldTransform(),
-                                                           manifold.getBody1()->getWorldTransform())) {
+                                                           manifold.getBody1()->getWorldTransform(), {})) {
             EXPECT_LT(point.getDistance(), 0);
             EXPECT_EQ(point.getAppliedImpulse(), 0);
             add(point, is_a);
@@ -122,9 +122,9 @@ TEST(MissedVertices, OfAHullOnAThinPaneAreItsCorners) {
         ASSERT_EQ(dispatcher.getNumManifolds(), 1);
         const btPersistentManifold& manifold = *dispatcher.getManifoldByIndexInternal(0);
         ASSERT_GT(manifold.getNumContacts(), 0);
-        const auto vertices =
-            missedVertices(manifold, manifold.getBody0()->getWorldTransform(),
-                           manifold.getBody1()->getWorldTransform(), manifold.getContactBreakingThreshold());
+        const auto vertices = missedVertices(manifold, manifold.getBody0()->getWorldTransform(),
+                                             manifold.getBody1()->getWorldTransform(),
+                                             {manifold.getContactBreakingThreshold()});
         EXPECT_GE(vertices.size(), 3u) << thickness;
     }
 }

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "bullet/ground/ground_surface.h"
+#include "bullet/shapes/flat_face.h"
 
 namespace sherd {
 
@@ -45,16 +46,37 @@ std::optional<Facet> faceBelow(const PlacedShape& part, const btBoxShape& box, c
     return placed(normal, half[axis], frame);
 }
 
-std::optional<Facet> endlessFacet(const PlacedShape& part, const btCollisionObject& ground,
-                                  const btTransform& frame, int child) {
-    const btCollisionShape& shape = *ground.getCollisionShape();
-    if (shape.getShapeType() == STATIC_PLANE_PROXYTYPE) {
-        const auto& plane = static_cast<const btStaticPlaneShape&>(shape);
-        return placed(plane.getPlaneNormal(), plane.getPlaneConstant(), frame);
+/// The face of a hull or a cylinder that Bullet found, if all of the part is over it.
+std::optional<Facet> faceFound(const PlacedShape& part, const PlacedShape& below,
+                               const btPersistentManifold& manifold, bool part_is_a) {
+    for (int p = 0; p < manifold.getNumContacts(); ++p) {
+        const btVector3& normal = manifold.getContactPoint(p).m_normalWorldOnB;
+        const auto face = faceTowards(below, part_is_a ? normal : -normal);
+        if (!face || !face->isUnder(part)) continue;
+        Facet facet;
+        facet.normal = face->normal;
+        facet.height = face->height;
+        return facet;
     }
-    const ConvexPart below = partOf(ground, frame, child);
-    if (!below.shape || below.shape->getShapeType() != BOX_SHAPE_PROXYTYPE) return std::nullopt;
-    return faceBelow(part, static_cast<const btBoxShape&>(*below.shape), below.transform);
+    return std::nullopt;
+}
+
+std::optional<Facet> endlessFacet(const PlacedShape& part, const btPersistentManifold& manifold,
+                                  bool part_is_a, const btTransform& frame, bool of_hulls) {
+    const btCollisionObject& ground = part_is_a ? *manifold.getBody1() : *manifold.getBody0();
+    const btManifoldPoint& first = manifold.getContactPoint(0);
+    const PlacedShape below = childOf(ground, frame, part_is_a ? first.m_index1 : first.m_index0);
+    if (!below.shape) return std::nullopt;
+    switch (below.shape->getShapeType()) {
+        case STATIC_PLANE_PROXYTYPE: {
+            const auto& plane = static_cast<const btStaticPlaneShape&>(*below.shape);
+            return placed(plane.getPlaneNormal(), plane.getPlaneConstant(), below.transform);
+        }
+        case BOX_SHAPE_PROXYTYPE:
+            return faceBelow(part, static_cast<const btBoxShape&>(*below.shape), below.transform);
+        default:
+            return of_hulls ? faceFound(part, below, manifold, part_is_a) : std::nullopt;
+    }
 }
 
 struct Triangle {
@@ -199,7 +221,7 @@ const Facet* EvenGround::under(const btVector3& place) const {
 }
 
 EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manifold, bool part_is_a,
-                      const btTransform& ground_stood, const btVector3& inside) {
+                      const btTransform& ground_stood, const btVector3& inside, bool of_hulls) {
     const btCollisionObject& object = part_is_a ? *manifold.getBody1() : *manifold.getBody0();
     const btManifoldPoint& first = manifold.getContactPoint(0);
     if (isOnTriangle(first, part_is_a)) {
@@ -209,7 +231,7 @@ EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manif
             contacts.push_back(placeOnGround(manifold.getContactPoint(p), part_is_a));
         return evenTriangles(part, object, manifold.getContactBreakingThreshold(), contacts, inside);
     }
-    const auto facet = endlessFacet(part, object, ground_stood, part_is_a ? first.m_index1 : first.m_index0);
+    const auto facet = endlessFacet(part, manifold, part_is_a, ground_stood, of_hulls);
     if (!facet || !agrees(manifold, part_is_a, *facet)) return {};
     return {facet->normal, {*facet}, false};
 }

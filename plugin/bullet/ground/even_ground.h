@@ -37,9 +37,10 @@ struct EvenGround {
 /// that the whole part is over, or triangles of a mesh or a height field that differ by a few degrees, so
 /// that no ridge between them matters; these have two sides, and the part is on that of `inside` (world
 /// frame). No facets for other ground. `manifold` has a contact. `ground_stood`: where the ground was when
-/// that was made; the solver may have moved it since (split impulses).
+/// that was made; the solver may have moved it since (split impulses). `of_hulls`: also a face of a hull or a
+/// cylinder that the whole part is over. Pieces rest on these as Bullet has it.
 EvenGround evenGround(const PlacedShape& part, const btPersistentManifold& manifold, bool part_is_a,
-                      const btTransform& ground_stood, const btVector3& inside);
+                      const btTransform& ground_stood, const btVector3& inside, bool of_hulls);
 
 /// The same for triangles around a part that Bullet may have found no contact with.
 EvenGround evenSurface(const PlacedShape& part, const btCollisionObject& surface, const btVector3& inside);

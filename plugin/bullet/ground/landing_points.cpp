@@ -61,7 +61,7 @@ std::optional<std::vector<btManifoldPoint>> landingPoints(const btPersistentMani
                                                           const LandingBody& body, bool body_is_a,
                                                           const btTransform& ground_stood, btScalar reach) {
     if (manifold.getNumContacts() == 0) return std::nullopt;
-    const EvenGround ground = evenGround(body.shape, manifold, body_is_a, ground_stood, body.inside);
+    const EvenGround ground = evenGround(body.shape, manifold, body_is_a, ground_stood, body.inside, true);
     const btManifoldPoint& first = manifold.getContactPoint(0);
     const Facet* face = ground.under(body_is_a ? first.m_positionWorldOnB : first.m_positionWorldOnA);
     if (!face) return std::nullopt;

@@ -228,8 +228,8 @@ bool standOnEvenGround(btDiscreteDynamicsWorld& world, btPersistentManifold& man
     const btTransform& frame = fragment.getWorldTransform();
     const ConvexPart part = partOf(fragment, frame, fragment_is_a ? first.m_index0 : first.m_index1);
     if (!part.shape) return false;
-    const EvenGround ground =
-        evenGround({part.shape, part.transform}, manifold, fragment_is_a, other.getWorldTransform(), inside);
+    const EvenGround ground = evenGround({part.shape, part.transform}, manifold, fragment_is_a,
+                                         other.getWorldTransform(), inside, false);
     if (ground.facets.empty()) return false;
     const std::vector<Foot> feet = feetWithin(reach, part, ground, frame.getOrigin());
     if (feet.empty()) return false;

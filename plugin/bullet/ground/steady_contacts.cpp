@@ -119,7 +119,7 @@ void addMissedVertices(btPersistentManifold& manifold, btScalar reach) {
     if (manifold.getNumContacts() == MANIFOLD_CACHE_SIZE) return;
     const btTransform &of_a = manifold.getBody0()->getWorldTransform(),
                       &of_b = manifold.getBody1()->getWorldTransform();
-    std::vector<btManifoldPoint> missed = missedVertices(manifold, of_a, of_b, reach);
+    std::vector<btManifoldPoint> missed = missedVertices(manifold, of_a, of_b, {reach});
     while (manifold.getNumContacts() < MANIFOLD_CACHE_SIZE) {
         std::optional<btManifoldPoint> next = takeMostDistant(missed, manifold);
         if (!next) break;

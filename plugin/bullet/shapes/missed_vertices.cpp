@@ -5,8 +5,10 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "bullet/shapes/convex_part.h"
+#include "bullet/shapes/flat_face.h"
 
 namespace sherd {
 
@@ -16,39 +18,43 @@ namespace {
 class VerticesOf {
   public:
     VerticesOf(const btPersistentManifold& manifold, bool of_a, const btTransform& own_stood,
-               const btTransform& other_stood, btScalar reach)
+               const btTransform& other_stood, const WantedVertices& wanted)
         : manifold_(manifold),
           of_a_(of_a),
           own_(of_a ? *manifold.getBody0() : *manifold.getBody1()),
           other_(of_a ? *manifold.getBody1() : *manifold.getBody0()),
           own_stood_(own_stood),
-          other_stood_(other_stood),
           threshold_(manifold.getContactBreakingThreshold()),
-          reach_(reach) {}
+          reach_(wanted.reach),
+          part_(partOf(other_, other_stood, childOfOther())) {
+        const PlacedShape part = childOf(other_, other_stood, childOfOther());
+        const int type = part.shape ? part.shape->getShapeType() : INVALID_SHAPE_PROXYTYPE;
+        is_plane_ = type == STATIC_PLANE_PROXYTYPE;
+        is_box_ = type == BOX_SHAPE_PROXYTYPE;
+        if (wanted.on_hulls && !is_plane_ && !is_box_)
+            face_ = faceTowards(part, outwardAt(manifold.getContactPoint(0)));
+    }
 
-    /// `of_all_parts`: of all that the body consists of, if it lies on a plane or a box; else of the part
+    /// `of_all_parts`: of all that the body consists of, if it lies on something flat; else of the part
     /// that the manifold is of.
     void addMissed(bool of_all_parts, std::vector<btManifoldPoint>& points) const {
         const btManifoldPoint& first = manifold_.getContactPoint(0);
-        const int own = of_a_ ? first.m_index0 : first.m_index1;
-        const ConvexPart other = partOf(other_, other_stood_, of_a_ ? first.m_index1 : first.m_index0);
         const btCollisionShape* shape = own_.getCollisionShape();
-        if (!of_all_parts || !shape->isCompound() || !isFlat(other)) {
-            addMissed(partOf(own_, own_stood_, own), other, points);
+        if (!of_all_parts || !shape->isCompound() || !(is_plane_ || is_box_ || face_)) {
+            addMissed(partOf(own_, own_stood_, of_a_ ? first.m_index0 : first.m_index1), points);
             return;
         }
         const int count = static_cast<const btCompoundShape*>(shape)->getNumChildShapes();
-        for (int child = 0; child < count; ++child) addMissed(partOf(own_, own_stood_, child), other, points);
+        for (int child = 0; child < count; ++child) addMissed(partOf(own_, own_stood_, child), points);
     }
 
   private:
-    bool isFlat(const ConvexPart& part) const {
-        return other_.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE ||
-               (part.shape && part.shape->getShapeType() == BOX_SHAPE_PROXYTYPE);
+    int childOfOther() const {
+        const btManifoldPoint& first = manifold_.getContactPoint(0);
+        return of_a_ ? first.m_index1 : first.m_index0;
     }
 
-    void addMissed(const ConvexPart& part, const ConvexPart& other,
-                   std::vector<btManifoldPoint>& points) const {
+    void addMissed(const ConvexPart& part, std::vector<btManifoldPoint>& points) const {
         if (!part.shape) return;
         const btManifoldPoint& first = manifold_.getContactPoint(0);
         const btScalar margin = marginAround(*part.shape);
@@ -56,7 +62,7 @@ class VerticesOf {
         forEachVertex(*part.shape, [&](const btVector3& own) {
             if (isBeyond(planes, own)) return;
             const btVector3 vertex = part.transform * own;
-            const btManifoldPoint* near = nearestPoint(vertex, isOverOrIn(other, first, vertex, margin));
+            const btManifoldPoint* near = nearestPoint(vertex, isOverOrIn(first, vertex, margin));
             if (!near) return;
             const btManifoldPoint point = contactAt(*near, vertex, margin);
             if (point.getDistance() < reach_) points.push_back(point);
@@ -105,22 +111,21 @@ class VerticesOf {
         return of_a_ ? point.m_normalWorldOnB : -point.m_normalWorldOnB;
     }
 
-    /// Whether a point lies in a plane's half-space or in a box, as far as that is known.
-    bool isInside(const ConvexPart& part, const btVector3& point) const {
-        if (other_.getCollisionShape()->getShapeType() == STATIC_PLANE_PROXYTYPE) return true;
-        return part.shape && part.shape->getShapeType() == BOX_SHAPE_PROXYTYPE &&
-               part.shape->isInside(part.transform.invXform(point), part.shape->getMargin());
+    /// Whether a point lies in a plane's half-space, in a box, or below a face, as far as that is known.
+    bool isInside(const btVector3& point) const {
+        if (is_plane_) return true;
+        if (is_box_) return part_.shape->isInside(part_.transform.invXform(point), part_.shape->getMargin());
+        return face_ && face_->isUnder(point) && face_->above(point) < 0 &&
+               face_->above(point) > -face_->thickness;
     }
 
     /// The same of a vertex, or where it is no further out than the reach, of the place below it.
-    bool isOverOrIn(const ConvexPart& part, const btManifoldPoint& point, const btVector3& vertex,
-                    btScalar margin) const {
+    bool isOverOrIn(const btManifoldPoint& point, const btVector3& vertex, btScalar margin) const {
         constexpr btScalar below = 0.01;  // of the threshold: no thin box ends there
         const btVector3 outward = outwardAt(point);
         const btScalar height = outward.dot(vertex - onOther(point)) - margin;
         if (height >= reach_) return false;
-        return isInside(part,
-                        vertex - outward * (margin + std::max(height, btScalar(0)) + below * threshold_));
+        return isInside(vertex - outward * (margin + std::max(height, btScalar(0)) + below * threshold_));
     }
 
     /// The manifold's point whose plane the vertex is held against; nullptr if the vertex is that point, or
@@ -155,8 +160,11 @@ class VerticesOf {
     const btPersistentManifold& manifold_;
     const bool of_a_;
     const btCollisionObject &own_, &other_;
-    const btTransform &own_stood_, &other_stood_;
+    const btTransform& own_stood_;
     const btScalar threshold_, reach_;
+    const ConvexPart part_;  // of the other one
+    bool is_plane_ = false, is_box_ = false;
+    std::optional<FlatFace> face_;
 };
 
 }  // namespace
@@ -193,11 +201,11 @@ bool isBetween(const btManifoldPoint& point, const std::vector<btManifoldPoint>&
 }
 
 std::vector<btManifoldPoint> missedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b, btScalar reach, bool of_all_parts) {
+                                            const btTransform& stood_b, const WantedVertices& wanted) {
     std::vector<btManifoldPoint> points;
     if (manifold.getNumContacts() == 0) return points;
-    VerticesOf(manifold, true, stood_a, stood_b, reach).addMissed(of_all_parts, points);
-    VerticesOf(manifold, false, stood_b, stood_a, reach).addMissed(of_all_parts, points);
+    VerticesOf(manifold, true, stood_a, stood_b, wanted).addMissed(wanted.of_all_parts, points);
+    VerticesOf(manifold, false, stood_b, stood_a, wanted).addMissed(wanted.of_all_parts, points);
     return points;
 }
 

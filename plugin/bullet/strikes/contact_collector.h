@@ -41,6 +41,12 @@ struct StruckBreakable {
     int numberOf(const btCollisionObject* partner);
 };
 
+/// Which of the two bodies of a contact touches the other one with a face: has one there at right angles to
+/// the normal.
+struct FacesOfContact {
+    bool of_a = false, of_b = false;
+};
+
 /// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
 /// speed. Speeds are those from before the solve, which lack the pull of this step's gravity: Bullet adds
 /// that inside the solver. So a body at rest shows none, with one exception: now and then Bullet drops a
@@ -61,9 +67,8 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// The manifold as it is to be fed, if it is not to be as it is: how bodies that are deep in each other
     /// met, one of them breakable.
     std::unique_ptr<btPersistentManifold> corrected(const btPersistentManifold& manifold) const;
-    /// Of the points that are fed from here on the object that has the face on which they are, and which does
-    /// not turn: normals stay as they are while the other one does. nullptr: none has.
-    void setGround(const btCollisionObject* ground) { ground_ = ground; }
+    /// Of the points that are fed from here on.
+    void setFaces(const FacesOfContact& faces) { faces_ = faces; }
     /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
     /// left out.
     void expect(const btPersistentManifold& manifold);
@@ -111,6 +116,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
         btVector3 push;     // unit, the direction in which the contact pushes this side
         btVector3 impulse;  // on this side
         int child;
+        bool is_face;  // that touches
     };
     /// Below it, what Bullet gives is taken.
     static constexpr btScalar slowest_landing_m_s = btScalar(0.1);
@@ -135,7 +141,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     bool two_friction_directions_;
     PossibleStrikes possible_;
     std::shared_ptr<const Piles> piles_;
-    const btCollisionObject* ground_ = nullptr;
+    FacesOfContact faces_;
     Party party_a_, party_b_;  // of the last point: those of a manifold follow each other
     std::vector<StruckBreakable> struck_;
     std::unordered_map<const Breakable*, std::size_t> place_in_struck_;  // for look-up only

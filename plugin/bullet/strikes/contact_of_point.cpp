@@ -112,7 +112,9 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
                                            const btManifoldPoint& point) const {
     const btTransform& asset_from_world = own.party->asset_from_world;
     const btCollisionObject& striker = *other.party->object;
-    const auto radius = btScalar(strikingRadius(*striker.getCollisionShape(), other.child));
+    // Of a cylinder that touches with its end, none.
+    const auto radius =
+        btScalar(other.is_face ? 0 : strikingRadius(*striker.getCollisionShape(), other.child));
     const PointMotion self =
         motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_);
     const PointMotion partner = motionAt(striker, other.party->before, other.point, own.push, time_step_s_);
@@ -130,7 +132,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
                              isSetDown(striker, *own.party->object, closing, depth_m, slowest, time_step_s_);
     const bool strikes = (is_quick || is_set_down) && !rubInEachOther(own, other, closing);
     // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
-    const bool is_turned = strikes && &striker == ground_ && !(own_ball > 0);
+    const bool is_turned = strikes && other.is_face && striker.isStaticObject() && !(own_ball > 0);
     const btMatrix3x3 basis = is_turned
                                   ? asset_from_world.getBasis() * turnBy(self.spin * btScalar(touch.ago_s))
                                   : asset_from_world.getBasis();
@@ -149,7 +151,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.slip_m_s = fromBullet(basis * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = static_cast<double>(radius);
-    contact.partner_is_flat = &striker == ground_;
+    contact.partner_is_flat = other.is_face && own.party->breakable->isDynamic();
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;

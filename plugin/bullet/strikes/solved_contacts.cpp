@@ -16,6 +16,7 @@
 #include "bullet/island/contact_motion.h"
 #include "bullet/shapes/box_faces.h"
 #include "bullet/shapes/convex_part.h"
+#include "bullet/shapes/flat_face.h"
 #include "bullet/shapes/missed_vertices.h"
 #include "bullet/strikes/contact_collector.h"
 #include "bullet/strikes/met_on_the_way.h"
@@ -58,13 +59,15 @@ btScalar toleranceOf(const btPersistentManifold& manifold, const ContactCollecto
 
 /// The vertices that a manifold lacks: what lands on several of them touches with all at about the same time.
 std::vector<btManifoldPoint> landedVertices(const btPersistentManifold& manifold, const btTransform& stood_a,
-                                            const btTransform& stood_b, btScalar tolerance) {
+                                            const btTransform& stood_b, btScalar tolerance, bool on_hulls) {
     if (tolerance == 0)  // as near as Bullet's own points
-        return missedVertices(manifold, stood_a, stood_b, manifold.getContactBreakingThreshold());
+        return missedVertices(manifold, stood_a, stood_b,
+                              {manifold.getContactBreakingThreshold(), false, on_hulls});
     btScalar deepest = BT_LARGE_FLOAT;  // above zero for what is about to land
     for (int i = 0; i < manifold.getNumContacts(); ++i)
         deepest = std::min(deepest, manifold.getContactPoint(i).getDistance());
-    return missedVertices(manifold, stood_a, stood_b, std::max(deepest, btScalar(0)) + tolerance, true);
+    return missedVertices(manifold, stood_a, stood_b,
+                          {std::max(deepest, btScalar(0)) + tolerance, true, on_hulls});
 }
 
 /// What is no deeper than the tolerance of a shape above the deepest is met with that.
@@ -123,37 +126,23 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
-/// Whether a direction is the normal of a face of an object's part at a place: of a plane, a box, or a
-/// triangle.
-bool isNormalOfFace(const btVector3& normal, const btVector3& place, const btCollisionObject& object,
-                    int child) {
+/// Whether a face of an object is what touches at a place: of its part there, or a triangle.
+bool touchesWithAFace(const btCollisionObject& object, const btTransform& stood, int child,
+                      const btVector3& outward, const btVector3& place) {
     constexpr btScalar along = btScalar(0.9999);
-    const PlacedShape part = childOf(object, object.getWorldTransform(), child);
+    const PlacedShape part = childOf(object, stood, child);
     if (!part.shape) return false;
-    const int type = part.shape->getShapeType();
-    if (type == STATIC_PLANE_PROXYTYPE) return true;
-    if (type == BOX_SHAPE_PROXYTYPE) {
-        const btVector3 own = (normal * part.transform.getBasis()).absolute();
-        return own[own.maxAxis()] > along;
+    if (!part.shape->isConcave() || part.shape->getShapeType() == STATIC_PLANE_PROXYTYPE) {
+        const auto face = faceTowards(part, outward);
+        return face && face->normal.dot(outward) > along;
     }
-    if (!part.shape->isConcave()) return false;
     const btVector3 near(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
     bool is_face = false;
     forEachTriangle(object, place - near, place + near, [&](const std::array<btVector3, 3>& corners) {
         const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        is_face = is_face || btFabs(area.dot(normal)) > along * area.length();
+        is_face = is_face || btFabs(area.dot(outward)) > along * area.length();
     });
     return is_face;
-}
-
-/// The object on a face of which the points of a manifold are, if that does not move; nullptr: neither is.
-const btCollisionObject* groundOf(const btPersistentManifold& manifold) {
-    const btManifoldPoint& first = manifold.getContactPoint(0);
-    const btCollisionObject *a = manifold.getBody0(), *b = manifold.getBody1();
-    const btVector3& normal = first.m_normalWorldOnB;
-    if (a->isStaticObject() && isNormalOfFace(normal, first.m_positionWorldOnA, *a, first.m_index0)) return a;
-    if (b->isStaticObject() && isNormalOfFace(normal, first.m_positionWorldOnB, *b, first.m_index1)) return b;
-    return nullptr;
 }
 
 /// What lands on flat ground. A body of several parts has a manifold for each of them, all of which it is fed
@@ -276,6 +265,7 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
         predictive || rests || isExtra(found) ? nullptr : onBoxFaces(found, stood_a, stood_b);
     const btPersistentManifold& manifold = straight ? *straight : found;
     const btScalar tolerance = toleranceOf(found, collector);
+    const bool of_whole = collector.isOfWhole(found);
     std::vector<btManifoldPoint> points;
     if (meeting == Meeting::found && !rests) {
         if (landings.know(manifold)) return;
@@ -285,8 +275,8 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
     if (!is_known) {
         std::vector<btManifoldPoint> vertices;
         if (!isExtra(found))  // else Bullet's own manifold of the pair lacks the same ones
-            vertices = rests ? missedVertices(manifold, stood_a, stood_b, btScalar(largestRestingGap()))
-                             : landedVertices(manifold, stood_a, stood_b, tolerance);
+            vertices = rests ? missedVertices(manifold, stood_a, stood_b, {btScalar(largestRestingGap())})
+                             : landedVertices(manifold, stood_a, stood_b, tolerance, of_whole);
         points = solvedPoints(manifold, meeting, rests, std::move(vertices), collector);
     }
     if (rests) {
@@ -295,7 +285,14 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
         if (!is_known) meetTogether(points, tolerance);
         pressLanding(points, *a, *b, collector);
     }
-    collector.setGround(!rests && collector.isOfWhole(manifold) ? groundOf(manifold) : nullptr);
+    FacesOfContact faces;
+    if (!rests && of_whole && !points.empty()) {
+        const btManifoldPoint& first = points.front();
+        const btVector3& normal = first.m_normalWorldOnB;
+        faces.of_a = touchesWithAFace(*a, stood_a, first.m_index0, -normal, first.m_positionWorldOnA);
+        faces.of_b = touchesWithAFace(*b, stood_b, first.m_index1, normal, first.m_positionWorldOnB);
+    }
+    collector.setFaces(faces);
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);

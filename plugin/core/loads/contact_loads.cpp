@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <numeric>
 #include <utility>
 
 #include "core/numerics/pi.h"
@@ -133,9 +134,27 @@ double narrowSide(const std::vector<const StrikePoint*>& corners) {
     return std::sqrt(std::max(0.0, squares[1]));
 }
 
+/// Whether a face of the body ends at its outermost points of contact, `way` apart: these are its own corners
+/// then, and else those of what strikes it there.
+bool endsWithItsCorners(const ContactBody& body, const std::vector<Vec3>& corners, const Footprint& face,
+                        double way) {
+    constexpr double further = 0.1;  // of the way between two corners
+    constexpr double flush = 0.03;   // of that
+    const Vec3 middle = std::accumulate(corners.begin(), corners.end(), Vec3(Vec3::Zero())) /
+                        static_cast<double>(corners.size());
+    const double probe = further * way;
+    return std::none_of(corners.begin(), corners.end(), [&](const Vec3& corner) {
+        const Vec3 to = corner - middle, along = to - face.push() * face.push().dot(to);
+        if (!(along.norm() > 0)) return false;
+        const Vec3 beyond = corner + probe * along.normalized();
+        const Vec3 off = nearestSurfacePoint(body.surface, beyond, face.push()).point - beyond;
+        return face.outside(beyond) > flush * probe && off.norm() < flush * probe;
+    });
+}
+
 /// Corners of a face that lands flat stand for all of it: each presses on the part that is nearer to it than
-/// to the next ones, as far as the face touches.
-void spreadOverFaces(const ContactBody& body, Strike& strike) {
+/// to the next ones, as far as the face touches. What strikes with its own corners presses with these.
+void spreadOverFaces(const ContactBody& body, const Blow& blow, Strike& strike) {
     constexpr std::size_t next = 2;  // on either side of a corner
     std::vector<StrikePoint*> flat;
     for (StrikePoint& point : strike.points)
@@ -167,6 +186,10 @@ void spreadOverFaces(const ContactBody& body, Strike& strike) {
         const double narrow = narrowSide(corners);
         const auto face = std::make_shared<const Footprint>(places, corners.front()->contact->normal,
                                                             level * body.radius_m);
+        double way = std::numeric_limits<double>::infinity();
+        for (const std::size_t i : own) way = std::min(way, ways[i]);
+        const bool gives_way = !blow.partner(corners.front()->contact->partner).fixed();
+        if (std::isfinite(way) && gives_way && !endsWithItsCorners(body, places, *face, way)) continue;
         for (const std::size_t i : own) {
             if (!std::isfinite(ways[i])) continue;
             const double own_part = ways[i] / 2, touches = std::min(1.0, narrow / own_part);
@@ -225,7 +248,7 @@ Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings
     }
     shareOut(body.mobility, blow, strike);
     giveCurvature(body, settings, strike);
-    spreadOverFaces(body, strike);
+    spreadOverFaces(body, blow, strike);
     return strike;
 }
 

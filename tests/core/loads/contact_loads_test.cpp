@@ -96,6 +96,23 @@ TEST(ContactLoads, CornersOfAFaceThatLandsOnAFlatOneStandForAllOfIt) {
     EXPECT_NEAR(pressed_m2, 0.4 * pi * 0.05 * 0.05, 0.05 * 0.4 * pi * 0.05 * 0.05) << "a quarter of each";
 }
 
+/// A crate that strikes a wall presses with its corners, a brick on a table that gives way with all of its
+/// face.
+TEST(ContactLoads, OnWhatGivesWayAFaceHasToEndWithItsCorners) {
+    const auto partsWithCornersAt = [](double share) {
+        FallingBrick brick;
+        brick.blow.partners = {Mobility::ofPoint(100)};
+        for (ContactImpulse& contact : brick.blow.contacts) {
+            contact.partner_is_flat = true;
+            contact.point.head<2>() *= share;
+        }
+        return partsOfFaces(brick.strike());
+    };
+    EXPECT_EQ(partsWithCornersAt(1), (std::vector<int>{50, 50, 50, 50}));
+    EXPECT_EQ(partsWithCornersAt(0.95), (std::vector<int>{48, 48, 48, 48})) << "rounded edges";
+    EXPECT_EQ(partsWithCornersAt(0.5), (std::vector<int>{0, 0, 0, 0}));
+}
+
 /// Else the stress jumps by a factor of three where the other edge comes too late to count.
 TEST(ContactLoads, AFaceFadesWithTheShareOfItsOtherEdge) {
     double before = 0.05;
