@@ -65,7 +65,7 @@ std::optional<ForeseenBlow> FractureWorld::Impl::takeForeseen(const StruckBreaka
 void FractureWorld::Impl::rehearse(const btRigidBody& mover, BodyToken token,
                                    const std::vector<Role>& roles) {
     constexpr std::size_t most_steps = 100;
-    Rehearsal rehearsal(world_, birth_overlaps_, roles, time_s_);
+    Rehearsal rehearsal(world_, birth_overlaps_, recent_strikes_, roles, time_s_);
     std::vector<BodyState> way;
     std::vector<ForeseenBlow> found;
     const double until_s = time_s_ + 2 * budget_.foresight_s;

@@ -218,9 +218,11 @@ bool FractureWorld::Impl::wasDecided(const Breakable& breakable) const {
 
 std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverInfo& info) {
     const AddedTime time(times_.steps.contacts);
-    ContactCollector collector(breakables_, before_, time_s_, info, &birth_overlaps_);
+    ContactCollector collector(breakables_, before_, time_s_, info, &birth_overlaps_, &recent_strikes_);
     feedSolvedContacts(world_, collector);
-    return collector.takeStruck();
+    auto struck = collector.takeStruck();
+    recent_strikes_.note(struck, time_s_);
+    return struck;
 }
 
 void FractureWorld::Impl::bodiesEnter(const std::vector<btCollisionObject*>& bodies) {

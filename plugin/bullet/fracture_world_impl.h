@@ -25,6 +25,7 @@
 #include "bullet/shapes/shape_store.h"
 #include "bullet/strikes/blow_log.h"
 #include "bullet/strikes/contact_collector.h"
+#include "bullet/strikes/recent_strikes.h"
 #include "bullet/strikes/striker_contacts.h"
 #include "bullet/world/impulse_write_back.h"
 #include "bullet/world/solver_decorator.h"
@@ -185,6 +186,7 @@ class FractureWorld::Impl final : public StepListener, public IntegrationListene
     ShapeStore shapes_;
     AssetStore assets_;
     BirthOverlaps birth_overlaps_;
+    RecentStrikes recent_strikes_;
     StepSnapshot before_;
     MovedGround moved_ground_;
     ImpulseWriteBack write_back_;

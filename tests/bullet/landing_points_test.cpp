@@ -205,4 +205,66 @@ TEST(LandingPoints, AFootIsPressedAlikeOnAllTables) {
     }
 }
 
+/// Bullet stops what is about to land in two steps, by as much as leaves it no time to sink in, and turns it
+/// as it does: what was left came down on a corner, with up to forty times the stress.
+TEST(LandingPoints, ALandingIsOneBlowWhereverInAStepItComes) {
+    const auto glass = BreakableAsset::fromMesh(
+        shapes::revolvedSolid({{0.04, 0}, {0.04, 0.1}, {0.036, 0.1}, {0.036, 0.01}}, 32), Material::glass());
+    ASSERT_TRUE(glass.ok()) << glass.error();
+    constexpr double dt = 1.0 / 240, speed = 0.5;
+    for (const bool is_plane : {true, false}) {
+        double least = 1e300, most = 0;
+        for (double part = 0; part < 1; part += 0.125) {
+            TestWorld scene;
+            if (is_plane)
+                scene.addBody(std::make_unique<btStaticPlaneShape>(btVector3(0, 0, 1), btScalar(0)), 0,
+                              btVector3(0, 0, 0));
+            else
+                addTable(scene, Table::hull);
+            FractureWorld fracture(scene.world.get());
+            EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+            btRigidBody* body =
+                fracture.add(glass.value(), at(0, 0, float(0.01 + part * speed * dt))).value();
+            body->setLinearVelocity(btVector3(0, 0, btScalar(-speed)));
+            scene.step(20, dt);
+            double stress = 0;
+            for (const BlowEvent& event : fracture.takeEvents())
+                stress = std::max(stress, event.largest_stress_pa);
+            least = std::min(least, stress);
+            most = std::max(most, stress);
+        }
+        EXPECT_GT(least, 0);
+        EXPECT_LT(most, 1.2 * least) << is_plane;
+    }
+}
+
+/// One end of a rod comes down, and some steps later the other one.
+TEST(LandingPoints, TheOtherEndIsABlowOfItsOwn) {
+    Material strong = Material::plaster();
+    strong.tensile_strength_pa = 2e8;
+    strong.fracture_energy_j_m2 = 1e-3;
+    const auto rod = BreakableAsset::fromMesh(shapes::slab(Vec3(0.5, 0.04, 0.04)), strong);
+    ASSERT_TRUE(rod.ok()) << rod.error();
+    TestWorld scene;
+    scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));
+    scene.addFloor();
+    FractureWorld fracture(scene.world.get());
+    EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+    BodyOptions options(btTransform(btQuaternion(btVector3(0, 1, 0), btScalar(0.05)), btVector3(0, 0, 0.4f)));
+    options.velocity = btVector3(0, 0, -3);
+    btRigidBody* body = fracture.add(rod.value(), options).value();
+    std::vector<double> ends;
+    for (int step = 0; step < 120; ++step) {
+        scene.step();
+        for (const BlowEvent& event : fracture.takeEvents()) {
+            const btVector3 place(btScalar(event.position.x()), btScalar(event.position.y()),
+                                  btScalar(event.position.z()));
+            ASSERT_EQ(event.outcome, Outcome::held);
+            ends.push_back((body->getWorldTransform().inverse() * place).x());
+        }
+    }
+    EXPECT_TRUE(std::any_of(ends.begin(), ends.end(), [](double x) { return x > 0.2; }));
+    EXPECT_TRUE(std::any_of(ends.begin(), ends.end(), [](double x) { return x < -0.2; }));
+}
+
 }  // namespace

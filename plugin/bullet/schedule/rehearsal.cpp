@@ -95,7 +95,7 @@ bool Rehearsal::mayRehearse(btDiscreteDynamicsWorld& world) {
 }
 
 Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps,
-                     const std::vector<Role>& roles, double time_s)
+                     const RecentStrikes& recent_strikes, const std::vector<Role>& roles, double time_s)
     : of_world_(world),
       time_step_s_(world.getSolverInfo().m_timeStep),
       time_s_(time_s),
@@ -116,10 +116,12 @@ Rehearsal::Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overla
         world.getSimulationIslandManager()->getSplitIslands());
     broadphase_.getOverlappingPairCache()->setOverlapFilterCallback(this);
     for (const Role& role : roles) add(role);
-    overlaps_.copy(overlaps, [&](const btCollisionObject* object) {
+    const auto standInOf = [&](const btCollisionObject* object) {
         const auto found = stand_in_of_.find(object);
         return found == stand_in_of_.end() ? nullptr : found->second;
-    });
+    };
+    overlaps_.copy(overlaps, standInOf);
+    recent_strikes_ = recent_strikes.ofOthers(standInOf);
     noteContacts(world);
 }
 
@@ -243,9 +245,10 @@ void Rehearsal::beforeSolve() {
 
 void Rehearsal::afterSolve(const btContactSolverInfo& info, btIDebugDraw*) {
     time_s_ += info.m_timeStep;
-    ContactCollector collector(breakables_, before_, time_s_, info, &overlaps_);
+    ContactCollector collector(breakables_, before_, time_s_, info, &overlaps_, &recent_strikes_);
     feedSolvedContacts(world_, collector);
     struck_ = collector.takeStruck();
+    recent_strikes_.note(struck_, time_s_);
     write_back_.end(world_);
 }
 

@@ -17,6 +17,7 @@
 #include "bullet/schedule/roles.h"
 #include "bullet/shapes/piece_contacts.h"
 #include "bullet/strikes/contact_collector.h"
+#include "bullet/strikes/recent_strikes.h"
 #include "bullet/world/impulse_write_back.h"
 #include "bullet/world/solver_decorator.h"
 
@@ -29,8 +30,8 @@ namespace sherd {
 class Rehearsal final : private StepListener, private btOverlapFilterCallback {
   public:
     /// The roles are in the order of the world's array of objects.
-    Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps, const std::vector<Role>& roles,
-              double time_s);
+    Rehearsal(btDiscreteDynamicsWorld& world, const BirthOverlaps& overlaps,
+              const RecentStrikes& recent_strikes, const std::vector<Role>& roles, double time_s);
 
     /// Whether a rehearsal of the world finds what the world's own steps do, and calls nobody: the app hears
     /// of no contact, and has not set how Bullet combines two materials or looks for contacts.
@@ -84,6 +85,7 @@ class Rehearsal final : private StepListener, private btOverlapFilterCallback {
     btDiscreteDynamicsWorld world_;
     SolverDecorator decorator_;
     BirthOverlaps overlaps_;
+    RecentStrikes recent_strikes_;
     StepSnapshot before_;
     MovedGround moved_ground_;  // stays where it is
     ImpulseWriteBack write_back_;

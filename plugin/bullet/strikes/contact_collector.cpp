@@ -41,14 +41,15 @@ void tellWhere(StruckBreakable& struck) {
 
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
                                    double time_s, const btContactSolverInfo& info,
-                                   const BirthOverlaps* overlaps)
+                                   const BirthOverlaps* overlaps, const RecentStrikes* recent)
     : breakables_(breakables),
       before_(before),
       overlaps_(overlaps),
       time_s_(time_s),
       time_step_s_(info.m_timeStep),
       two_friction_directions_((info.m_solverMode & SOLVER_USE_2_FRICTION_DIRECTIONS) != 0),
-      possible_(breakables, before, info.m_timeStep) {}
+      possible_(breakables, before, info.m_timeStep),
+      recent_(recent) {}
 
 btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btCollisionObjectWrapper* wrapper_a,
                                            int, int index_a, const btCollisionObjectWrapper* wrapper_b, int,

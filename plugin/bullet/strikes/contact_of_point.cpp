@@ -8,6 +8,7 @@
 #include "bullet/shapes/shapes.h"
 #include "bullet/strikes/contact_collector.h"
 #include "bullet/strikes/piles.h"
+#include "bullet/strikes/recent_strikes.h"
 #include "bullet/world/conversions.h"
 #include "core/loads/first_touch.h"
 
@@ -80,6 +81,14 @@ bool ContactCollector::rubInEachOther(const Side& own, const Side& other, double
            overlaps_->allows(*own.party->object, *other.party->object);
 }
 
+/// Whether what closes there is what the last step has left of a strike that it has counted.
+bool ContactCollector::isLeftOver(const Side& own, const Side& other, double approach_m_s) const {
+    return recent_ && !own.party->breakable->isFragment() &&
+           recent_->haveCounted(*own.party->object, *other.party->object,
+                                fromBullet(own.party->asset_from_world * own.point), approach_m_s, time_s_,
+                                time_step_s_);
+}
+
 /// Where on a body something round touched it, which has slid along it since, as far as the points do not
 /// tell: those of predictive contacts do.
 btVector3 ContactCollector::placeOfTouch(const Side& own, const Side& other, btScalar radius,
@@ -130,7 +139,8 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const bool is_quick = closing > slowest && !(touch.is_bent && touch.speed_m_s <= slowest);
     const bool is_set_down = !own.party->breakable->isFragment() &&
                              isSetDown(striker, *own.party->object, closing, depth_m, slowest, time_step_s_);
-    const bool strikes = (is_quick || is_set_down) && !rubInEachOther(own, other, closing);
+    const bool strikes = (is_quick || is_set_down) && !rubInEachOther(own, other, closing) &&
+                         !isLeftOver(own, other, touch.speed_m_s);
     // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
     const bool is_turned = strikes && other.is_face && striker.isStaticObject() && !(own_ball > 0);
     const btMatrix3x3 basis = is_turned
