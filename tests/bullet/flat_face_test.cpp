@@ -72,6 +72,23 @@ TEST(FlatFace, OfAHullWithItsMargin) {
     }
 }
 
+/// As of a mesh all of whose vertices are given to the hull, and of one that is rounded to tenths of
+/// millimetres.
+TEST(FlatFace, OfAHullWithPointsWithinItsFaces) {
+    btConvexHullShape hull;
+    hull.setMargin(0);
+    constexpr int n = 10;
+    for (int i = -n; i <= n; ++i)
+        for (int j = -n; j <= n; ++j)
+            for (const float z : {-0.4f, 0.4f}) hull.addPoint({float(i) / n, float(j) / n, z});
+    expectUpperFace(hull, 0.4f, 0.8f, 0.98f, 1.42f);
+    hull.addPoint(btVector3(0.3f, 0.2f, 0.4001f));
+    const auto face = faceTowards({&hull, btTransform::getIdentity()}, btVector3(0.03f, 0, 1).normalized());
+    ASSERT_TRUE(face);
+    EXPECT_GT(face->normal.z(), 0.99999f);
+    EXPECT_TRUE(face->isUnder(btVector3(0.9f, 0.9f, 1)));
+}
+
 TEST(FlatFace, OfAHullThatIsScaled) {
     btConvexHullShape hull = prism(40, 0.5f, 0.2f);
     hull.setMargin(0);

@@ -6,14 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+
+#include "core/loads/convex_hull_2d.h"
 
 namespace sherd {
 
 namespace {
 
 constexpr btScalar near_cosine = btScalar(0.996);  // of 5 degrees
-constexpr std::size_t most_corners = 100;
 
 /// Points that turn round a normal, each pair of neighbours of which is a side.
 std::vector<FaceSide> sidesOf(const std::vector<btVector3>& outline, const btVector3& normal) {
@@ -26,56 +26,65 @@ std::vector<FaceSide> sidesOf(const std::vector<btVector3>& outline, const btVec
     return sides;
 }
 
-/// Points of a face in their order round its normal.
-std::vector<btVector3> inOrder(const std::vector<btVector3>& corners, const btVector3& normal) {
-    btVector3 middle(0, 0, 0), x, y;
-    for (const btVector3& corner : corners) middle += corner / btScalar(corners.size());
+/// The corners of a face without what lies between them, in their order round its normal.
+std::vector<btVector3> outlineOf(const std::vector<btVector3>& points, const btVector3& normal) {
+    btVector3 x, y;
     btPlaneSpace1(normal, x, y);
-    std::vector<std::pair<btScalar, std::size_t>> angles;
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-        const btVector3 way = corners[i] - middle;
-        angles.emplace_back(std::atan2(y.dot(way), x.dot(way)), i);
+    std::vector<Vec2> seen;
+    for (const btVector3& point : points) seen.emplace_back(x.dot(point), y.dot(point));
+    const btScalar height = normal.dot(points.front());
+    std::vector<btVector3> outline;
+    for (const Vec2& corner : convexHull(seen))
+        outline.push_back(btScalar(corner.x()) * x + btScalar(corner.y()) * y + height * normal);
+    return outline;
+}
+
+/// Of ways from a corner that is furthest along a direction the one to which a plane comes first that tilts
+/// about that corner, or about an axis through it: where several do, the longest. `slopeAlong` gives how far
+/// a way goes along the plane. Those that are no deeper than `flat` are in the plane.
+template <class Along>
+const btVector3* firstMet(const std::vector<btVector3>& ways, const btVector3& direction, btScalar flat,
+                          const Along& along) {
+    const btVector3* first = nullptr;
+    btScalar least = BT_LARGE_FLOAT, longest = 0;
+    for (const btVector3& way : ways) {
+        const btScalar length = along(way);
+        if (!(length > flat)) continue;
+        const btScalar slope = std::max(-direction.dot(way) - flat, btScalar(0)) / length;
+        if (slope > least || (slope == least && length <= longest)) continue;
+        least = slope;
+        longest = length;
+        first = &way;
     }
-    std::sort(angles.begin(), angles.end());
-    std::vector<btVector3> ordered;
-    for (const auto& [angle, i] : angles) ordered.push_back(corners[i]);
-    return ordered;
+    return first;
 }
 
-/// At right angles to a polygon, with the length of twice its area.
-btVector3 areaOf(const std::vector<btVector3>& outline) {
-    btVector3 area(0, 0, 0);
-    for (std::size_t i = 2; i < outline.size(); ++i)
-        area += (outline[i - 1] - outline[0]).cross(outline[i] - outline[0]);
-    return area;
-}
-
-/// The normal of the plane through the origin and two of some points that is nearest to a direction and has
-/// all points below it, but for `flat`; nothing if none is near.
-std::optional<btVector3> planeOver(const std::vector<btVector3>& points, const btVector3& direction,
-                                   btScalar flat) {
-    constexpr btScalar in_line = btScalar(1e-3);  // sine of an angle between ways that tell no plane
+/// The normal of a face that has the corner which is furthest along a direction, from which the ways go: of
+/// the two beside the edge that a plane meets first the one that faces there more. Nothing if it is a point,
+/// a line, or has no face.
+std::optional<btVector3> normalOfFace(const std::vector<btVector3>& ways, const btVector3& direction,
+                                      btScalar flat) {
+    const btVector3* edge = firstMet(ways, direction, flat, [&](const btVector3& way) {
+        return (way - direction * direction.dot(way)).length();
+    });
+    if (!edge) return std::nullopt;
+    const btVector3 axis = edge->normalized();
+    const btVector3 tilted = (direction - axis * axis.dot(direction)).normalized(),
+                    across = tilted.cross(axis);
     std::optional<btVector3> best;
-    btScalar nearest = near_cosine;
-    for (std::size_t i = 0; i < points.size(); ++i)
-        for (std::size_t j = i + 1; j < points.size(); ++j) {
-            btVector3 normal = points[i].cross(points[j]);
-            const btScalar area = normal.length();
-            if (!(area > in_line * points[i].length() * points[j].length())) continue;
-            normal *= (normal.dot(direction) < 0 ? -1 : 1) / area;
-            const btScalar cosine = normal.dot(direction);
-            if (!(cosine > nearest)) continue;
-            const bool is_over = std::none_of(points.begin(), points.end(),
-                                              [&](const btVector3& way) { return normal.dot(way) > flat; });
-            if (!is_over) continue;
-            nearest = cosine;
-            best = normal;
-        }
+    for (const btScalar side : {btScalar(1), btScalar(-1)}) {
+        const btVector3* other =
+            firstMet(ways, tilted, flat, [&](const btVector3& way) { return side * across.dot(way); });
+        if (!other) continue;
+        const btVector3 normal = (side * axis.cross(*other)).normalized();
+        if (!best || normal.dot(direction) > best->dot(direction)) best = normal;
+    }
     return best;
 }
 
 /// A face that has the corner which is furthest along a direction.
 std::optional<FlatFace> faceOfHull(const btPolyhedralConvexShape& shape, const btVector3& direction) {
+    constexpr btScalar flatness = btScalar(2e-4);  // of its diagonal
     std::vector<btVector3> vertices;
     forEachVertex(shape, [&](const btVector3& vertex) { vertices.push_back(vertex); });
     if (vertices.empty()) return std::nullopt;
@@ -85,30 +94,26 @@ std::optional<FlatFace> faceOfHull(const btPolyhedralConvexShape& shape, const b
         high.setMax(vertex);
         if (direction.dot(vertex) > direction.dot(furthest)) furthest = vertex;
     }
-    const btScalar flat = btScalar(1e-5) * (high - low).length(),
-                   sine = btSqrt(1 - near_cosine * near_cosine);
-    std::vector<btVector3> beside;
-    for (const btVector3& vertex : vertices) {
-        const btVector3 way = vertex - furthest;
-        if (way.length() > flat && -direction.dot(way) < sine * way.length()) beside.push_back(way);
-    }
-    if (beside.size() > most_corners) return std::nullopt;
-    const auto over = planeOver(beside, direction, flat);
-    if (!over) return std::nullopt;
-    std::vector<btVector3> corners;
+    const btScalar flat = flatness * (high - low).length();
+    std::vector<btVector3> ways;
+    for (const btVector3& vertex : vertices) ways.push_back(vertex - furthest);
+    const auto normal = normalOfFace(ways, direction, flat);
+    if (!normal || !(normal->dot(direction) > near_cosine)) return std::nullopt;
+    std::vector<btVector3> on_it;
     for (const btVector3& vertex : vertices)
-        if (btFabs(over->dot(vertex - furthest)) < 2 * flat) corners.push_back(vertex);
-    corners = inOrder(corners, *over);
-    FlatFace face;
-    face.normal = areaOf(corners).normalized();
+        if (btFabs(normal->dot(vertex - furthest)) < 2 * flat) on_it.push_back(vertex);
+    const std::vector<btVector3> outline = outlineOf(on_it, *normal);
+    if (outline.size() < 3) return std::nullopt;
     btScalar highest = -BT_LARGE_FLOAT, lowest = BT_LARGE_FLOAT;
     for (const btVector3& vertex : vertices) {
-        highest = std::max(highest, face.normal.dot(vertex));
-        lowest = std::min(lowest, face.normal.dot(vertex));
+        highest = std::max(highest, normal->dot(vertex));
+        lowest = std::min(lowest, normal->dot(vertex));
     }
+    FlatFace face;
+    face.normal = *normal;
     face.height = highest + marginAround(shape);
     face.thickness = highest - lowest;
-    face.sides = sidesOf(corners, face.normal);
+    face.sides = sidesOf(outline, *normal);
     return face;
 }
 

@@ -29,8 +29,8 @@ struct FlatFace {
 };
 
 /// The face of a plane, a box, a cylinder or a hull that faces a direction, which may be off by a few
-/// degrees: Bullet's normals of hulls are. Nothing of other shapes, of hulls with a hundred corners near the
-/// face, and where an edge or something round faces that way.
+/// degrees: Bullet's normals of hulls are. Nothing of other shapes, and where an edge or something round
+/// faces there.
 std::optional<FlatFace> faceTowards(const PlacedShape& part, const btVector3& direction);
 
 }  // namespace sherd

@@ -31,17 +31,18 @@ class VerticesOf {
         const int type = part.shape ? part.shape->getShapeType() : INVALID_SHAPE_PROXYTYPE;
         is_plane_ = type == STATIC_PLANE_PROXYTYPE;
         is_box_ = type == BOX_SHAPE_PROXYTYPE;
-        if (wanted.on_hulls && !is_plane_ && !is_box_)
-            face_ = faceTowards(part, outwardAt(manifold.getContactPoint(0)));
+        if (!wanted.on_hulls || is_plane_ || is_box_) return;
+        // Beside a ridge between two faces one of them alone would be met.
+        face_ = faceTowards(part, outwardAt(manifold.getContactPoint(0)));
+        if (face_ && !face_->isUnder(childOf(own_, own_stood, childOfOwn()))) face_.reset();
     }
 
     /// `of_all_parts`: of all that the body consists of, if it lies on something flat; else of the part
     /// that the manifold is of.
     void addMissed(bool of_all_parts, std::vector<btManifoldPoint>& points) const {
-        const btManifoldPoint& first = manifold_.getContactPoint(0);
         const btCollisionShape* shape = own_.getCollisionShape();
         if (!of_all_parts || !shape->isCompound() || !(is_plane_ || is_box_ || face_)) {
-            addMissed(partOf(own_, own_stood_, of_a_ ? first.m_index0 : first.m_index1), points);
+            addMissed(partOf(own_, own_stood_, childOfOwn()), points);
             return;
         }
         const int count = static_cast<const btCompoundShape*>(shape)->getNumChildShapes();
@@ -49,6 +50,10 @@ class VerticesOf {
     }
 
   private:
+    int childOfOwn() const {
+        const btManifoldPoint& first = manifold_.getContactPoint(0);
+        return of_a_ ? first.m_index0 : first.m_index1;
+    }
     int childOfOther() const {
         const btManifoldPoint& first = manifold_.getContactPoint(0);
         return of_a_ ? first.m_index1 : first.m_index0;
