@@ -221,7 +221,7 @@ std::vector<StruckBreakable> FractureWorld::Impl::struck(const btContactSolverIn
     ContactCollector collector(breakables_, before_, time_s_, info, &birth_overlaps_, &recent_strikes_);
     feedSolvedContacts(world_, collector);
     auto struck = collector.takeStruck();
-    recent_strikes_.note(struck, time_s_);
+    recent_strikes_.note(struck, time_s_, info.m_timeStep);
     return struck;
 }
 

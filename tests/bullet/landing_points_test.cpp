@@ -238,12 +238,67 @@ TEST(LandingPoints, ALandingIsOneBlowWhereverInAStepItComes) {
     }
 }
 
-/// One end of a rod comes down, and some steps later the other one.
-TEST(LandingPoints, TheOtherEndIsABlowOfItsOwn) {
+/// Holds what these tests do to it, and says so.
+Material strongPlaster() {
     Material strong = Material::plaster();
     strong.tensile_strength_pa = 2e8;
     strong.fracture_energy_j_m2 = 1e-3;
-    const auto rod = BreakableAsset::fromMesh(shapes::slab(Vec3(0.5, 0.04, 0.04)), strong);
+    return strong;
+}
+
+/// The same ball on the same spot, thrown anew before each step.
+TEST(LandingPoints, EachOfManyStrikesOnOneSpotIsABlow) {
+    const auto plate = BreakableAsset::fromMesh(shapes::slab(Vec3(0.3, 0.3, 0.05)), strongPlaster());
+    ASSERT_TRUE(plate.ok()) << plate.error();
+    TestWorld scene;
+    FractureWorld fracture(scene.world.get());
+    EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+    btRigidBody* body = fracture.add(plate.value(), at(0, 0, 0)).value();
+    btRigidBody* ball = scene.addBall(2, 0.05, btVector3(0, 0, 1));
+    const btTransform start = body->getWorldTransform();
+    constexpr int throws = 8;
+    for (int step = 0; step < throws; ++step) {
+        body->setWorldTransform(start);
+        body->setLinearVelocity(btVector3(0, 0, 0));
+        body->setAngularVelocity(btVector3(0, 0, 0));
+        ball->setWorldTransform(btTransform(btQuaternion::getIdentity(), btVector3(0, 0, 0.0749f)));
+        ball->setLinearVelocity(btVector3(0, 0, -5));
+        scene.step();
+    }
+    EXPECT_EQ(fracture.takeEvents().size(), throws);
+}
+
+/// Floor and wall are one body, as those of a level are, and the edge that meets both is at one spot.
+TEST(LandingPoints, TheWallIsABlowOfItsOwn) {
+    const auto brick = BreakableAsset::fromMesh(shapes::slab(Vec3(0.2, 0.1, 0.06)), strongPlaster());
+    ASSERT_TRUE(brick.ok()) << brick.error();
+    TestWorld scene;
+    auto level = std::make_unique<btCompoundShape>();
+    btBoxShape ground(btVector3(5, 5, 0.5f)), wall(btVector3(0.5f, 5, 5));
+    level->addChildShape(at(0, 0, -0.5f), &ground);
+    level->addChildShape(at(0.6f, 0, 0), &wall);
+    scene.addBody(std::move(level), 0, btVector3(0, 0, 0));
+    FractureWorld fracture(scene.world.get());
+    EXPECT_TRUE(fracture.setBudget(Budget::none()).ok());
+    constexpr float dt = 1.f / 240, speed = 3;
+    // Down in the first step, at the wall in the second.
+    btRigidBody* body =
+        fracture.add(brick.value(), at(0 - 1.5f * speed * dt, 0, 0.03f + 0.5f * speed * dt)).value();
+    body->setFriction(0);
+    body->setLinearVelocity(btVector3(speed, 0, -speed));
+    scene.step(3, dt);
+    int down = 0, aside = 0;
+    for (const BlowEvent& event : fracture.takeEvents()) {
+        down += event.normal.z() > 0.9;
+        aside += event.normal.x() < -0.9;
+    }
+    EXPECT_GT(down, 0);
+    EXPECT_GT(aside, 0);
+}
+
+/// One end of a rod comes down, and some steps later the other one.
+TEST(LandingPoints, TheOtherEndIsABlowOfItsOwn) {
+    const auto rod = BreakableAsset::fromMesh(shapes::slab(Vec3(0.5, 0.04, 0.04)), strongPlaster());
     ASSERT_TRUE(rod.ok()) << rod.error();
     TestWorld scene;
     scene.world->setGravity(btVector3(0, 0, btScalar(-9.81)));

@@ -248,7 +248,7 @@ void Rehearsal::afterSolve(const btContactSolverInfo& info, btIDebugDraw*) {
     ContactCollector collector(breakables_, before_, time_s_, info, &overlaps_, &recent_strikes_);
     feedSolvedContacts(world_, collector);
     struck_ = collector.takeStruck();
-    recent_strikes_.note(struck_, time_s_);
+    recent_strikes_.note(struck_, time_s_, info.m_timeStep);
     write_back_.end(world_);
 }
 

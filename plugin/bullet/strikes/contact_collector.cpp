@@ -41,7 +41,7 @@ void tellWhere(StruckBreakable& struck) {
 
 ContactCollector::ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before,
                                    double time_s, const btContactSolverInfo& info,
-                                   const BirthOverlaps* overlaps, const RecentStrikes* recent)
+                                   const BirthOverlaps* overlaps, RecentStrikes* recent)
     : breakables_(breakables),
       before_(before),
       overlaps_(overlaps),

@@ -55,11 +55,11 @@ struct FacesOfContact {
 /// steps of free fall of either body count as none. What the app pushes is no such case: it strikes.
 class ContactCollector final : public btCollisionWorld::ContactResultCallback {
   public:
-    /// `overlaps`: of bodies that were put into each other; nullptr: there are none. `recent`: strikes of
-    /// the step before; nullptr: there were none.
+    /// `overlaps`: of bodies that were put into each other; nullptr: there are none. `recent`: what
+    /// the steps before have left of strikes; nullptr: that is not told from new ones.
     ContactCollector(const BreakableRegistry& breakables, const StepSnapshot& before, double time_s,
                      const btContactSolverInfo& info, const BirthOverlaps* overlaps = nullptr,
-                     const RecentStrikes* recent = nullptr);
+                     RecentStrikes* recent = nullptr);
 
     /// One solved contact point, as Bullet's own contact queries report theirs; the return value has no
     /// meaning.
@@ -129,7 +129,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     void correctTouch(Side& own, Side& other, btManifoldPoint& point) const;
     void addSide(Side own, Side other, btManifoldPoint point);
     bool isExempt(const Side& own, const Side& other) const;
-    bool isLeftOver(const Side& own, const Side& other, double approach_m_s) const;
+    bool isLeftOver(const Side& own, const Side& other, double closing_m_s, double slowest_m_s) const;
     bool rubInEachOther(const Side& own, const Side& other, double closing_m_s) const;
     btVector3 placeOfTouch(const Side& own, const Side& other, btScalar radius, const btVector3& velocity,
                            double touched_s) const;
@@ -145,7 +145,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     bool two_friction_directions_;
     PossibleStrikes possible_;
     std::shared_ptr<const Piles> piles_;
-    const RecentStrikes* recent_;
+    RecentStrikes* recent_;
     FacesOfContact faces_;
     Party party_a_, party_b_;  // of the last point: those of a manifold follow each other
     std::vector<StruckBreakable> struck_;

@@ -81,12 +81,13 @@ bool ContactCollector::rubInEachOther(const Side& own, const Side& other, double
            overlaps_->allows(*own.party->object, *other.party->object);
 }
 
-/// Whether what closes there is what the last step has left of a strike that it has counted.
-bool ContactCollector::isLeftOver(const Side& own, const Side& other, double approach_m_s) const {
+/// Whether what closes there is what the steps before have left of a strike that they have counted.
+bool ContactCollector::isLeftOver(const Side& own, const Side& other, double closing_m_s,
+                                  double slowest_m_s) const {
     return recent_ && !own.party->breakable->isFragment() &&
-           recent_->haveCounted(*own.party->object, *other.party->object,
-                                fromBullet(own.party->asset_from_world * own.point), approach_m_s, time_s_,
-                                time_step_s_);
+           recent_->goOnWith({own.party->object, other.party->object, own.point, own.push,
+                              fromBullet(own.party->asset_from_world * own.point)},
+                             closing_m_s, slowest_m_s, time_s_, time_step_s_);
 }
 
 /// Where on a body something round touched it, which has slid along it since, as far as the points do not
@@ -139,8 +140,9 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const bool is_quick = closing > slowest && !(touch.is_bent && touch.speed_m_s <= slowest);
     const bool is_set_down = !own.party->breakable->isFragment() &&
                              isSetDown(striker, *own.party->object, closing, depth_m, slowest, time_step_s_);
-    const bool strikes = (is_quick || is_set_down) && !rubInEachOther(own, other, closing) &&
-                         !isLeftOver(own, other, touch.speed_m_s);
+    const bool meets = (is_quick || is_set_down) && !rubInEachOther(own, other, closing);
+    const bool is_left_over = meets && isLeftOver(own, other, closing, slowest);
+    const bool strikes = meets && !is_left_over;
     // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
     const bool is_turned = strikes && other.is_face && striker.isStaticObject() && !(own_ball > 0);
     const btMatrix3x3 basis = is_turned
@@ -151,7 +153,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.normal = fromBullet(basis * own.push);
     contact.impulse = fromBullet(basis * own.impulse);
     contact.approach_m_s = strikes ? touch.speed_m_s : std::min(closing, 0.0);
-    if (!contact.strikes() && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
+    if (!meets && depth_m >= -largestRestingGap() && piles_ && piles_->lands(striker))
         contact.approach_m_s = speedOnto(striker, other.point, own.push, self, time_step_s_);
     contact.touched_s = touch.ago_s;
     const btVector3 touched = contact.strikes() && radius > 0
@@ -161,6 +163,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.slip_m_s = fromBullet(basis * (meeting - own.push * btScalar(closing)));
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = static_cast<double>(radius);
+    contact.partner_is_ground = striker.isStaticObject();
     contact.partner_is_flat = other.is_face && own.party->breakable->isDynamic();
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;

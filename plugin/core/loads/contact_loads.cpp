@@ -153,8 +153,9 @@ bool endsWithItsCorners(const ContactBody& body, const std::vector<Vec3>& corner
 }
 
 /// Corners of a face that lands flat stand for all of it: each presses on the part that is nearer to it than
-/// to the next ones, as far as the face touches. What strikes with its own corners presses with these.
-void spreadOverFaces(const ContactBody& body, const Blow& blow, Strike& strike) {
+/// to the next ones, as far as the face touches. What moves and strikes with its own corners presses with
+/// these.
+void spreadOverFaces(const ContactBody& body, Strike& strike) {
     constexpr std::size_t next = 2;  // on either side of a corner
     std::vector<StrikePoint*> flat;
     for (StrikePoint& point : strike.points)
@@ -188,8 +189,8 @@ void spreadOverFaces(const ContactBody& body, const Blow& blow, Strike& strike) 
                                                             level * body.radius_m);
         double way = std::numeric_limits<double>::infinity();
         for (const std::size_t i : own) way = std::min(way, ways[i]);
-        const bool gives_way = !blow.partner(corners.front()->contact->partner).fixed();
-        if (std::isfinite(way) && gives_way && !endsWithItsCorners(body, places, *face, way)) continue;
+        const bool is_ground = corners.front()->contact->partner_is_ground;
+        if (std::isfinite(way) && !is_ground && !endsWithItsCorners(body, places, *face, way)) continue;
         for (const std::size_t i : own) {
             if (!std::isfinite(ways[i])) continue;
             const double own_part = ways[i] / 2, touches = std::min(1.0, narrow / own_part);
@@ -248,7 +249,7 @@ Strike strikeOf(const ContactBody& body, const Blow& blow, const ContactSettings
     }
     shareOut(body.mobility, blow, strike);
     giveCurvature(body, settings, strike);
-    spreadOverFaces(body, blow, strike);
+    spreadOverFaces(body, strike);
     return strike;
 }
 
