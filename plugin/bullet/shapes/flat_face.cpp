@@ -184,6 +184,12 @@ bool FlatFace::isUnder(const btVector3& place) const {
                        [&](const FaceSide& side) { return side.inward.dot(place) >= side.from; });
 }
 
+btScalar FlatFace::roomAround(const btVector3& place) const {
+    btScalar room = BT_LARGE_FLOAT;
+    for (const FaceSide& side : sides) room = std::min(room, side.inward.dot(place) - side.from);
+    return std::max(room, btScalar(0));
+}
+
 bool FlatFace::isUnder(const PlacedShape& other) const {
     return std::all_of(sides.begin(), sides.end(), [&](const FaceSide& side) {
         const btVector3 along = normal.cross(side.inward);

@@ -24,6 +24,8 @@ struct FlatFace {
 
     btScalar above(const btVector3& place) const { return normal.dot(place) - height; }
     bool isUnder(const btVector3& place) const;
+    /// How far it reaches on all sides of a place on it, m; 0 beside it.
+    btScalar roomAround(const btVector3& place) const;
     /// Whether all of another part is over it or below it, none of it beside.
     bool isUnder(const PlacedShape& other) const;
 };

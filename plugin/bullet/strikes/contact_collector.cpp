@@ -63,8 +63,10 @@ btScalar ContactCollector::addSingleResult(btManifoldPoint& point, const btColli
     if (two_friction_directions_) impulse += point.m_lateralFrictionDir2 * point.m_appliedImpulseLateral2;
     lookUp(*wrapper_a->getCollisionObject(), party_a_);
     lookUp(*wrapper_b->getCollisionObject(), party_b_);
-    const Side a{&party_a_, point.getPositionWorldOnA(), normal, impulse, index_a, faces_.of_a};
-    const Side b{&party_b_, point.getPositionWorldOnB(), -normal, -impulse, index_b, faces_.of_b};
+    const Side a{&party_a_, point.getPositionWorldOnA(),          normal, impulse,
+                 index_a,   faces_.of_a ? &*faces_.of_a : nullptr};
+    const Side b{&party_b_, point.getPositionWorldOnB(),          -normal, -impulse,
+                 index_b,   faces_.of_b ? &*faces_.of_b : nullptr};
     addSide(a, b, point);
     addSide(b, a, point);
     return 0;

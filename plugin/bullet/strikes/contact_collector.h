@@ -4,12 +4,15 @@
 #include <sherd/push.h>
 
 #include <memory>
+#include <optional>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "bullet/bodies/breakable.h"
 #include "bullet/ground/landing_points.h"
 #include "bullet/island/island_state.h"
+#include "bullet/shapes/flat_face.h"
 #include "bullet/strikes/possible_strikes.h"
 #include "core/loads/blow.h"
 
@@ -42,10 +45,10 @@ struct StruckBreakable {
     int numberOf(const btCollisionObject* partner);
 };
 
-/// Which of the two bodies of a contact touches the other one with a face: has one there at right angles to
-/// the normal.
+/// The face with which either body of a contact touches the other one, at right angles to the normal; none
+/// where it has no face there. That of a triangle has no sides.
 struct FacesOfContact {
-    bool of_a = false, of_b = false;
+    std::optional<FlatFace> of_a, of_b;
 };
 
 /// Gathers every solved contact of breakable bodies: point, normal, normal and friction impulse, closing
@@ -71,7 +74,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
     /// met, one of them breakable.
     std::unique_ptr<btPersistentManifold> corrected(const btPersistentManifold& manifold) const;
     /// Of the points that are fed from here on.
-    void setFaces(const FacesOfContact& faces) { faces_ = faces; }
+    void setFaces(FacesOfContact faces) { faces_ = std::move(faces); }
     /// Announces the manifolds of the step, all of them before any is fed: bodies that they cannot break are
     /// left out.
     void expect(const btPersistentManifold& manifold);
@@ -119,7 +122,7 @@ class ContactCollector final : public btCollisionWorld::ContactResultCallback {
         btVector3 push;     // unit, the direction in which the contact pushes this side
         btVector3 impulse;  // on this side
         int child;
-        bool is_face;  // that touches
+        const FlatFace* face;  // that touches; nullptr: none
     };
     /// Below it, what Bullet gives is taken.
     static constexpr btScalar slowest_landing_m_s = btScalar(0.1);

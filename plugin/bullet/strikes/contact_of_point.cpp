@@ -123,8 +123,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const btTransform& asset_from_world = own.party->asset_from_world;
     const btCollisionObject& striker = *other.party->object;
     // Of a cylinder that touches with its end, none.
-    const auto radius =
-        btScalar(other.is_face ? 0 : strikingRadius(*striker.getCollisionShape(), other.child));
+    const auto radius = btScalar(other.face ? 0 : strikingRadius(*striker.getCollisionShape(), other.child));
     const PointMotion self =
         motionAt(*own.party->object, own.party->before, own.point, own.push, time_step_s_);
     const PointMotion partner = motionAt(striker, other.party->before, other.point, own.push, time_step_s_);
@@ -144,7 +143,7 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     const bool is_left_over = meets && isLeftOver(own, other, closing, slowest);
     const bool strikes = meets && !is_left_over;
     // A vertex touched the ground as the body was turned then; a ball touches wherever it is lowest.
-    const bool is_turned = strikes && other.is_face && striker.isStaticObject() && !(own_ball > 0);
+    const bool is_turned = strikes && other.face && striker.isStaticObject() && !(own_ball > 0);
     const btMatrix3x3 basis = is_turned
                                   ? asset_from_world.getBasis() * turnBy(self.spin * btScalar(touch.ago_s))
                                   : asset_from_world.getBasis();
@@ -164,7 +163,8 @@ ContactImpulse ContactCollector::contactOn(const Side& own, const Side& other,
     contact.friction = point.m_combinedFriction;
     contact.partner_radius_m = static_cast<double>(radius);
     contact.partner_is_ground = striker.isStaticObject();
-    contact.partner_is_flat = other.is_face && own.party->breakable->isDynamic();
+    contact.partner_is_flat = other.face && own.party->breakable->isDynamic();
+    if (contact.partner_is_flat) contact.partner_reach_m = other.face->roomAround(other.point);
     if (const Breakable* other_breakable = other.party->breakable) {
         contact.partner_youngs_modulus_pa = other_breakable->asset.material().youngs_modulus_pa;
         contact.partner_poisson_ratio = other_breakable->asset.material().poisson_ratio;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -126,23 +127,25 @@ bool isOnFace(const btManifoldPoint& point, const btCollisionObject& a, const bt
     return isFlat(a, point.m_index0) || isFlat(b, point.m_index1);
 }
 
-/// Whether a face of an object is what touches at a place: of its part there, or a triangle.
-bool touchesWithAFace(const btCollisionObject& object, const btTransform& stood, int child,
-                      const btVector3& outward, const btVector3& place) {
+/// The face of an object that touches at a place: of its part there, or a triangle.
+std::optional<FlatFace> faceThatTouches(const btCollisionObject& object, const btTransform& stood, int child,
+                                        const btVector3& outward, const btVector3& place) {
     constexpr btScalar along = btScalar(0.9999);
     const PlacedShape part = childOf(object, stood, child);
-    if (!part.shape) return false;
+    if (!part.shape) return std::nullopt;
     if (!part.shape->isConcave() || part.shape->getShapeType() == STATIC_PLANE_PROXYTYPE) {
-        const auto face = faceTowards(part, outward);
-        return face && face->normal.dot(outward) > along;
+        auto face = faceTowards(part, outward);
+        if (face && !(face->normal.dot(outward) > along)) face.reset();
+        return face;
     }
     const btVector3 near(gContactBreakingThreshold, gContactBreakingThreshold, gContactBreakingThreshold);
-    bool is_face = false;
+    bool is_triangle = false;
     forEachTriangle(object, place - near, place + near, [&](const std::array<btVector3, 3>& corners) {
         const btVector3 area = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        is_face = is_face || btFabs(area.dot(outward)) > along * area.length();
+        is_triangle = is_triangle || btFabs(area.dot(outward)) > along * area.length();
     });
-    return is_face;
+    if (!is_triangle) return std::nullopt;
+    return FlatFace{outward, outward.dot(place)};
 }
 
 /// What lands on flat ground. A body of several parts has a manifold for each of them, all of which it is fed
@@ -289,10 +292,10 @@ void feedManifold(btPersistentManifold& found, Meeting meeting, Landings& landin
     if (!rests && of_whole && !points.empty()) {
         const btManifoldPoint& first = points.front();
         const btVector3& normal = first.m_normalWorldOnB;
-        faces.of_a = touchesWithAFace(*a, stood_a, first.m_index0, -normal, first.m_positionWorldOnA);
-        faces.of_b = touchesWithAFace(*b, stood_b, first.m_index1, normal, first.m_positionWorldOnB);
+        faces.of_a = faceThatTouches(*a, stood_a, first.m_index0, -normal, first.m_positionWorldOnA);
+        faces.of_b = faceThatTouches(*b, stood_b, first.m_index1, normal, first.m_positionWorldOnB);
     }
-    collector.setFaces(faces);
+    collector.setFaces(std::move(faces));
     for (btManifoldPoint& point : points)
         collector.addSingleResult(point, &wrapper_a, point.m_partId0, point.m_index0, &wrapper_b,
                                   point.m_partId1, point.m_index1);

@@ -2,6 +2,7 @@
 
 #include <sherd/types.h>
 
+#include <limits>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -34,9 +35,10 @@ struct ContactImpulse {
     Vec3 slip_m_s = Vec3::Zero();  ///< velocity of the partner against the body along the surface
     double friction = -1;  ///< coefficient; below 0: not known, the force has the direction of the impulse
     int partner = 0;       ///< numbers the bodies that touch this one
-    double partner_radius_m = 0;     ///< radius of curvature of the striking shape; 0: not known or flat
-    bool partner_is_flat = false;    ///< a face of it is what touches
-    bool partner_is_ground = false;  ///< it stands still
+    double partner_radius_m = 0;   ///< radius of curvature of the striking shape; 0: not known or flat
+    bool partner_is_flat = false;  ///< a face of it is what touches
+    double partner_reach_m = std::numeric_limits<double>::infinity();  ///< of that face, on all sides
+    bool partner_is_ground = false;                                    ///< it stands still
     std::shared_ptr<const TouchingSurface> partner_surface;  ///< tells its curvature where the shape does not
     double patch_radius_m = 0;             ///< of the part of the surface that is struck; 0: Hertz's
     double partner_youngs_modulus_pa = 0;  ///< 0: the settings' value

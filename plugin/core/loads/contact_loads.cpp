@@ -152,6 +152,52 @@ bool endsWithItsCorners(const ContactBody& body, const std::vector<Vec3>& corner
     });
 }
 
+/// A part of a face that a blow presses against a flat partner, and how deep.
+struct PressedPart {
+    double radius_m = 0, depth_m = 0;
+};
+
+/// The part about a corner of a face that is tilted by little. A force F on a disc of radius r dents a
+/// half-space by F / (2 E* r), and what ends at an edge by as much more as less of the disc lies on it; what
+/// is nearer to the partner than that touches. Where that is half of what lies within r, the contact's own
+/// radius is r / 1.4: so it is of a paraboloid (Hertz) and of a blunt cone (Sneddon 1965). `most_m`: what is
+/// the corner's. Radius 0: no more than Hertz's is pressed, or the face is level; where its far edge does not
+/// touch then, what it lies on ends before it.
+PressedPart pressedAbout(const ContactBody& body, const StrikePoint& corner, double force_n, double most_m) {
+    constexpr double wider = 1.4, least = 0.07, step = 0.93, least_on_it = 0.25;
+    constexpr double close = 0.3, size = 0.05;  // of the reach
+    constexpr double hardly = 1e-4;             // sine of a tilt
+    struct Near {
+        double distance, gap, area;
+    };
+    std::vector<Near> around;
+    bool is_level = true;
+    const Vec3& push = corner.contact->normal;
+    const double reach = wider * most_m;
+    for (const PieceNearby& piece :
+         surfaceAround(body.surface, corner.spot.point, reach, close * reach, size * reach)) {
+        const Vec3 way = piece.centre - corner.spot.point;
+        const double facing = -piece.area.dot(push);
+        if (!(facing > 0.5 * piece.area.norm())) continue;
+        around.push_back({way.norm(), way.dot(push), facing});
+        is_level = is_level && piece.area.cross(push).norm() < hardly * facing;
+    }
+    if (is_level) return {};
+    for (double radius = reach; radius > wider * least * most_m; radius *= step) {
+        double all = 0, touching_area = 0;
+        for (const Near& part : around)
+            if (part.distance < radius) all += part.area;
+        const double on_it = std::clamp(all / (pi * radius * radius), least_on_it, 1.0);
+        const double depth = force_n / (2 * corner.hertz.contact_modulus_pa * radius * on_it);
+        for (const Near& part : around)
+            if (part.distance < radius && part.gap < depth) touching_area += part.area;
+        if (touching_area > 0.5 * all) return {radius / wider, depth};
+    }
+    const double smaller = 2 * least * most_m;
+    if (!(smaller > hertzPatchRadius(corner.hertz, force_n))) return {};
+    return pressedAbout(body, corner, force_n, smaller);
+}
+
 /// Corners of a face that lands flat stand for all of it: each presses on the part that is nearer to it than
 /// to the next ones, as far as the face touches. What moves and strikes with its own corners presses with
 /// these.
@@ -189,13 +235,27 @@ void spreadOverFaces(const ContactBody& body, Strike& strike) {
                                                             level * body.radius_m);
         double way = std::numeric_limits<double>::infinity();
         for (const std::size_t i : own) way = std::min(way, ways[i]);
-        const bool is_ground = corners.front()->contact->partner_is_ground;
-        if (std::isfinite(way) && !is_ground && !endsWithItsCorners(body, places, *face, way)) continue;
+        const bool is_alone = !std::isfinite(way), is_ground = corners.front()->contact->partner_is_ground;
+        if (!is_ground && (is_alone || !endsWithItsCorners(body, places, *face, way))) continue;
         for (const std::size_t i : own) {
-            if (!std::isfinite(ways[i])) continue;
-            const double own_part = ways[i] / 2, touches = std::min(1.0, narrow / own_part);
-            flat[i]->on_face_m = touches * touches * own_part;
-            flat[i]->face = face;
+            StrikePoint& corner = *flat[i];
+            const bool is_of_face = std::isfinite(ways[i]);
+            const double own_part = (is_of_face ? ways[i] : body.wall_thickness_m) / 2,
+                         touches = is_of_face ? std::min(1.0, narrow / own_part) : 0;
+            corner.face = face;
+            corner.on_face_m = touches * touches * own_part;
+            corner.closed_gap_m = 2 * level * corner.on_face_m;
+            if (touches == 1) continue;
+            const double force =
+                hertzPeakForce(corner.hertz, corner.share * strike.mass(0), strike.speed_m_s);
+            const double room = std::min(own_part, corner.contact->partner_reach_m);
+            const PressedPart pressed = room > 0 ? pressedAbout(body, corner, force, room) : PressedPart{};
+            // What is round and not tilted is Hertz's.
+            const double least = is_of_face ? corner.on_face_m : 1.2 * hertzPatchRadius(corner.hertz, force);
+            if (!(pressed.radius_m > least)) continue;
+            corner.is_tilted = true;
+            corner.on_face_m = pressed.radius_m;
+            corner.closed_gap_m = 2 * pressed.depth_m;
         }
     }
 }
@@ -203,10 +263,11 @@ void spreadOverFaces(const ContactBody& body, Strike& strike) {
 /// Of the surface about a corner of a face, without what lies in a hollow of it, or beside what it stands on.
 void keepWhatTouches(const StrikePoint& corner, std::vector<PatchPart>& parts) {
     const Vec3& push = corner.contact->normal;
+    const double beside = corner.is_tilted ? corner.on_face_m : 0;
     std::vector<PatchPart> touching_parts;
     for (const PatchPart& part : parts)
-        if (corner.face->outside(part.centre) == 0 &&
-            std::abs((part.centre - corner.spot.point).dot(push)) < 2 * level * corner.on_face_m)
+        if (corner.face->outside(part.centre) <= beside &&
+            std::abs((part.centre - corner.spot.point).dot(push)) < corner.closed_gap_m)
             touching_parts.push_back(part);
     if (!touching_parts.empty()) parts = std::move(touching_parts);
 }

@@ -19,6 +19,8 @@ struct StrikePoint {
     double share = 0;          ///< of the strike's normal force; all points of a strike have 1
     Vec3 push = Vec3::Zero();  ///< direction of the force, with a normal part of 1
     double on_face_m = 0;      ///< radius of the part of a face that it stands for, m; or 0
+    double closed_gap_m = 0;   ///< how far from the partner that part may be and be pressed, m
+    bool is_tilted = false;    ///< the far edge of the face, which would tell how far it goes, does not touch
     std::shared_ptr<const Footprint> face = nullptr;  ///< what that face touches
 };
 

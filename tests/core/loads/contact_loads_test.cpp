@@ -133,6 +133,45 @@ TEST(ContactLoads, AFaceFadesWithTheShareOfItsOtherEdge) {
     EXPECT_EQ(before, 0);
 }
 
+/// A quarter of a disc about each end of the lower edge, in which half of what lies within r is nearer to the
+/// floor than 0.4 r tan(tilt): the radius r / 1.4 where that is what the body gives way, F / (2 E* r / 4).
+TEST(ContactLoads, AFaceThatIsTiltedIsPressedAsFarAsItGivesWay) {
+    double before = 0.06;
+    for (const double tilt : {2e-4, 5e-4, 1e-3, 2e-3, 4e-3, 8e-3, 1.6e-2}) {
+        FallingBrick brick;
+        for (ContactImpulse& contact : brick.blow.contacts) {
+            contact.partner_is_flat = contact.partner_is_ground = true;
+            contact.normal = contact.impulse = Vec3(std::sin(tilt), 0, std::cos(tilt));
+            if (contact.point.x() > 0) contact.touched_s = -0.2 * std::tan(tilt) / 2;
+        }
+        const Strike strike = brick.strike();
+        const StrikePoint& point = strike.points.front();
+        EXPECT_LT(point.on_face_m, before * 1.001) << tilt;
+        if (strike.points.size() == 2) {
+            const double force = hertzPeakForce(point.hertz, point.share * strike.mass(0), 2);
+            const double radius =
+                std::sqrt(5 * force / (point.hertz.contact_modulus_pa * std::tan(tilt))) / 1.4;
+            EXPECT_NEAR(point.on_face_m, std::min(0.05, radius), 0.12 * radius) << tilt;
+        }
+        before = point.on_face_m;
+    }
+    EXPECT_LT(before, 0.03);
+}
+
+/// On the edge of a table, or on a ledge.
+TEST(ContactLoads, AFaceThatIsTiltedIsPressedNoFurtherThanTheGroundReaches) {
+    for (const double reach : {0., 0.01, 1.}) {
+        FallingBrick brick;
+        brick.blow.contacts.resize(2);
+        for (ContactImpulse& contact : brick.blow.contacts) {
+            contact.partner_is_flat = contact.partner_is_ground = true;
+            contact.partner_reach_m = reach;
+            contact.normal = contact.impulse = Vec3(std::sin(1e-3), 0, std::cos(1e-3));
+        }
+        EXPECT_NEAR(brick.strike().points.front().on_face_m, std::min(reach, 0.05), 1e-9);
+    }
+}
+
 TEST(ContactLoads, AFacePressesOnlyWhereItTouches) {
     FallingBrick brick;
     for (Vec3& vertex : brick.mesh.vertices)  // a hollow of 2 cm with a rim of a tenth
