@@ -117,21 +117,28 @@ std::optional<FlatFace> faceOfHull(const btPolyhedralConvexShape& shape, const b
     return face;
 }
 
-std::optional<FlatFace> faceOfBox(const btBoxShape& box, const btVector3& direction) {
-    const btVector3 half = box.getHalfExtentsWithMargin();
-    const int axis = direction.absolute().maxAxis();
+/// Without sides: of a box or a cylinder with these half extents the end along an axis.
+std::optional<FlatFace> endAcross(int axis, const btVector3& half, const btVector3& direction) {
     FlatFace face;
     face.normal.setZero();
     face.normal[axis] = direction[axis] < 0 ? btScalar(-1) : btScalar(1);
     if (!(face.normal.dot(direction) > near_cosine)) return std::nullopt;
     face.height = half[axis];
     face.thickness = 2 * half[axis];
+    return face;
+}
+
+std::optional<FlatFace> faceOfBox(const btBoxShape& box, const btVector3& direction) {
+    const btVector3 half = box.getHalfExtentsWithMargin();
+    const int axis = direction.absolute().maxAxis();
+    auto face = endAcross(axis, half, direction);
+    if (!face) return std::nullopt;
     for (int i = 0; i < 3; ++i) {
         if (i == axis) continue;
         btVector3 inward(0, 0, 0);
         for (const btScalar side : {btScalar(-1), btScalar(1)}) {
             inward[i] = side;
-            face.sides.push_back({inward, -half[i]});
+            face->sides.push_back({inward, -half[i]});
         }
     }
     return face;
@@ -141,21 +148,17 @@ std::optional<FlatFace> faceOfCylinder(const btCylinderShape& cylinder, const bt
     constexpr int corners = 32;
     const btVector3 half = cylinder.getHalfExtentsWithMargin();
     const int up = cylinder.getUpAxis(), x = (up + 1) % 3, y = (up + 2) % 3;
-    FlatFace face;
-    face.normal.setZero();
-    face.normal[up] = direction[up] < 0 ? btScalar(-1) : btScalar(1);
-    if (!(face.normal.dot(direction) > near_cosine)) return std::nullopt;
-    face.height = half[up];
-    face.thickness = 2 * half[up];
+    auto face = endAcross(up, half, direction);
+    if (!face) return std::nullopt;
     std::vector<btVector3> outline;
     for (int i = 0; i < corners; ++i) {
-        const btScalar angle = face.normal[up] * btScalar(i) * SIMD_2_PI / corners;
+        const btScalar angle = face->normal[up] * btScalar(i) * SIMD_2_PI / corners;
         btVector3 corner(0, 0, 0);
         corner[x] = half[x] * btCos(angle);
         corner[y] = half[y] * btSin(angle);
         outline.push_back(corner);
     }
-    face.sides = sidesOf(outline, face.normal);
+    face->sides = sidesOf(outline, face->normal);
     return face;
 }
 

@@ -13,6 +13,9 @@
 
 namespace sherd {
 
+/// Cosine of the angle between the normals of contacts that share a patch or a face.
+constexpr double alike_normals = 0.9;
+
 /// What the loads need to know of the struck body.
 struct ContactBody {
     const SurfaceTree& surface;

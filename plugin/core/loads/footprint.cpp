@@ -52,8 +52,8 @@ struct Facing {
 };
 
 /// The surface over a footprint that faces its push, but what lies deeper than `depth` inside of a triangle
-/// that is all over it: none of its parts is wanted. What is a quarter as long as
-/// `longest` is taken together: it counts by where its middle is.
+/// that is all over it: none of its parts is wanted. What is a quarter as long as `longest` is taken
+/// together: it counts by where its middle is.
 SurfaceParts outerParts(const SurfaceTree& tree, const Footprint& footprint, const LengthOfParts& longest,
                         double depth) {
     constexpr double grazing = 0.1;  // cosine
