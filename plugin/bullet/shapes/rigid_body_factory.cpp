@@ -6,6 +6,7 @@
 #include <LinearMath/btDefaultMotionState.h>
 
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 
 #include "bullet/shapes/piece_hull.h"
@@ -13,6 +14,7 @@
 #include "bullet/world/conversions.h"
 #include "geometry/convex/convex_decomposition.h"
 #include "geometry/convex/convex_hull.h"
+#include "geometry/convex/corners_of_feet.h"
 
 namespace sherd {
 
@@ -146,10 +148,12 @@ bool holdAir(const std::vector<ConvexHull>& hulls, double solid_volume) {
 /// The vertices with which a whole body can land on a plane.
 std::vector<btVector3> outermostOf(const TriangleMesh& surface, const BreakableSolid& solid) {
     if (solid.isFragment()) return {};
+    const double tolerance_m = outermost_tolerance * solid.spacing();
+    const std::vector<Vec3> hull = simpleHull(surface.vertices, most_outermost, tolerance_m).vertices;
     std::vector<btVector3> outermost;
-    for (const Vec3& vertex :
-         simpleHull(surface.vertices, most_outermost, outermost_tolerance * solid.spacing()).vertices)
-        outermost.push_back(toBullet(vertex));
+    for (const Vec3& vertex : hull) outermost.push_back(toBullet(vertex));
+    for (const Vec3& corner : cornersOfFeet(surface, hull, tolerance_m))
+        if (std::find(hull.begin(), hull.end(), corner) == hull.end()) outermost.push_back(toBullet(corner));
     return outermost;
 }
 
