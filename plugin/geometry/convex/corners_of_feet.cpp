@@ -1,6 +1,7 @@
 #include "geometry/convex/corners_of_feet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -61,14 +62,20 @@ std::vector<Support> supportsOf(const TriangleMesh& surface, const std::vector<V
     return supports;
 }
 
-/// The vertices of each connected face in a plane.
-std::vector<std::vector<int>> facesIn(const Support& plane, const TriangleMesh& surface) {
+/// The vertices of each face in a plane. Faces between which the surface hardly leaves the plane are one: a
+/// round side that is rough has many.
+std::vector<std::vector<int>> facesIn(const Support& plane, const TriangleMesh& surface, double tolerance_m) {
+    constexpr double shallow = 10;  // tolerances
     UnionFind joined(surface.vertices.size());
+    for (const auto& [a, b, c] : surface.triangles)
+        if (std::min({plane.above(surface.vertices[a]), plane.above(surface.vertices[b]),
+                      plane.above(surface.vertices[c])}) > -shallow * tolerance_m) {
+            joined.unite(a, b);
+            joined.unite(b, c);
+        }
     std::vector<int> vertices;
     for (const int t : plane.triangles) {
         const auto& [a, b, c] = surface.triangles[t];
-        joined.unite(a, b);
-        joined.unite(b, c);
         vertices.insert(vertices.end(), {a, b, c});
     }
     std::sort(vertices.begin(), vertices.end());
@@ -86,7 +93,8 @@ std::vector<Vec3> cornersOfFeet(const TriangleMesh& surface, const std::vector<V
                                 double tolerance_m) {
     std::vector<Vec3> found;
     for (const Support& plane : supportsOf(surface, hull, tolerance_m)) {
-        const std::vector<std::vector<int>> feet = facesIn(plane, surface);
+        if (plane.triangles.size() < 2) continue;
+        const std::vector<std::vector<int>> feet = facesIn(plane, surface, tolerance_m);
         if (feet.size() < 2) continue;
         const Vec3 along = plane.normal.unitOrthogonal(), across = plane.normal.cross(along);
         for (const std::vector<int>& foot : feet) {
