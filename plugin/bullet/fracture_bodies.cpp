@@ -216,6 +216,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     auto breakable = std::make_unique<Breakable>(asset, fractureSettingsFor(asset, settings.fracture));
     breakable->of_all_alike = alike.value();
     breakable->body = body;
+    breakable->extent_when_made = extentOf(*body);
     breakable->name = options.name;
     breakable->seed = options.seed;
     registerBreakable(std::move(breakable));

@@ -1,7 +1,5 @@
 // A body of 20 m or 3 mm is a slip of the exporter: the first blow on it says so, whatever comes of the blow.
 
-#include <algorithm>
-
 #include "bullet/support.h"
 
 namespace {
@@ -33,8 +31,7 @@ std::vector<BlowEvent> eventsOfACube(double size_m, double speed_m_s, const Mate
 }
 
 bool warns(const BlowEvent& event, const char* words = "Repair::scale") {
-    return std::any_of(event.warnings.begin(), event.warnings.end(),
-                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
+    return warnsOf(event, words);
 }
 
 TEST(SizeWarning, FirstBlowOnAHugeBodySaysIt) {
@@ -80,56 +77,6 @@ TEST(SizeWarning, UsualBodiesAndTheirFragmentsGoWithout) {
     ASSERT_FALSE(events.empty());
     EXPECT_EQ(events[0].outcome, Outcome::broke) << events[0].message;
     for (const BlowEvent& event : events) EXPECT_FALSE(warns(event));
-}
-
-TEST(SizeWarning, FirstBlowOnABodyThatTurnsAboutAnotherPointSaysIt) {
-    for (const btScalar shift : {btScalar(0), btScalar(0.1)}) {
-        TestWorld scene;
-        scene.addFloor();
-        btBoxShape box(btVector3(0.1f, 0.1f, 0.3f));
-        btCompoundShape shape;
-        shape.addChildShape(at(0, 0, shift), &box);
-        btRigidBody body(btRigidBody::btRigidBodyConstructionInfo(5, nullptr, &shape, btVector3(1, 1, 1)));
-        body.setWorldTransform(at(0, 0, 0.6f));
-        body.setLinearVelocity(btVector3(0, 0, -4));
-        scene.world->addRigidBody(&body);
-        {
-            FractureWorld fracture(scene.world.get());
-            ASSERT_TRUE(fracture.makeBreakable(&body, crumbly(), coarse(0.06)).ok());
-            std::vector<BlowEvent> events;
-            for (int i = 0; i < 60 && events.empty(); ++i) {
-                scene.step();
-                events = fracture.takeEvents();
-            }
-            ASSERT_FALSE(events.empty());
-            EXPECT_EQ(warns(events[0], "100 mm from the centre of its solid"), shift > 0);
-        }
-        if (body.isInWorld()) scene.world->removeRigidBody(&body);
-    }
-}
-
-// Every body of an asset shares the shape, so all of them grow; the pieces would not.
-TEST(SizeWarning, FirstBlowOnABodyWithAScaledShapeSaysIt) {
-    Settings settings = coarse(0.03);
-    settings.fracture.smallest_fragment_m3 = 0;
-    const auto asset = BreakableAsset::fromMesh(cylinderMesh(0.1, 0.1), crumbly(), settings);
-    ASSERT_TRUE(asset.ok()) << asset.error();
-    for (const bool scaled : {false, true}) {
-        TestWorld scene;
-        scene.addFloor();
-        FractureWorld fracture(scene.world.get());
-        btRigidBody* body = fracture.add(asset.value(), at(0, 0, 0.3f)).value();
-        if (scaled) body->getCollisionShape()->setLocalScaling(btVector3(2, 2, 2));
-        body->setLinearVelocity(btVector3(0, 0, -4));
-        std::vector<BlowEvent> events;
-        for (int i = 0; i < 60 && events.empty(); ++i) {
-            scene.step();
-            events = fracture.takeEvents();
-        }
-        ASSERT_FALSE(events.empty());
-        EXPECT_EQ(events[0].outcome, Outcome::broke);
-        EXPECT_EQ(warns(events[0], "setLocalScaling"), scaled);
-    }
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 #include <sherd/sherd.h>
 
+#include <algorithm>
 #include <cstring>
 #include <memory>
 #include <vector>
@@ -155,6 +156,12 @@ inline bool sameState(const btRigidBody& a, const btRigidBody& b) {
     for (int row = 0; row < 3; ++row) same = same && sameBits(p.getBasis()[row], q.getBasis()[row]);
     return same && sameBits(a.getLinearVelocity(), b.getLinearVelocity()) &&
            sameBits(a.getAngularVelocity(), b.getAngularVelocity());
+}
+
+/// Whether a warning of the event has these words.
+inline bool warnsOf(const BlowEvent& event, const char* words) {
+    return std::any_of(event.warnings.begin(), event.warnings.end(),
+                       [&](const std::string& warning) { return warning.find(words) != std::string::npos; });
 }
 
 /// An event of a body that held.

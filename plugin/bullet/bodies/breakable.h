@@ -59,6 +59,7 @@ struct Breakable : Pooled {
     std::shared_ptr<const BreakableAsset> of_all_alike;  ///< kept for those that are to share it
     std::shared_ptr<const FractureSettings> fracture;    ///< how it breaks; shared with its fragments
     btTransform body_from_asset = btTransform::getIdentity();
+    btVector3 extent_when_made = btVector3(0, 0, 0);  ///< of the app's own body, as its asset was made of it
     std::string name;
     std::optional<std::uint64_t> seed;  ///< given by the app, or derived from that of the body it was part of
     /// What blows that it held damaged of it, or of the body that it was part of; nullptr: nothing.

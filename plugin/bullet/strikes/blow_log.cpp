@@ -1,42 +1,20 @@
 #include "bullet/strikes/blow_log.h"
 
-#include <cmath>
 #include <utility>
 
+#include "bullet/bodies/body_warnings.h"
 #include "bullet/bodies/kept_factors.h"
-#include "bullet/shapes/shapes.h"
 #include "bullet/world/conversions.h"
 
 namespace sherd {
 
 namespace {
 
-/// What the asset warns of, with the first blow on its body.
+/// With the first blow on a body alone.
 std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
     if (std::exchange(breakable.warned, true)) return {};
-    std::vector<std::string> warnings = breakable.asset.warnings();
     breakable.noteLeastEnergy();
-    if (breakable.prepared_free && !breakable.asset.prepared())
-        warnings.push_back(
-            "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
-            "prepare what BreakableAsset::anchored makes of it, and add bodies of that");
-    const BreakableSolid& solid = *breakable.asset.solid();
-    const double off_m = (breakable.body_from_asset * toBullet(solid.moments().centroid)).length();
-    constexpr double far = 0.02;  // of its radius
-    const bool turns = breakable.isDynamic() && !breakable.body->getAngularFactor().isZero();
-    if (!breakable.ownedHere() && turns && off_m > far * solid.boundingRadius())
-        warnings.push_back(
-            "the body turns about a point that is " + std::to_string(std::lround(1000 * off_m)) +
-            " mm from the centre of its solid, about which its pieces turn: they fall and "
-            "spin otherwise than it did; in a btCompoundShape the shape can be shifted so that both are one");
-    const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
-                           breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
-    if (is_scaled)
-        warnings.push_back(
-            "the collision shape of this body was scaled (setLocalScaling), and with it that of all bodies "
-            "of its asset; the body breaks as its asset is, unscaled: scale the mesh instead "
-            "(Repair::scale), and add bodies of that");
-    return warnings;
+    return warningsOf(breakable);
 }
 
 BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
