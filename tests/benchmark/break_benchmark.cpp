@@ -30,16 +30,20 @@ using namespace sherd::benchmarks;
 /// Blows that were solved.
 struct Blows {
     std::vector<StageTimes> ms;
-    std::vector<double> totals, pieces;
+    std::vector<double> totals, stepping, pieces;  // `stepping`: on the thread that steps
 
     void add(const BlowEvent& event) {
         ms.push_back(event.ms);
         totals.push_back(event.ms.total());
+        stepping.push_back(totals.back() - event.ms_elsewhere.total());
         pieces.push_back(static_cast<double>(event.fragments.size()));
     }
     void print(const char* what) const {
-        std::printf("%s: %zu, %.0f pieces; ms: median %.2f, 90 %% %.2f, longest %.1f;", what, totals.size(),
-                    median(pieces), median(totals), quantile(totals, 0.9), quantile(totals, 1));
+        std::printf(
+            "%s: %zu, %.0f pieces; ms: median %.2f, 90 %% %.2f, longest %.1f, on the thread that steps %.2f, "
+            "%.2f, %.1f;",
+            what, totals.size(), median(pieces), median(totals), quantile(totals, 0.9), quantile(totals, 1),
+            median(stepping), quantile(stepping, 0.9), quantile(stepping, 1));
         for (const auto& field : time_fields<StageTimes>) {
             std::vector<double> of_stage;
             for (const StageTimes& one : ms) of_stage.push_back(one.*field.value);
@@ -68,7 +72,7 @@ int main(int count, char** arguments) {
     const Vec3 size = high - low;
     const double across = 0.5 * std::hypot(size.x(), size.y());
 
-    Blows broken, held, of_fragments;
+    Blows broken, held, of_fragments, paced_of_fragments;
     std::vector<double> breaking_ms, other_ms;  // steps of the runs in which blows are foreseen
     long long foreseen = 0;
     const auto strikeFrom = [&](int side, bool ahead) {
@@ -108,8 +112,10 @@ int main(int count, char** arguments) {
                 if (event.outcome != Outcome::broke && event.outcome != Outcome::held) continue;
                 const bool whole = event.asset.solid() == asset.solid();
                 whole_broke = whole_broke || (whole && event.outcome == Outcome::broke);
-                if (!ahead)
-                    (!whole ? of_fragments : event.outcome == Outcome::broke ? broken : held).add(event);
+                if (!whole)
+                    (ahead ? paced_of_fragments : of_fragments).add(event);
+                else if (!ahead)
+                    (event.outcome == Outcome::broke ? broken : held).add(event);
             }
             if (!ahead) continue;
             (whole_broke ? breaking_ms : other_ms).push_back(took.count());
@@ -123,6 +129,7 @@ int main(int count, char** arguments) {
     broken.print("broken");
     held.print("held");
     of_fragments.print("blows on fragments");
+    paced_of_fragments.print("blows on fragments where steps wait for real time");
     std::printf(
         "%lld foreseen; ms: steps in which the whole breaks: median %.2f, longest %.1f; longest other %.1f\n",
         foreseen, median(breaking_ms), quantile(breaking_ms, 1), quantile(other_ms, 1));
