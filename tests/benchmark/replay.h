@@ -11,9 +11,8 @@
 
 namespace sherd::benchmarks {
 
-/// The rigid bodies of a world, and when they come and go: plain Bullet steps bodies of the same shapes that
-/// do so in a world without Sherd. They come where they came in the run that was recorded, and as fast; from
-/// then on they move as Bullet has them.
+/// The rigid bodies of a world as they come, go, and move from step to step: plain Bullet steps bodies of the
+/// same shapes, from the same places at the same speeds, in a world without Sherd.
 class Replay {
   public:
     /// What is in the world before its first step.
@@ -21,7 +20,7 @@ class Replay {
 
     /// To be called after each step of the world.
     void note(const btDiscreteDynamicsWorld& world) {
-        Change change;
+        Moment moment;
         std::map<Key, std::size_t> here;
         const auto& objects = world.getCollisionObjectArray();
         for (int i = 0; i < objects.size(); ++i) {
@@ -29,34 +28,36 @@ class Replay {
             const Key key{&body, body.internalGetExtensionPointer()};
             const auto known = here_.find(key);
             if (known == here_.end()) {
-                change.came.push_back(twins_.size());
+                moment.came.push_back(twins_.size());
                 twins_.push_back(twinOf(body));
             }
-            here[key] = known == here_.end() ? change.came.back() : known->second;
+            const std::size_t number = known == here_.end() ? moment.came.back() : known->second;
+            here[key] = number;
+            moment.states.push_back({number, body.getWorldTransform(), body.getLinearVelocity(),
+                                     body.getAngularVelocity(), body.getActivationState()});
         }
         for (const auto& [key, number] : here_)
-            if (here.count(key) == 0) change.left.push_back(number);
+            if (here.count(key) == 0) moment.left.push_back(number);
         here_ = std::move(here);
-        changes_.push_back(std::move(change));
+        moments_.push_back(std::move(moment));
     }
 
-    /// All steps that were noted, of `time_step_s` each; returns what they take, ms. To be called once.
-    double play(double time_step_s) {
+    /// All steps that were noted, of `time_step_s` each; returns what each takes, ms. To be called once.
+    std::vector<double> play(double time_step_s) {
         btDefaultCollisionConfiguration configuration;
         btCollisionDispatcher dispatcher(&configuration);
         btDbvtBroadphase broadphase;
         btSequentialImpulseConstraintSolver solver;
         btDiscreteDynamicsWorld world(&dispatcher, &broadphase, &solver, &configuration);
         world.setGravity(gravity_);
-        double ms = 0;
-        for (const Change& change : changes_) {
+        std::vector<double> ms;
+        for (const Moment& moment : moments_) {
+            apply(moment, world);
+            if (&moment == &moments_.back()) break;
             using namespace std::chrono;
             const auto start = steady_clock::now();
-            if (&change != &changes_.front()) world.stepSimulation(btScalar(time_step_s), 0);
-            ms += duration<double, std::milli>(steady_clock::now() - start).count();
-            for (const std::size_t number : change.left) world.removeRigidBody(twins_[number].body.get());
-            for (const std::size_t number : change.came)
-                world.addRigidBody(twins_[number].body.get(), twins_[number].group, twins_[number].mask);
+            world.stepSimulation(btScalar(time_step_s), 0);
+            ms.push_back(duration<double, std::milli>(steady_clock::now() - start).count());
         }
         while (world.getNumCollisionObjects() > 0)
             world.removeCollisionObject(world.getCollisionObjectArray()[0]);
@@ -65,8 +66,15 @@ class Replay {
 
   private:
     using Key = std::pair<const btRigidBody*, const void*>;  // an address may be that of another body later
-    struct Change {
+    struct State {
+        std::size_t number;
+        btTransform place;
+        btVector3 velocity, turning;
+        int activation;
+    };
+    struct Moment {
         std::vector<std::size_t> left, came;
+        std::vector<State> states;
     };
     struct Twin {
         std::vector<std::unique_ptr<btCollisionShape>> shapes;  // the whole last
@@ -75,25 +83,26 @@ class Replay {
     };
 
     static std::unique_ptr<btCollisionShape> convexCopy(const btCollisionShape& shape) {
-        std::unique_ptr<btCollisionShape> copy;
         switch (shape.getShapeType()) {
             case CONVEX_HULL_SHAPE_PROXYTYPE: {
                 const auto& hull = static_cast<const btConvexHullShape&>(shape);
-                copy = std::make_unique<btConvexHullShape>(hull.getUnscaledPoints()->m_floats,
-                                                           hull.getNumPoints());
-                break;
+                auto twin = std::make_unique<btConvexHullShape>(hull.getUnscaledPoints()->m_floats,
+                                                                hull.getNumPoints());
+                twin->setMargin(hull.getMargin());
+                twin->recalcLocalAabb();  // which has the margin in it
+                return twin;
             }
-            case BOX_SHAPE_PROXYTYPE:
-                copy = std::make_unique<btBoxShape>(
+            case BOX_SHAPE_PROXYTYPE: {
+                auto twin = std::make_unique<btBoxShape>(
                     static_cast<const btBoxShape&>(shape).getHalfExtentsWithMargin());
-                break;
+                twin->setMargin(shape.getMargin());
+                return twin;
+            }
             case SPHERE_SHAPE_PROXYTYPE:
                 return std::make_unique<btSphereShape>(static_cast<const btSphereShape&>(shape).getRadius());
             default:
                 throw std::invalid_argument("no copy is made of such a shape");
         }
-        copy->setMargin(shape.getMargin());
-        return copy;
     }
 
     static void addShapes(const btCollisionShape& shape, Twin& twin) {
@@ -116,7 +125,6 @@ class Replay {
         const btScalar mass = body.getInvMass() > 0 ? 1 / body.getInvMass() : 0;
         btRigidBody::btRigidBodyConstructionInfo info(mass, nullptr, twin.shapes.back().get(),
                                                       body.getLocalInertia());
-        info.m_startWorldTransform = body.getWorldTransform();
         info.m_friction = body.getFriction();
         info.m_restitution = body.getRestitution();
         info.m_rollingFriction = body.getRollingFriction();
@@ -126,8 +134,6 @@ class Replay {
         info.m_linearSleepingThreshold = body.getLinearSleepingThreshold();
         info.m_angularSleepingThreshold = body.getAngularSleepingThreshold();
         twin.body = std::make_unique<btRigidBody>(info);
-        twin.body->setLinearVelocity(body.getLinearVelocity());
-        twin.body->setAngularVelocity(body.getAngularVelocity());
         twin.body->setCcdMotionThreshold(body.getCcdMotionThreshold());
         twin.body->setCcdSweptSphereRadius(body.getCcdSweptSphereRadius());
         twin.group = body.getBroadphaseProxy()->m_collisionFilterGroup;
@@ -135,10 +141,24 @@ class Replay {
         return twin;
     }
 
+    void apply(const Moment& moment, btDiscreteDynamicsWorld& world) {
+        for (const std::size_t number : moment.left) world.removeRigidBody(twins_[number].body.get());
+        for (const std::size_t number : moment.came)
+            world.addRigidBody(twins_[number].body.get(), twins_[number].group, twins_[number].mask);
+        for (const State& state : moment.states) {
+            btRigidBody& body = *twins_[state.number].body;
+            body.setCenterOfMassTransform(state.place);
+            body.setInterpolationWorldTransform(state.place);
+            body.setLinearVelocity(state.velocity);
+            body.setAngularVelocity(state.turning);
+            body.forceActivationState(state.activation);
+        }
+    }
+
     const btVector3 gravity_;
     std::map<Key, std::size_t> here_;
     std::vector<Twin> twins_;
-    std::vector<Change> changes_;
+    std::vector<Moment> moments_;
 };
 
 }  // namespace sherd::benchmarks

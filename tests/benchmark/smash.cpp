@@ -1,6 +1,6 @@
 // A room of crockery: 30 stoneware cups of one prepared asset stand on a floor, and a steel ball of 2 kg
 // flies through them at 12 m/s. Prints what the steps took, what was solved, and what is left; and what plain
-// Bullet takes to step bodies of the same shapes that come and go at the same times (`Replay`).
+// Bullet takes to step bodies of the same shapes from the same places (`Replay`).
 //
 //   smash [--rate HZ] [--seconds S] [--quality NAME] [--set FIELD=VALUE]... [--paced] [--no-budget] [--steps
 //   FILE] [--blows FILE]
@@ -18,8 +18,10 @@
 #include <chrono>
 #include <cstdio>
 #include <fstream>
+#include <numeric>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "benchmark/quantile.h"
@@ -108,7 +110,7 @@ void run(const Options& options) {
         double wall = 0;
         Blows on_cups, on_fragments;
         double ball_after = 0, dropped = 0;
-        std::FILE* file = options.steps_file.empty() ? nullptr : std::fopen(options.steps_file.c_str(), "w");
+        std::vector<std::pair<int, int>> counts;  // objects and manifolds
         std::ofstream blows(options.blows_file);
         const auto start = std::chrono::steady_clock::now();
         for (int step = 0; step < steps; ++step) {
@@ -129,12 +131,8 @@ void run(const Options& options) {
             if (ball_after == 0 &&
                 room.ball.getWorldTransform().getOrigin().x() > CupRoom::spacing_m * CupRoom::per_row)
                 ball_after = room.ball.getLinearVelocity().length();
-            if (file)
-                std::fprintf(file, "%d %.3f %.3f %d %d\n", step, step_ms.back(), own_ms.back(),
-                             room.world.getNumCollisionObjects(), room.dispatcher.getNumManifolds());
+            counts.emplace_back(room.world.getNumCollisionObjects(), room.dispatcher.getNumManifolds());
         }
-        if (file) std::fclose(file);
-
         std::vector<double> masses;
         double mass = dropped;
         int asleep = 0;
@@ -146,9 +144,16 @@ void run(const Options& options) {
         }
         double own = 0;
         for (const double ms : own_ms) own += ms;
-        const double plain = replay.play(1 / options.rate_hz);
+        const std::vector<double> plain_ms = replay.play(1 / options.rate_hz);
+        const double plain = std::accumulate(plain_ms.begin(), plain_ms.end(), 0.0);
+        if (!options.steps_file.empty()) {
+            std::ofstream file(options.steps_file);
+            for (std::size_t i = 0; i < step_ms.size(); ++i)
+                file << i << ' ' << step_ms[i] << ' ' << own_ms[i] << ' ' << plain_ms[i] << ' '
+                     << counts[i].first << ' ' << counts[i].second << '\n';
+        }
         const WorldTimes times = fracture.times();
-        const BlowCounts counts = fracture.counts();
+        const BlowCounts blow_counts = fracture.counts();
         std::printf(
             "%g Hz, %g s, %s: wall %.2f s, Sherd %.2f s, Bullet's own %.2f s; steps: median %.2f, "
             "longest %.1f ms (Bullet's own %.2f, %.1f)\n",
@@ -165,8 +170,8 @@ void run(const Options& options) {
             ball_after);
         std::printf(
             "blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld; foreseen %lld, in vain %lld\n",
-            counts.seen, counts.gate, counts.coarse, counts.reduced, counts.full, counts.foreseen,
-            counts.foreseen_in_vain);
+            blow_counts.seen, blow_counts.gate, blow_counts.coarse, blow_counts.reduced, blow_counts.full,
+            blow_counts.foreseen, blow_counts.foreseen_in_vain);
         on_cups.print("  on cups");
         on_fragments.print("  on fragments");
         std::printf("blows, ms:");

@@ -22,6 +22,7 @@ do for [r = 1:words(rates)] {
     plot sprintf("%s/smash_%s_whole.dat", series, rate) using ($1 / rate):2 with lines lw 1.4 lc rgb "#999999" title "every blow decided in its step", \
          sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):2 with lines lw 1.8 lc rgb "#0072B2" title "with the budget of the defaults", \
          sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):3 with lines lw 1.2 lc rgb "#009E73" title "of which Bullet's own", \
+         sprintf("%s/smash_%s.dat", series, rate) using ($1 / rate):4 with lines lw 1.2 lc rgb "#CC79A7" title "plain Bullet, the same bodies", \
          frame_ms with lines dt 2 lw 1.4 lc rgb "#D55E00" title sprintf("%.1f ms: the step's own length", frame_ms)
 }
 unset multiplot
