@@ -59,7 +59,8 @@ struct BlowFigures {
     double full_solve_largest_stress_pa = 0;
     std::string message;  ///< failure and fallbacks, as sentences
     /// What limits trust in the stress, with the remedy. In a world the first blow on a body says also what
-    /// its asset warns of (BreakableAsset::warnings).
+    /// its asset warns of (BreakableAsset::warnings), and one that is solved whether the program has changed
+    /// the body's mass or shape since it was made breakable.
     std::vector<std::string> warnings;
 };
 

@@ -202,7 +202,7 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
     breakables_.syncWithWorld(world_.getCollisionObjectArray());
     if (const Status refused = refusal(body); !refused) return refused;
     const ThreadsAsAllowed threads(*this);
-    const auto parts = convexParts(*body->getCollisionShape());
+    auto parts = convexParts(*body->getCollisionShape());
     if (!parts) return Error{parts.error()};
     if (body->getInvMass() == 0 && options.supports.empty())
         return Error{
@@ -210,13 +210,15 @@ Status FractureWorld::Impl::makeBreakable(btRigidBody* body, const Material& mat
             "surface "
             "that are held (BreakableOptions::supports), or give it a mass"};
     const double mass_kg = body->getInvMass() > 0 ? 1 / double(body->getInvMass()) : 0;
-    const auto alike = assets_.assetOf(parts.value(), mass_kg, material, settings, options.supports);
+    const auto alike =
+        assets_.assetOf(std::move(parts).value(), mass_kg, material, settings, options.supports);
     if (!alike) return Error{alike.error()};
-    const BreakableAsset asset = options.seed ? alike.value()->ofBody(*options.seed) : *alike.value();
+    const auto& [of_all, made_of] = alike.value();
+    const BreakableAsset asset = options.seed ? of_all->ofBody(*options.seed) : *of_all;
     auto breakable = std::make_unique<Breakable>(asset, fractureSettingsFor(asset, settings.fracture));
-    breakable->of_all_alike = alike.value();
+    breakable->of_all_alike = of_all;
+    breakable->made_of = made_of;
     breakable->body = body;
-    breakable->extent_when_made = extentOf(*body);
     breakable->name = options.name;
     breakable->seed = options.seed;
     registerBreakable(std::move(breakable));

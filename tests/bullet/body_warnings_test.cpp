@@ -95,18 +95,25 @@ TEST(BodyWarnings, AMassThatIsNotTheAssetsSaysItAndThePiecesDoNot) {
                 piece, Push{piece->getCenterOfMassPosition(), btVector3(0, 0, -10 / piece->getInvMass())});
         const auto of_pieces = fracture.takeEvents();
         EXPECT_FALSE(of_pieces.empty());
-        for (const BlowEvent& event : of_pieces) EXPECT_FALSE(warnsOf(event, "the mass of this body"));
+        for (const BlowEvent& event : of_pieces) EXPECT_FALSE(warnsOf(event, "The mass of this body"));
     }
 }
 
 TEST(BodyWarnings, AShapeThatChangesAfterMakeBreakableSaysIt) {
-    enum class Change { none, scaled, replaced };
-    for (const Change change : {Change::none, Change::scaled, Change::replaced}) {
+    enum class Change { none, margin, scaled, replaced, moved };
+    for (const Change change :
+         {Change::none, Change::margin, Change::scaled, Change::replaced, Change::moved}) {
         OwnBox own;
+        btCompoundShape shape;
+        shape.addChildShape(at(0, 0, 0), &own.box);
+        own.body.setCollisionShape(&shape);
         ASSERT_TRUE(own.fracture->makeBreakable(&own.body, crumbly(), coarse(0.06)).ok());
-        if (change == Change::scaled) own.box.setLocalScaling(btVector3(1, 1, 1.1f));
+        if (change == Change::margin) shape.setMargin(0.01f);
+        if (change == Change::scaled) shape.setLocalScaling(btVector3(1, 1, 1.1f));
         if (change == Change::replaced) own.body.setCollisionShape(&own.larger);
-        EXPECT_EQ(warnsOf(own.firstBlow(), "changed after makeBreakable"), change != Change::none);
+        if (change == Change::moved) shape.updateChildTransform(0, at(0.01f, 0, 0));
+        const bool is_other = change != Change::none && change != Change::margin;
+        EXPECT_EQ(warnsOf(own.firstBlow(), "scaled, moved or replaced after makeBreakable"), is_other);
     }
 }
 
@@ -119,8 +126,26 @@ TEST(BodyWarnings, AMassThatChangesAfterMakeBreakableSaysItUntilThatIsCalledAgai
             own.fracture->remove(&own.body);
             ASSERT_TRUE(own.fracture->makeBreakable(&own.body, crumbly(), coarse(0.06)).ok());
         }
-        EXPECT_EQ(warnsOf(own.firstBlow(), "the mass of this body was set to 10 kg"), !again);
+        EXPECT_EQ(warnsOf(own.firstBlow(), "The mass of this body was set to 10 kg"), !again);
     }
+}
+
+TEST(BodyWarnings, WhatChangesAfterABlowIsSaidOnceByTheNext) {
+    OwnBox own;
+    Settings settings = coarse(0.06);
+    settings.fracture.check_with_full_solve = true;  // with that each blow has an event
+    ASSERT_TRUE(own.fracture->makeBreakable(&own.body, unbreakable(), settings).ok());
+    own.scene.world->setGravity(btVector3(0, 0, 0));
+    const auto pushed = [&] {
+        (void)own.fracture->applyBlow(
+            &own.body, Push{own.body.getCenterOfMassPosition(), btVector3(0, 0, 20 / own.body.getInvMass())});
+        const auto events = own.fracture->takeEvents();
+        return !events.empty() && warnsOf(events[0], "The mass of this body");
+    };
+    EXPECT_FALSE(pushed());
+    own.body.setMassProps(10, btVector3(2, 2, 2));
+    EXPECT_TRUE(pushed());
+    EXPECT_FALSE(pushed());
 }
 
 }  // namespace

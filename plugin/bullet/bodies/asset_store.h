@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "bullet/shapes/shapes.h"
+
 namespace sherd {
 
 /// The assets of bodies that the app made itself: those that are alike share one, so the blocks of a wall are
@@ -13,17 +15,20 @@ namespace sherd {
 /// that were asked for stay in any case: the crates of the next level are not prepared again.
 class AssetStore {
   public:
-    using Parts = std::vector<std::vector<Vec3>>;
+    /// An asset, and what it was made of.
+    struct OfParts {
+        std::shared_ptr<const BreakableAsset> asset;
+        std::shared_ptr<const ConvexParts> parts;
+    };
 
     /// The union of convex parts, as BreakableAsset::fromMesh has it; anchored, if there are supports. The
     /// density follows from the mass; where that is 0 the material says it.
-    Result<std::shared_ptr<const BreakableAsset>> assetOf(const Parts& parts, double mass_kg,
-                                                          Material material, const Settings& settings,
-                                                          const std::vector<SurfaceRegion>& supports);
+    Result<OfParts> assetOf(ConvexParts parts, double mass_kg, Material material, const Settings& settings,
+                            const std::vector<SurfaceRegion>& supports);
 
   private:
     struct Entry {
-        Parts parts;
+        std::shared_ptr<const ConvexParts> parts;
         double mass_kg = 0;
         std::string constants;
         std::weak_ptr<const BreakableAsset> asset;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "bullet/bodies/breakable.h"
 #include "bullet/shapes/shapes.h"
@@ -13,8 +14,8 @@ namespace {
 
 std::string ofPreparation(const Breakable& breakable) {
     if (!breakable.prepared_free || breakable.asset.prepared()) return {};
-    return "the asset was prepared, but not as supports hold this body, so that its first blow takes long: "
-           "prepare what BreakableAsset::anchored makes of it, and add bodies of that";
+    return "The asset was prepared, but not as supports hold this body, so that its first blow takes long: "
+           "prepare what BreakableAsset::anchored makes of it, and add bodies of that.";
 }
 
 std::string ofCentre(const Breakable& breakable) {
@@ -23,9 +24,10 @@ std::string ofCentre(const Breakable& breakable) {
     constexpr double far = 0.02;  // of its radius
     const bool turns = breakable.isDynamic() && !breakable.body->getAngularFactor().isZero();
     if (breakable.ownedHere() || !turns || off_m <= far * solid.boundingRadius()) return {};
-    return "the body turns about a point that is " + std::to_string(std::lround(1000 * off_m)) +
+    return "The body turns about a point that is " + std::to_string(std::lround(1000 * off_m)) +
            " mm from the centre of its solid, about which its pieces turn: they fall and spin otherwise than "
-           "it did; in a btCompoundShape the shape can be shifted so that both are one";
+           "it did; in a btCompoundShape the shape can be shifted before makeBreakable, so that both are "
+           "one.";
 }
 
 /// Of a body of an asset: a program may give it another shape, but this is that of all bodies of the asset.
@@ -33,51 +35,61 @@ std::string ofScaling(const Breakable& breakable) {
     const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
                            breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
     if (!is_scaled) return {};
-    return "the collision shape of this body was scaled (setLocalScaling), and with it that of all bodies of "
+    return "The collision shape of this body was scaled (setLocalScaling), and with it that of all bodies of "
            "its asset; the body breaks as its asset is, unscaled: scale the mesh instead (Repair::scale), "
            "and "
-           "add bodies of that";
+           "add bodies of that.";
 }
 
 /// Of a body of the program's own, whose shape is what breaks.
 std::string ofShape(const Breakable& breakable) {
-    const btVector3 was = breakable.extent_when_made, is = extentOf(*breakable.body);
-    constexpr btScalar alike = btScalar(1e-3);  // of its size
-    if (breakable.ownedHere() || (is - was).length() <= alike * was.length()) return {};
-    std::ostringstream text;
-    text << "the collision shape of this body was changed after makeBreakable: it was " << was.x() << " x "
-         << was.y() << " x " << was.z() << " m in size and is " << is.x() << " x " << is.y() << " x "
-         << is.z()
-         << " m; the body breaks as it was: call remove() and makeBreakable() again after such a change";
-    return text.str();
+    if (!breakable.made_of) return {};
+    const auto parts = convexParts(*breakable.body->getCollisionShape());
+    if (parts && parts.value() == *breakable.made_of) return {};
+    return "The collision shape of this body was scaled, moved or replaced after makeBreakable, and it "
+           "breaks "
+           "as it was: call remove() and makeBreakable() again after such a change.";
 }
 
 /// Pieces keep what the whole had.
 std::string ofMass(const Breakable& breakable) {
     if (!breakable.isDynamic() || !breakable.came_of.empty()) return {};
-    const double of_asset = breakable.asset.mass(), of_body = 1 / double(breakable.body->getInvMass());
-    constexpr double alike = 1e-3;
-    if (std::abs(of_body / of_asset - 1) <= alike) return {};
+    const double decided_with = breakable.asset.mass(), of_body = 1 / double(breakable.body->getInvMass());
+    constexpr double alike = 0.01;
+    if (std::abs(of_body / decided_with - 1) <= alike) return {};
     std::ostringstream text;
-    text << "the mass of this body was set to " << of_body
+    text << "The mass of this body was set to " << of_body
          << " kg (setMassProps), but how it breaks is decided "
-         << "with the " << of_asset << " kg ";
-    if (breakable.ownedHere())
-        text << "of its asset: give that another density instead (Material::withDensity)";
-    else
-        text
-            << "that it had when it was made breakable: call remove() and makeBreakable() again after such a "
-               "change";
+         << "with " << decided_with << " kg: ";
+    text << (breakable.ownedHere() ? "give its asset another density instead (Material::withDensity)."
+                                   : "call remove() and makeBreakable() again after such a change.");
     return text.str();
+}
+
+void addTo(std::vector<std::string>& warnings, std::string sentence) {
+    if (!sentence.empty()) warnings.push_back(std::move(sentence));
 }
 
 }  // namespace
 
-std::vector<std::string> warningsOf(const Breakable& breakable) {
+std::vector<std::string> warningsOfMaking(const Breakable& breakable) {
     std::vector<std::string> warnings = breakable.asset.warnings();
-    for (const auto warning : {ofPreparation, ofCentre, ofScaling, ofShape, ofMass})
-        if (std::string sentence = warning(breakable); !sentence.empty())
-            warnings.push_back(std::move(sentence));
+    addTo(warnings, ofPreparation(breakable));
+    addTo(warnings, ofCentre(breakable));
+    return warnings;
+}
+
+std::vector<std::string> warningsOfChanges(Breakable& breakable) {
+    std::vector<std::string> warnings;
+    if (!breakable.told_shape) {
+        addTo(warnings, ofScaling(breakable));
+        addTo(warnings, ofShape(breakable));
+        breakable.told_shape = !warnings.empty();
+    }
+    if (breakable.told_mass) return warnings;
+    const std::size_t before = warnings.size();
+    addTo(warnings, ofMass(breakable));
+    breakable.told_mass = warnings.size() > before;
     return warnings;
 }
 

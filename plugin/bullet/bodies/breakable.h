@@ -15,6 +15,7 @@
 #include "bullet/shapes/inner_ball.h"
 #include "bullet/shapes/pooled.h"
 #include "bullet/shapes/rigid_body_factory.h"
+#include "bullet/shapes/shapes.h"
 #include "core/damage/damaged_material.h"
 
 namespace sherd {
@@ -59,7 +60,7 @@ struct Breakable : Pooled {
     std::shared_ptr<const BreakableAsset> of_all_alike;  ///< kept for those that are to share it
     std::shared_ptr<const FractureSettings> fracture;    ///< how it breaks; shared with its fragments
     btTransform body_from_asset = btTransform::getIdentity();
-    btVector3 extent_when_made = btVector3(0, 0, 0);  ///< of the app's own body, as its asset was made of it
+    std::shared_ptr<const ConvexParts> made_of;  ///< of a body of the app's own, its shape as it was
     std::string name;
     std::optional<std::uint64_t> seed;  ///< given by the app, or derived from that of the body it was part of
     /// What blows that it held damaged of it, or of the body that it was part of; nullptr: nothing.
@@ -78,13 +79,15 @@ struct Breakable : Pooled {
     std::vector<BodyToken> came_of;  ///< the bodies that it was part of
     double young_until_s = 0;        ///< simulated time; 0 for what is no fragment
     bool in_world = true;            ///< at the last syncWithWorld
-    bool warned = false;             ///< an event has said what the asset warns of
-    bool prepared_free = false;      ///< its asset was, but not as the body is held
-    bool told_unbreakable = false;   ///< an event has said why nothing breaks it
-    BodyToken token = no_token;      ///< tells `body` from a new one at its address
-    int generation = 0;              ///< how many breaks in this world made it
-    double least_energy_j = 0;       ///< with less, no blow breaks it, nor has an event; 0: not known
-    InnerBall inner_ball;            ///< tells its side of ground
+    bool warned = false;             ///< an event has said what the asset warns of, or would have
+    bool told_shape = false;         ///< an event has said that its shape was changed; `told_mass` its mass
+    bool told_mass = false;
+    bool prepared_free = false;     ///< its asset was, but not as the body is held
+    bool told_unbreakable = false;  ///< an event has said why nothing breaks it
+    BodyToken token = no_token;     ///< tells `body` from a new one at its address
+    int generation = 0;             ///< how many breaks in this world made it
+    double least_energy_j = 0;      ///< with less, no blow breaks it, nor has an event; 0: not known
+    InnerBall inner_ball;           ///< tells its side of ground
     GroundWay way;
     /// How long a fragment has been near a place.
     struct Stay {

@@ -44,8 +44,7 @@ std::vector<Vec3> sampledHull(const btConvexShape& shape) {
 
 /// Adds the parts of `shape`, placed by `frame`; returns the name of the first shape that is not convex, or
 /// nothing.
-std::string addParts(const btCollisionShape& shape, const btTransform& frame,
-                     std::vector<std::vector<Vec3>>& parts) {
+std::string addParts(const btCollisionShape& shape, const btTransform& frame, ConvexParts& parts) {
     if (shape.isCompound()) {
         const auto& compound = static_cast<const btCompoundShape&>(shape);
         for (int i = 0; i < compound.getNumChildShapes(); ++i) {
@@ -85,8 +84,8 @@ std::vector<Vec3> supportPoints(const btConvexShape& shape) {
     return sampledHull(shape);
 }
 
-Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape) {
-    std::vector<std::vector<Vec3>> parts;
+Result<ConvexParts> convexParts(const btCollisionShape& shape) {
+    ConvexParts parts;
     const std::string not_convex = addParts(shape, btTransform::getIdentity(), parts);
     if (!not_convex.empty())
         return Error{"the body's shape has a part of type " + not_convex +

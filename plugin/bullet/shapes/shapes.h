@@ -16,9 +16,12 @@ namespace sherd {
 /// shape's frame, m.
 std::vector<Vec3> supportPoints(const btConvexShape& shape);
 
-/// The convex parts of a convex shape or of a compound of such, to any depth, each as the points of its hull
-/// in the frame of `shape`. The error names the child that is not convex.
-Result<std::vector<std::vector<Vec3>>> convexParts(const btCollisionShape& shape);
+/// Convex solids, each as the points of its hull, m.
+using ConvexParts = std::vector<std::vector<Vec3>>;
+
+/// The convex parts of a convex shape or of a compound of such, to any depth, in the frame of `shape`. The
+/// error names the child that is not convex.
+Result<ConvexParts> convexParts(const btCollisionShape& shape);
 
 /// Whether a shape has a scaling: those that Sherd makes have none.
 bool isScaled(const btCollisionShape& shape);

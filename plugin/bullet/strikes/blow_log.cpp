@@ -10,11 +10,17 @@ namespace sherd {
 
 namespace {
 
-/// With the first blow on a body alone.
-std::vector<std::string> warningsAtFirstBlow(Breakable& breakable) {
-    if (std::exchange(breakable.warned, true)) return {};
-    breakable.noteLeastEnergy();
-    return warningsOf(breakable);
+/// What was made of the body since is looked at with its first blow, and with those that have an event.
+std::vector<std::string> warningsWith(Breakable& breakable, bool has_event) {
+    std::vector<std::string> warnings;
+    const bool is_first = !std::exchange(breakable.warned, true);
+    if (is_first) {
+        breakable.noteLeastEnergy();
+        warnings = warningsOfMaking(breakable);
+    }
+    if (is_first || has_event)
+        for (std::string& sentence : warningsOfChanges(breakable)) warnings.push_back(std::move(sentence));
+    return warnings;
 }
 
 BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
@@ -39,7 +45,9 @@ BlowEvent eventOf(const StruckBreakable& struck, const BlowFigures& figures) {
 
 std::optional<std::size_t> BlowLog::add(const StruckBreakable& struck, const BlowOutcome& outcome,
                                         const DecidedBlow* decided) {
-    const std::vector<std::string> warnings = warningsAtFirstBlow(*struck.breakable);
+    const bool has_event = outcome.level != Level::gate || outcome.outcome != Outcome::held ||
+                           outcome.full_solve_outcome.has_value();
+    const std::vector<std::string> warnings = warningsWith(*struck.breakable, has_event);
     ++counts_.seen;
     ++counts_.at(outcome.level);
     StageTimes elsewhere;
@@ -47,8 +55,7 @@ std::optional<std::size_t> BlowLog::add(const StruckBreakable& struck, const Blo
         elsewhere = outcome.ms;
         elsewhere.gate = 0;  // the step asked that
     }
-    if (outcome.level == Level::gate && outcome.outcome == Outcome::held && warnings.empty() &&
-        !outcome.full_solve_outcome) {
+    if (!has_event && warnings.empty()) {
         times_.blows += outcome.ms;  // those of the others are added with their events
         times_.blows -= elsewhere;
         times_.workers += elsewhere;
