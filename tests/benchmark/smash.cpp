@@ -110,7 +110,7 @@ void run(const Options& options) {
         double wall = 0;
         Blows on_cups, on_fragments;
         double ball_after = 0, dropped = 0;
-        std::vector<std::pair<int, int>> counts;  // objects and manifolds
+        std::vector<std::pair<int, int>> sizes;  // objects and manifolds
         std::ofstream blows(options.blows_file);
         const auto start = std::chrono::steady_clock::now();
         for (int step = 0; step < steps; ++step) {
@@ -131,7 +131,7 @@ void run(const Options& options) {
             if (ball_after == 0 &&
                 room.ball.getWorldTransform().getOrigin().x() > CupRoom::spacing_m * CupRoom::per_row)
                 ball_after = room.ball.getLinearVelocity().length();
-            counts.emplace_back(room.world.getNumCollisionObjects(), room.dispatcher.getNumManifolds());
+            sizes.emplace_back(room.world.getNumCollisionObjects(), room.dispatcher.getNumManifolds());
         }
         std::vector<double> masses;
         double mass = dropped;
@@ -144,16 +144,17 @@ void run(const Options& options) {
         }
         double own = 0;
         for (const double ms : own_ms) own += ms;
+        const double memory = residentBytes() - memory_before;  // with what is kept for the replay
         const std::vector<double> plain_ms = replay.play(1 / options.rate_hz);
         const double plain = std::accumulate(plain_ms.begin(), plain_ms.end(), 0.0);
         if (!options.steps_file.empty()) {
             std::ofstream file(options.steps_file);
             for (std::size_t i = 0; i < step_ms.size(); ++i)
                 file << i << ' ' << step_ms[i] << ' ' << own_ms[i] << ' ' << plain_ms[i] << ' '
-                     << counts[i].first << ' ' << counts[i].second << '\n';
+                     << sizes[i].first << ' ' << sizes[i].second << '\n';
         }
         const WorldTimes times = fracture.times();
-        const BlowCounts blow_counts = fracture.counts();
+        const BlowCounts counts = fracture.counts();
         std::printf(
             "%g Hz, %g s, %s: wall %.2f s, Sherd %.2f s, Bullet's own %.2f s; steps: median %.2f, "
             "longest %.1f ms (Bullet's own %.2f, %.1f)\n",
@@ -165,13 +166,13 @@ void run(const Options& options) {
         std::printf(
             "memory + %.0f MB; %zu bodies (%d asleep), %.4f kg of %.4f; masses %.4f %.4f %.4f g; ball "
             "%.3f m/s behind the cups\n",
-            (residentBytes() - memory_before) / 1e6, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
+            memory / 1e6, masses.size(), asleep, mass, CupRoom::count * cup.mass(),
             1e3 * quantile(masses, 0.25), 1e3 * quantile(masses, 0.5), 1e3 * quantile(masses, 0.75),
             ball_after);
         std::printf(
             "blows %lld: gate %lld, coarse %lld, reduced %lld, full %lld; foreseen %lld, in vain %lld\n",
-            blow_counts.seen, blow_counts.gate, blow_counts.coarse, blow_counts.reduced, blow_counts.full,
-            blow_counts.foreseen, blow_counts.foreseen_in_vain);
+            counts.seen, counts.gate, counts.coarse, counts.reduced, counts.full, counts.foreseen,
+            counts.foreseen_in_vain);
         on_cups.print("  on cups");
         on_fragments.print("  on fragments");
         std::printf("blows, ms:");

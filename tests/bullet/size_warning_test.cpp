@@ -30,15 +30,15 @@ std::vector<BlowEvent> eventsOfACube(double size_m, double speed_m_s, const Mate
     return events;
 }
 
-bool warns(const BlowEvent& event, const char* words = "Repair::scale") {
-    return warnsOf(event, words);
+bool warns(const BlowEvent& event) {
+    return warnsOf(event, "Repair::scale");
 }
 
 TEST(SizeWarning, FirstBlowOnAHugeBodySaysIt) {
     const std::vector<BlowEvent> events = eventsOfACube(20, 10, crumbly());
     ASSERT_FALSE(events.empty());
     EXPECT_EQ(events[0].outcome, Outcome::broke) << events[0].message;
-    EXPECT_TRUE(warns(events[0], "20 m long"));
+    EXPECT_TRUE(warnsOf(events[0], "20 m long"));
     for (std::size_t i = 1; i < events.size(); ++i) EXPECT_FALSE(warns(events[i])) << "event " << i;
 }
 
@@ -46,7 +46,7 @@ TEST(SizeWarning, FirstBlowOnATinyBodySaysItThoughItIsTooWeakToBeSolved) {
     const std::vector<BlowEvent> events = eventsOfACube(0.003, 1, unbreakable());
     ASSERT_EQ(events.size(), 1u);
     EXPECT_EQ(events[0].outcome, Outcome::held);
-    EXPECT_TRUE(warns(events[0], "0.003 m long"));
+    EXPECT_TRUE(warnsOf(events[0], "0.003 m long"));
     EXPECT_GT(events[0].normal.z(), 0.9);
 }
 

@@ -26,29 +26,29 @@ std::string ofCentre(const Breakable& breakable) {
     if (breakable.ownedHere() || !turns || off_m <= far * solid.boundingRadius()) return {};
     return "The body turns about a point that is " + std::to_string(std::lround(1000 * off_m)) +
            " mm from the centre of its solid, about which its pieces turn: they fall and spin otherwise than "
-           "it did; in a btCompoundShape the shape can be shifted before makeBreakable, so that both are "
-           "one.";
+           "it did; in a btCompoundShape the shape can be shifted before makeBreakable, so that "
+           "both are one.";
 }
 
 /// Of a body of an asset: a program may give it another shape, but this is that of all bodies of the asset.
-std::string ofScaling(const Breakable& breakable) {
-    const bool is_scaled = breakable.ownedHere() && isScaled(*breakable.owned.shape->shape) &&
-                           breakable.body->getCollisionShape() == breakable.owned.shape->shape.get();
-    if (!is_scaled) return {};
+std::string ofSharedShape(const Breakable& breakable) {
+    const btCollisionShape& shared = *breakable.owned.shape->shape;
+    if (breakable.body->getCollisionShape() != &shared || !isScaled(shared)) return {};
     return "The collision shape of this body was scaled (setLocalScaling), and with it that of all bodies of "
            "its asset; the body breaks as its asset is, unscaled: scale the mesh instead (Repair::scale), "
-           "and "
-           "add bodies of that.";
+           "and add bodies of that.";
 }
 
 /// Of a body of the program's own, whose shape is what breaks.
-std::string ofShape(const Breakable& breakable) {
-    if (!breakable.made_of) return {};
+std::string ofOwnShape(const Breakable& breakable) {
     const auto parts = convexParts(*breakable.body->getCollisionShape());
     if (parts && parts.value() == *breakable.made_of) return {};
     return "The collision shape of this body was scaled, moved or replaced after makeBreakable, and it "
-           "breaks "
-           "as it was: call remove() and makeBreakable() again after such a change.";
+           "breaks as it was: call remove() and makeBreakable() again after such a change.";
+}
+
+std::string ofShape(const Breakable& breakable) {
+    return breakable.ownedHere() ? ofSharedShape(breakable) : ofOwnShape(breakable);
 }
 
 /// Pieces keep what the whole had.
@@ -58,16 +58,18 @@ std::string ofMass(const Breakable& breakable) {
     constexpr double alike = 0.01;
     if (std::abs(of_body / decided_with - 1) <= alike) return {};
     std::ostringstream text;
-    text << "The mass of this body was set to " << of_body
-         << " kg (setMassProps), but how it breaks is decided "
-         << "with " << decided_with << " kg: ";
-    text << (breakable.ownedHere() ? "give its asset another density instead (Material::withDensity)."
+    text << "The mass of this body was set to " << of_body << " kg (setMassProps), but how it breaks is "
+         << "decided with " << decided_with << " kg: "
+         << (breakable.ownedHere() ? "give its asset another density instead (Material::withDensity)."
                                    : "call remove() and makeBreakable() again after such a change.");
     return text.str();
 }
 
-void addTo(std::vector<std::string>& warnings, std::string sentence) {
-    if (!sentence.empty()) warnings.push_back(std::move(sentence));
+/// Whether there is a sentence to add.
+bool addTo(std::vector<std::string>& warnings, std::string sentence) {
+    if (sentence.empty()) return false;
+    warnings.push_back(std::move(sentence));
+    return true;
 }
 
 }  // namespace
@@ -81,15 +83,8 @@ std::vector<std::string> warningsOfMaking(const Breakable& breakable) {
 
 std::vector<std::string> warningsOfChanges(Breakable& breakable) {
     std::vector<std::string> warnings;
-    if (!breakable.told_shape) {
-        addTo(warnings, ofScaling(breakable));
-        addTo(warnings, ofShape(breakable));
-        breakable.told_shape = !warnings.empty();
-    }
-    if (breakable.told_mass) return warnings;
-    const std::size_t before = warnings.size();
-    addTo(warnings, ofMass(breakable));
-    breakable.told_mass = warnings.size() > before;
+    if (!breakable.told_shape) breakable.told_shape = addTo(warnings, ofShape(breakable));
+    if (!breakable.told_mass) breakable.told_mass = addTo(warnings, ofMass(breakable));
     return warnings;
 }
 
